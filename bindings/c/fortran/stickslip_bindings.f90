@@ -37,6 +37,13 @@ module stickslip_bindings
     public :: stickslip_cycle_add
     public :: stickslip_cycle_result_of
     public :: stickslip_cycle_field
+    public :: stickslip_normal_solution_edges
+    public :: stickslip_tangential_solution_edges
+    public :: stickslip_coupled_solution_edges
+    public :: stickslip_coupled_solution_pressure_edges
+    public :: stickslip_normal_solution_discretisation_estimate
+    public :: stickslip_tangential_solution_discretisation_estimate
+    public :: stickslip_coupled_solution_discretisation_estimates
     public :: stickslip_last_error_message
     public :: stickslip_last_error
     public :: stickslip_last_error_report
@@ -825,6 +832,30 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_cycle_result
 
+    ! The edges of a contact and of its stick zone, found inside the cells. Numbers of the stick zone and of the traction are NaN
+    ! for a contact that is pressed only.
+    type, bind(c), public :: stickslip_edges
+        ! Area of the contact, with the parts of the cells at its edge (a length squared).
+        real(c_double) :: contact_area = 0
+        ! The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
+        ! pressure.
+        real(c_double) :: refused_share = 0
+        ! Largest pressure at the centre of a cell (a pressure).
+        real(c_double) :: peak_pressure = 0
+        ! Area of the stick zone (a length squared).
+        real(c_double) :: stick_area = 0
+        ! Area of the slip zone (a length squared).
+        real(c_double) :: slip_area = 0
+        ! Stick area over contact area; zero without contact.
+        real(c_double) :: stick_ratio = 0
+        ! The part of the cells at the edge of the stick zone whose fit was refused.
+        real(c_double) :: stick_refused_share = 0
+        ! Largest magnitude of the traction at the centre of a cell (a pressure).
+        real(c_double) :: peak_traction = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_edges
+
     ! The numbers of the last failure on this thread; zero where they have no meaning.
     type, bind(c), public :: stickslip_error
         ! What the function returned, STICKSLIP_OK before any failure.
@@ -1364,6 +1395,91 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: count
             type(c_ptr) :: answer
         end function stickslip_cycle_field
+
+        ! The edge of the contact inside the cells, and the pressure there.
+        !
+        ! centres and means, which have cells entries, get the pressure at the centres of the cells and its means over the cells; each
+        ! may be NULL. Most accurate with STICKSLIP_CENTRE.
+        function stickslip_normal_solution_edges(solution, edges, centres, means, cells) result(answer) bind(c)
+            import
+            type(stickslip_normal_solution), value :: solution
+            type(stickslip_edges), intent(out), optional :: edges
+            real(c_double), intent(inout) :: centres(*)
+            real(c_double), intent(inout) :: means(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_edges
+
+        ! The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem. They are
+        ! those of a contact loaded once.
+        !
+        ! centres and means, which have cells entries, get the magnitude of the traction at the centres of the cells and its means over
+        ! the cells; each may be NULL.
+        function stickslip_tangential_solution_edges(solution, normal, friction, edges, centres, means, &
+            cells) result(answer) bind(c)
+            import
+            type(stickslip_tangential_solution), value :: solution
+            type(stickslip_normal_solution), value :: normal
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_edges), intent(out), optional :: edges
+            real(c_double), intent(inout) :: centres(*)
+            real(c_double), intent(inout) :: means(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_edges
+
+        ! The edges of a contact whose pressure and traction were found together: as stickslip_tangential_solution_edges. The pressure
+        ! comes from stickslip_coupled_solution_pressure_edges.
+        function stickslip_coupled_solution_edges(solution, friction, edges, centres, means, &
+            cells) result(answer) bind(c)
+            import
+            type(stickslip_coupled_solution), value :: solution
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_edges), intent(out), optional :: edges
+            real(c_double), intent(inout) :: centres(*)
+            real(c_double), intent(inout) :: means(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_edges
+
+        ! The edge of the contact alone, with its pressure: as stickslip_normal_solution_edges.
+        function stickslip_coupled_solution_pressure_edges(solution, edges, centres, means, &
+            cells) result(answer) bind(c)
+            import
+            type(stickslip_coupled_solution), value :: solution
+            type(stickslip_edges), intent(out), optional :: edges
+            real(c_double), intent(inout) :: centres(*)
+            real(c_double), intent(inout) :: means(*)
+            integer(c_size_t), value :: cells
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_pressure_edges
+
+        ! An estimate of the relative error that the cells leave in the pressure: the sum over cells of the error of its means. NaN
+        ! without contact.
+        function stickslip_normal_solution_discretisation_estimate(solution, estimate) result(answer) bind(c)
+            import
+            type(stickslip_normal_solution), value :: solution
+            real(c_double), intent(out), optional :: estimate
+            integer(c_int32_t) :: answer
+        end function stickslip_normal_solution_discretisation_estimate
+
+        ! The same of the traction; NaN without any.
+        function stickslip_tangential_solution_discretisation_estimate(solution, estimate) result(answer) bind(c)
+            import
+            type(stickslip_tangential_solution), value :: solution
+            real(c_double), intent(out), optional :: estimate
+            integer(c_int32_t) :: answer
+        end function stickslip_tangential_solution_discretisation_estimate
+
+        ! The same of pressure and traction that were found together; NaN of what there is not.
+        function stickslip_coupled_solution_discretisation_estimates(solution, of_pressure, &
+            of_traction) result(answer) bind(c)
+            import
+            type(stickslip_coupled_solution), value :: solution
+            real(c_double), intent(out), optional :: of_pressure
+            real(c_double), intent(out), optional :: of_traction
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_solution_discretisation_estimates
 
         ! The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
         ! on this thread, or its end.

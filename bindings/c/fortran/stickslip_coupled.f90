@@ -36,6 +36,9 @@ module stickslip_coupled
         procedure :: report => coupled_solution_report
         procedure :: warnings => coupled_solution_warnings
         procedure :: stiffness => coupled_solution_stiffness
+        procedure :: edges => coupled_solution_edges
+        procedure :: pressure_edges => coupled_solution_pressure_edges
+        procedure :: discretisation_estimates => coupled_solution_discretisation_estimates
         procedure :: address => coupled_solution_address
         procedure :: free => coupled_solution_free
         final :: coupled_solution_final
@@ -181,6 +184,53 @@ contains
         call report_status(stickslip_coupled_solution_stiffness_observed(this%handle, bodies%handle, friction, &
             observer, stiffness), status)
     end function coupled_solution_stiffness
+
+    ! The edges inside the cells, the magnitude of the traction at the centres of the cells and its means over them.
+    subroutine coupled_solution_edges(this, friction, edges, centres, means, status)
+        class(coupled_solution), intent(in) :: this
+        type(stickslip_friction), intent(in) :: friction
+        type(stickslip_edges), intent(out) :: edges
+        real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        ! Not those of the caller: gfortran does not pass on one that is absent.
+        real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
+        integer(c_size_t) :: cells
+        integer(c_int32_t) :: code
+        cells = this%grid%nx * this%grid%ny
+        if (present(centres)) allocate (at_centres(this%grid%nx, this%grid%ny))
+        if (present(means)) allocate (over_cells(this%grid%nx, this%grid%ny))
+        code = stickslip_coupled_solution_edges(this%handle, friction, edges, at_centres, over_cells, cells)
+        if (present(centres)) call move_alloc(at_centres, centres)
+        if (present(means)) call move_alloc(over_cells, means)
+        call report_status(code, status)
+    end subroutine coupled_solution_edges
+
+    ! The edge of the contact alone, with the pressure at the centres of the cells and its means over them.
+    subroutine coupled_solution_pressure_edges(this, edges, centres, means, status)
+        class(coupled_solution), intent(in) :: this
+        type(stickslip_edges), intent(out) :: edges
+        real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        ! Not those of the caller: gfortran does not pass on one that is absent.
+        real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
+        integer(c_size_t) :: cells
+        integer(c_int32_t) :: code
+        cells = this%grid%nx * this%grid%ny
+        if (present(centres)) allocate (at_centres(this%grid%nx, this%grid%ny))
+        if (present(means)) allocate (over_cells(this%grid%nx, this%grid%ny))
+        code = stickslip_coupled_solution_pressure_edges(this%handle, edges, at_centres, over_cells, cells)
+        if (present(centres)) call move_alloc(at_centres, centres)
+        if (present(means)) call move_alloc(over_cells, means)
+        call report_status(code, status)
+    end subroutine coupled_solution_pressure_edges
+
+    ! Of the error that the cells leave in pressure and traction; NaN of what there is not.
+    subroutine coupled_solution_discretisation_estimates(this, pressure, traction, status)
+        class(coupled_solution), intent(in) :: this
+        real(c_double), intent(out) :: pressure, traction
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_solution_discretisation_estimates(this%handle, pressure, traction), status)
+    end subroutine coupled_solution_discretisation_estimates
 
     ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
     subroutine coupled_solver_take(this, made, grid, made_with, status)

@@ -35,6 +35,8 @@ module stickslip_normal
         procedure :: warnings => normal_solution_warnings
         procedure :: stiffness => normal_solution_stiffness
         procedure :: spots => normal_solution_spots
+        procedure :: edges => normal_solution_edges
+        procedure :: discretisation_estimate => normal_solution_discretisation_estimate
         procedure :: address => normal_solution_address
         procedure :: free => normal_solution_free
         final :: normal_solution_final
@@ -173,6 +175,33 @@ contains
         end if
         call report_status(code, status)
     end subroutine normal_solution_spots
+
+    ! The edge of the contact inside the cells, the pressure at the centres of the cells and its means over them.
+    subroutine normal_solution_edges(this, edges, centres, means, status)
+        class(normal_solution), intent(in) :: this
+        type(stickslip_edges), intent(out) :: edges
+        real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        ! Not those of the caller: gfortran does not pass on one that is absent.
+        real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
+        integer(c_size_t) :: cells
+        integer(c_int32_t) :: code
+        cells = this%grid%nx * this%grid%ny
+        if (present(centres)) allocate (at_centres(this%grid%nx, this%grid%ny))
+        if (present(means)) allocate (over_cells(this%grid%nx, this%grid%ny))
+        code = stickslip_normal_solution_edges(this%handle, edges, at_centres, over_cells, cells)
+        if (present(centres)) call move_alloc(at_centres, centres)
+        if (present(means)) call move_alloc(over_cells, means)
+        call report_status(code, status)
+    end subroutine normal_solution_edges
+
+    ! Of the error that the cells leave; NaN without contact.
+    function normal_solution_discretisation_estimate(this, status) result(estimate)
+        class(normal_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double) :: estimate
+        call report_status(stickslip_normal_solution_discretisation_estimate(this%handle, estimate), status)
+    end function normal_solution_discretisation_estimate
 
     ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
     subroutine normal_solver_take(this, made, grid, made_with, status)

@@ -42,6 +42,8 @@ module stickslip_tangential
         procedure :: warnings => tangential_solution_warnings
         procedure :: stiffness => tangential_solution_stiffness
         procedure :: spots => tangential_solution_spots
+        procedure :: edges => tangential_solution_edges
+        procedure :: discretisation_estimate => tangential_solution_discretisation_estimate
         procedure :: address => tangential_solution_address
         procedure :: free => tangential_solution_free
         final :: tangential_solution_final
@@ -243,6 +245,35 @@ contains
         end if
         call report_status(code, status)
     end subroutine tangential_solution_spots
+
+    ! The edges inside the cells, the magnitude of the traction at the centres of the cells and its means over them.
+    subroutine tangential_solution_edges(this, normal, friction, edges, centres, means, status)
+        class(tangential_solution), intent(in) :: this
+        class(normal_solution), intent(in) :: normal
+        type(stickslip_friction), intent(in) :: friction
+        type(stickslip_edges), intent(out) :: edges
+        real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        ! Not those of the caller: gfortran does not pass on one that is absent.
+        real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
+        integer(c_size_t) :: cells
+        integer(c_int32_t) :: code
+        cells = this%grid%nx * this%grid%ny
+        if (present(centres)) allocate (at_centres(this%grid%nx, this%grid%ny))
+        if (present(means)) allocate (over_cells(this%grid%nx, this%grid%ny))
+        code = stickslip_tangential_solution_edges(this%handle, normal%handle, friction, edges, at_centres, over_cells, cells)
+        if (present(centres)) call move_alloc(at_centres, centres)
+        if (present(means)) call move_alloc(over_cells, means)
+        call report_status(code, status)
+    end subroutine tangential_solution_edges
+
+    ! Of the error that the cells leave; NaN without contact.
+    function tangential_solution_discretisation_estimate(this, status) result(estimate)
+        class(tangential_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double) :: estimate
+        call report_status(stickslip_tangential_solution_discretisation_estimate(this%handle, estimate), status)
+    end function tangential_solution_discretisation_estimate
 
     ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
     subroutine tangential_solver_take(this, made, grid, made_with, status)

@@ -840,6 +840,30 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_cycle_result;
 
+// The edges of a contact and of its stick zone, found inside the cells. Numbers of the stick zone and of the traction are NaN
+// for a contact that is pressed only.
+typedef struct {
+    // Area of the contact, with the parts of the cells at its edge (a length squared).
+    double contact_area;
+    // The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
+    // pressure.
+    double refused_share;
+    // Largest pressure at the centre of a cell (a pressure).
+    double peak_pressure;
+    // Area of the stick zone (a length squared).
+    double stick_area;
+    // Area of the slip zone (a length squared).
+    double slip_area;
+    // Stick area over contact area; zero without contact.
+    double stick_ratio;
+    // The part of the cells at the edge of the stick zone whose fit was refused.
+    double stick_refused_share;
+    // Largest magnitude of the traction at the centre of a cell (a pressure).
+    double peak_traction;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_edges;
+
 // The numbers of the last failure on this thread; zero where they have no meaning.
 typedef struct {
     // What the function returned, STICKSLIP_OK before any failure.
@@ -1250,6 +1274,59 @@ stickslip_status stickslip_cycle_result_of(const stickslip_cycle *cycle, sticksl
 // A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
 // STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
 const double *stickslip_cycle_field(const stickslip_cycle *cycle, int32_t which, size_t *count);
+
+// The edge of the contact inside the cells, and the pressure there.
+//
+// centres and means, which have cells entries, get the pressure at the centres of the cells and its means over the cells; each
+// may be NULL. Most accurate with STICKSLIP_CENTRE.
+stickslip_status stickslip_normal_solution_edges(const stickslip_normal_solution *solution,
+                                                 stickslip_edges *edges,
+                                                 double *centres,
+                                                 double *means,
+                                                 size_t cells);
+
+// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem. They are
+// those of a contact loaded once.
+//
+// centres and means, which have cells entries, get the magnitude of the traction at the centres of the cells and its means over
+// the cells; each may be NULL.
+stickslip_status stickslip_tangential_solution_edges(const stickslip_tangential_solution *solution,
+                                                     const stickslip_normal_solution *normal,
+                                                     const stickslip_friction *friction,
+                                                     stickslip_edges *edges,
+                                                     double *centres,
+                                                     double *means,
+                                                     size_t cells);
+
+// The edges of a contact whose pressure and traction were found together: as stickslip_tangential_solution_edges. The pressure
+// comes from stickslip_coupled_solution_pressure_edges.
+stickslip_status stickslip_coupled_solution_edges(const stickslip_coupled_solution *solution,
+                                                  const stickslip_friction *friction,
+                                                  stickslip_edges *edges,
+                                                  double *centres,
+                                                  double *means,
+                                                  size_t cells);
+
+// The edge of the contact alone, with its pressure: as stickslip_normal_solution_edges.
+stickslip_status stickslip_coupled_solution_pressure_edges(const stickslip_coupled_solution *solution,
+                                                           stickslip_edges *edges,
+                                                           double *centres,
+                                                           double *means,
+                                                           size_t cells);
+
+// An estimate of the relative error that the cells leave in the pressure: the sum over cells of the error of its means. NaN
+// without contact.
+stickslip_status stickslip_normal_solution_discretisation_estimate(const stickslip_normal_solution *solution,
+                                                                   double *estimate);
+
+// The same of the traction; NaN without any.
+stickslip_status stickslip_tangential_solution_discretisation_estimate(const stickslip_tangential_solution *solution,
+                                                                       double *estimate);
+
+// The same of pressure and traction that were found together; NaN of what there is not.
+stickslip_status stickslip_coupled_solution_discretisation_estimates(const stickslip_coupled_solution *solution,
+                                                                     double *of_pressure,
+                                                                     double *of_traction);
 
 // The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
 // on this thread, or its end.

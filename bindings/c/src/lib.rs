@@ -12,6 +12,7 @@ pub mod batch;
 mod call;
 pub mod coupled;
 pub mod cycle;
+pub mod edges;
 mod environment;
 pub mod error;
 pub mod fields;

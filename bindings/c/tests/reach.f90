@@ -111,6 +111,8 @@ contains
         type(tangential_solution) :: sheared
         type(stickslip_warning), allocatable :: warnings(:)
         type(stickslip_spot), allocatable :: spots(:)
+        type(stickslip_edges) :: edges
+        real(c_double), allocatable :: centres(:, :), means(:, :)
         type(stickslip_normal_result) :: normal
         type(stickslip_tangential_result) :: shear
         type(stickslip_report) :: report
@@ -143,6 +145,10 @@ contains
         call check(size(spots) == 1 .and. spots(1)%cells == normal%contact_cells, 'one spot')
         call check(abs(spots(1)%load / 100 - 1) < 1d-9 .and. spots(1)%stick_ratio /= spots(1)%stick_ratio, 'its load')
         call check(all((labels == 1) .eqv. (pressure > 0)) .and. all(labels >= 0 .and. labels <= 1), 'its cells')
+        call pressed%edges(edges, centres)
+        call check(edges%refused_share < 1 .and. abs(edges%contact_area / normal%contact_area - 1) < 0.05d0 .and. &
+            abs(maxval(centres) - edges%peak_pressure) <= 0, 'the edge')
+        call check(pressed%discretisation_estimate() > 0, 'an estimate')
         call pressed%warnings(warnings)
         call check(size(warnings) == 0, 'no warning')
 
@@ -160,6 +166,10 @@ contains
             all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'zones')
         call check(abs(count(zones == STICKSLIP_STICK) / real(count(pressure > 0), c_double) - shear%stick_ratio) < 1d-12, &
             'stick ratio')
+        call sheared%edges(pressed, stickslip_friction(per_cell(mu)), edges, means=means)
+        call check(abs(edges%stick_ratio - shear%stick_ratio) < 0.05d0 .and. &
+            abs(sum(means) * grid%dx * grid%dy / 20 - 1) < 0.02d0, 'the edges of the zones')
+        call check(sheared%discretisation_estimate() > 0, 'an estimate of the traction')
         call sheared%spots(pressed, spots)
         call check(abs(spots(1)%stick_ratio - shear%stick_ratio) < 1d-12, 'stick ratio of the spot')
 
@@ -202,7 +212,9 @@ contains
         real(c_double), target :: stretched(nx, ny), none(nx, ny)
         real(c_double), pointer :: pressure(:, :), x(:, :), y(:, :), gap(:, :), lift(:, :), alike(:, :)
         integer(c_int8_t), pointer :: zones(:, :)
-        real(c_double) :: heights(nx, ny), force
+        real(c_double) :: heights(nx, ny), force, of_pressure, of_traction
+        type(stickslip_edges) :: edges, alone
+        real(c_double), allocatable :: centres(:, :), means(:, :)
         integer(c_int32_t) :: status
         integer :: i
 
@@ -236,6 +248,12 @@ contains
         call check(all(hypot(x, y) <= 0.3d0 * pressure * (1 + 1d-9)), 'the law of Coulomb')
         call check(all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'coupled zones')
         call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'no gap below the pressure')
+        call solution%edges(stickslip_coulomb(0.3d0), edges, centres, means)
+        call solution%pressure_edges(alone, status=status)
+        call check(status == STICKSLIP_OK .and. abs(edges%contact_area - alone%contact_area) <= 0 .and. &
+            abs(maxval(centres) - edges%peak_traction) <= 0 .and. all(means >= 0), 'edges of both')
+        call solution%discretisation_estimates(of_pressure, of_traction)
+        call check(of_pressure > 0 .and. of_traction > 0, 'estimates of both')
 
         ! A history of the same first step has the same stiffness.
         call history%new(bodies, heights, stickslip_coulomb(0.3d0), &

@@ -64,6 +64,12 @@ int main() {
     check(one.spots.size() == 1 && one.labels[middle] == 1 && one.labels[0] == 0, "a spot");
     check(one.spots[0].cells == pressed.result().contact_cells, "its cells");
 
+    const double area = std::acos(-1.0) * hertz.contact_radius * hertz.contact_radius;
+    const ss::Edges found_edges = pressed.edges();
+    check(std::fabs(found_edges.edges.contact_area / area - 1.0) < 0.02, "area by the edge");
+    check(found_edges.centres[middle] == pressed.pressure()[middle], "pressure away from the edge");
+    check(pressed.discretisation_estimate() > 0.0 && pressed.discretisation_estimate() < 0.05, "estimate");
+
     ss::History history(bodies, ss::sphere(grid, 5.0), ss::coulomb(0.3));
     history.step(ss::step(ss::press_by_force(100.0)));
     const double amplitude = 0.2 * history.result().approach;
@@ -89,7 +95,10 @@ int main() {
     const stickslip_normal_load press = ss::press_by_force(100.0);
     const stickslip_control drag = ss::force(10.0);
     ss::CoupledSolver solver(dissimilar, ss::sphere(grid, 5.0), law, press, ss::tangential(drag));
-    const ss::Stiffness found = solver.solve().stiffness(dissimilar, law);
+    const ss::CoupledSolution both = solver.solve();
+    check(both.edges(law).edges.contact_area == both.pressure_edges().edges.contact_area, "edges of both");
+    check(both.discretisation_estimates().second > 0.0, "estimate of the traction");
+    const ss::Stiffness found = both.stiffness(dissimilar, law);
     stickslip_history_options whole = stickslip_history_options_default();
     whole.model = STICKSLIP_VECTOR;
     whole.touch_rule = STICKSLIP_WHOLE_STEP;

@@ -91,6 +91,14 @@ struct Spots {
     std::vector<std::uint32_t> labels;
 };
 
+/// The edges of a contact found inside the cells, and of each cell the pressure of the contact, or the magnitude of its traction:
+/// at the centre, and the mean.
+struct Edges {
+    stickslip_edges edges;
+    std::vector<double> centres;
+    std::vector<double> means;
+};
+
 namespace detail {
 
 /// Frees an object by its C function.
@@ -138,6 +146,13 @@ template <class Ask> Spots spotted(std::size_t cells, Ask ask) {
     check(ask(nullptr, 0, &count, nullptr, 0));
     Spots found{std::vector<stickslip_spot>(count), std::vector<std::uint32_t>(cells)};
     check(ask(found.spots.data(), count, &count, found.labels.data(), cells));
+    return found;
+}
+
+/// Edges of so many cells, as a C function tells them.
+template <class Ask> Edges edged(std::size_t cells, Ask ask) {
+    Edges found{{}, std::vector<double>(cells), std::vector<double>(cells)};
+    check(ask(&found.edges, found.centres.data(), found.means.data(), cells));
     return found;
 }
 

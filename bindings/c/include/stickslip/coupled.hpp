@@ -46,6 +46,24 @@ class CoupledSolution {
             return stickslip_coupled_solution_stiffness(get(), bodies.get(), &friction, out);
         });
     }
+    /// With the magnitude of the traction, and the friction it was solved for.
+    Edges edges(const stickslip_friction &friction) const {
+        return detail::edged(zones().size(), [&](auto... to) {
+            return stickslip_coupled_solution_edges(get(), &friction, to...);
+        });
+    }
+    /// The edge of the contact alone, with the pressure.
+    Edges pressure_edges() const {
+        return detail::edged(zones().size(), [&](auto... to) {
+            return stickslip_coupled_solution_pressure_edges(get(), to...);
+        });
+    }
+    /// Of pressure and traction; NaN of what there is not.
+    std::pair<double, double> discretisation_estimates() const {
+        std::pair<double, double> found;
+        check(stickslip_coupled_solution_discretisation_estimates(get(), &found.first, &found.second));
+        return found;
+    }
     stickslip_coupled_solution *get() const { return own_.get(); }
 
   private:

@@ -35,6 +35,15 @@ class NormalSolution {
     Spots spots() const {
         return detail::spotted(pressure().size(), [&](auto... to) { return stickslip_normal_solution_spots(get(), to...); });
     }
+    /// With the pressure.
+    Edges edges() const {
+        return detail::edged(pressure().size(), [&](auto... to) { return stickslip_normal_solution_edges(get(), to...); });
+    }
+    /// NaN without contact.
+    double discretisation_estimate() const {
+        return detail::asked<double>(
+            [&](auto *out) { return stickslip_normal_solution_discretisation_estimate(get(), out); });
+    }
     stickslip_normal_solution *get() const { return own_.get(); }
 
   private:

@@ -43,6 +43,17 @@ class TangentialSolution {
             return stickslip_tangential_solution_spots(get(), normal.get(), to...);
         });
     }
+    /// With the magnitude of the traction, under the pressure and the friction of the problem.
+    Edges edges(const NormalSolution &normal, const stickslip_friction &friction) const {
+        return detail::edged(traction_x().size(), [&](auto... to) {
+            return stickslip_tangential_solution_edges(get(), normal.get(), &friction, to...);
+        });
+    }
+    /// NaN without traction.
+    double discretisation_estimate() const {
+        return detail::asked<double>(
+            [&](auto *out) { return stickslip_tangential_solution_discretisation_estimate(get(), out); });
+    }
     stickslip_tangential_solution *get() const { return own_.get(); }
 
   private:

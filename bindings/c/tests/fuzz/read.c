@@ -67,6 +67,8 @@ void read_numbers(struct run *run) {
     stickslip_warning warnings[2];
     stickslip_spot spots[2];
     uint32_t labels[100];
+    stickslip_edges edges;
+    double centres[100], means[100];
     stickslip_stiffness stiffness;
     stickslip_normal_stiffness slope;
     stickslip_tangential_stiffness slopes;
@@ -76,7 +78,7 @@ void read_numbers(struct run *run) {
     stickslip_error error;
     double value;
     size_t count, capacity = below(run, 3);
-    switch (below(run, 26)) {
+    switch (below(run, 28)) {
     case 0:
         SEEN(stickslip_normal_solution_result(pressed, maybe_out(run, &normal)));
         break;
@@ -159,6 +161,25 @@ void read_numbers(struct run *run) {
         SEEN(stickslip_coupled_solution_stiffness(both, bodies, maybe(run, &law), maybe_out(run, &stiffness)));
         break;
     }
+    case 25: {
+        stickslip_friction law = stickslip_coulomb(below(run, 4) == 0 ? number(run, 0.5) : 0.3);
+        size_t cells = below(run, 101);
+        SEEN(stickslip_normal_solution_edges(pressed, maybe_out(run, &edges), maybe_out(run, centres),
+                                             maybe_out(run, means), cells));
+        SEEN(stickslip_tangential_solution_edges(sheared, pressed, maybe(run, &law), maybe_out(run, &edges),
+                                                 maybe_out(run, centres), maybe_out(run, means), cells));
+        SEEN(stickslip_coupled_solution_edges(both, maybe(run, &law), maybe_out(run, &edges), maybe_out(run, centres),
+                                              maybe_out(run, means), cells));
+        SEEN(stickslip_coupled_solution_pressure_edges(both, maybe_out(run, &edges), maybe_out(run, centres),
+                                                       maybe_out(run, means), cells));
+        break;
+    }
+    case 26:
+        SEEN(stickslip_normal_solution_discretisation_estimate(pressed, maybe_out(run, &value)));
+        SEEN(stickslip_tangential_solution_discretisation_estimate(sheared, maybe_out(run, &value)));
+        SEEN(stickslip_coupled_solution_discretisation_estimates(both, maybe_out(run, &value),
+                                                                 maybe_out(run, centres)));
+        break;
     default:
         SEEN(stickslip_tangential_solver_friction_capacity(GET(stickslip_tangential_solver, pick(run, TANGENTIAL)),
                                                            maybe_out(run, &value)));

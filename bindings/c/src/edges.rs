@@ -1,0 +1,257 @@
+//! The edges of contacts and stick zones inside the cells, and estimates of what the cells leave of the error.
+
+use stickslip_rs::edges::{Edges, TangentialEdges};
+use stickslip_rs::{Field, Grid};
+
+use crate::call::{Outcome, call_on};
+use crate::coupled::stickslip_coupled_solution;
+use crate::handle::reading;
+use crate::inputs::stickslip_friction;
+use crate::normal::stickslip_normal_solution;
+use crate::pointer::{Place, cells_mut, input};
+use crate::reading::tell;
+use crate::status::stickslip_status;
+use crate::tangential::stickslip_tangential_solution;
+
+/// The edges of a contact and of its stick zone, found inside the cells. Numbers of the stick zone and of the traction are NaN
+/// for a contact that is pressed only.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_edges {
+    /// Area of the contact, with the parts of the cells at its edge (a length squared).
+    pub contact_area: f64,
+    /// The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
+    /// pressure.
+    pub refused_share: f64,
+    /// Largest pressure at the centre of a cell (a pressure).
+    pub peak_pressure: f64,
+    /// Area of the stick zone (a length squared).
+    pub stick_area: f64,
+    /// Area of the slip zone (a length squared).
+    pub slip_area: f64,
+    /// Stick area over contact area; zero without contact.
+    pub stick_ratio: f64,
+    /// The part of the cells at the edge of the stick zone whose fit was refused.
+    pub stick_refused_share: f64,
+    /// Largest magnitude of the traction at the centre of a cell (a pressure).
+    pub peak_traction: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+impl From<&Edges> for stickslip_edges {
+    fn from(of: &Edges) -> Self {
+        Self {
+            contact_area: of.area(),
+            refused_share: of.refused_share(),
+            peak_pressure: of.centres().max(),
+            stick_area: f64::NAN,
+            slip_area: f64::NAN,
+            stick_ratio: f64::NAN,
+            stick_refused_share: f64::NAN,
+            peak_traction: f64::NAN,
+            reserved: [0; 8],
+        }
+    }
+}
+
+impl From<&TangentialEdges> for stickslip_edges {
+    fn from(of: &TangentialEdges) -> Self {
+        Self {
+            stick_area: of.stick_area(),
+            slip_area: of.slip_area(),
+            stick_ratio: of.stick_ratio(),
+            stick_refused_share: of.stick().refused_share(),
+            peak_traction: of.peak_traction(),
+            ..of.contact().into()
+        }
+    }
+}
+
+/// Where C wants edges: the numbers, the values at the centres and their means, each of so many cells.
+type Wanted = (*mut stickslip_edges, [*mut f64; 2], usize);
+
+/// Writes edges and the fields that belong to them.
+///
+/// # Safety
+/// The rule for pointers.
+unsafe fn put<E>(
+    (edges, fields, cells): Wanted,
+    grid: Grid,
+    found: impl FnOnce() -> Outcome<E>,
+    fields_of: impl FnOnce(&E) -> [&Field; 2],
+) -> Outcome
+where
+    for<'e> stickslip_edges: From<&'e E>,
+{
+    let names = ["centres", "means"];
+    // SAFETY: as of this function.
+    let (place, [centres, means]) = unsafe {
+        let place = Place::new("edges", edges)?;
+        let asked = |k: usize| -> Outcome<Option<&mut [f64]>> {
+            let field: *mut f64 = fields[k];
+            if field.is_null() {
+                return Ok(None);
+            }
+            cells_mut(names[k], grid, field, cells).map(Some)
+        };
+        (place, [asked(0)?, asked(1)?])
+    };
+    let found = found()?;
+    for (to, from) in [centres, means].into_iter().zip(fields_of(&found)) {
+        if let Some(to) = to {
+            to.copy_from_slice(from.as_slice());
+        }
+    }
+    place.put((&found).into());
+    Ok(())
+}
+
+/// The edge of the contact inside the cells, and the pressure there.
+///
+/// centres and means, which have cells entries, get the pressure at the centres of the cells and its means over the cells; each
+/// may be NULL. Most accurate with STICKSLIP_CENTRE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_edges(
+    solution: *const stickslip_normal_solution,
+    edges: *mut stickslip_edges,
+    centres: *mut f64,
+    means: *mut f64,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let solution = reading(solution)?;
+        let wanted = (edges, [centres, means], cells);
+        put(wanted, solution.grid(), || Ok(solution.edges()?), pressures)
+    })
+}
+
+/// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem. They are
+/// those of a contact loaded once.
+///
+/// centres and means, which have cells entries, get the magnitude of the traction at the centres of the cells and its means over
+/// the cells; each may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_tangential_solution_edges(
+    solution: *const stickslip_tangential_solution,
+    normal: *const stickslip_normal_solution,
+    friction: *const stickslip_friction,
+    edges: *mut stickslip_edges,
+    centres: *mut f64,
+    means: *mut f64,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let (solution, normal) = (reading(solution)?, reading(normal)?);
+        let grid = solution.grid();
+        let friction = input("friction", friction)?.checked(grid)?;
+        let wanted = (edges, [centres, means], cells);
+        let find = || Ok(solution.edges(&normal, &friction)?);
+        put(wanted, grid, find, tractions)
+    })
+}
+
+/// The edges of a contact whose pressure and traction were found together: as stickslip_tangential_solution_edges. The pressure
+/// comes from stickslip_coupled_solution_pressure_edges.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_edges(
+    solution: *const stickslip_coupled_solution,
+    friction: *const stickslip_friction,
+    edges: *mut stickslip_edges,
+    centres: *mut f64,
+    means: *mut f64,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let solution = reading(solution)?;
+        let (normal, tangential) = (solution.normal(), solution.tangential());
+        let grid = normal.grid();
+        let friction = input("friction", friction)?.checked(grid)?;
+        let wanted = (edges, [centres, means], cells);
+        let find = || Ok(tangential.edges(normal, &friction)?);
+        put(wanted, grid, find, tractions)
+    })
+}
+
+/// The edge of the contact alone, with its pressure: as stickslip_normal_solution_edges.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_pressure_edges(
+    solution: *const stickslip_coupled_solution,
+    edges: *mut stickslip_edges,
+    centres: *mut f64,
+    means: *mut f64,
+    cells: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let solution = reading(solution)?;
+        let normal = solution.normal();
+        let wanted = (edges, [centres, means], cells);
+        put(wanted, normal.grid(), || Ok(normal.edges()?), pressures)
+    })
+}
+
+fn pressures(found: &Edges) -> [&Field; 2] {
+    [found.centres(), found.means()]
+}
+
+fn tractions(found: &TangentialEdges) -> [&Field; 2] {
+    [found.traction(), found.mean_traction()]
+}
+
+/// An estimate of the relative error that the cells leave in the pressure: the sum over cells of the error of its means. NaN
+/// without contact.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
+    solution: *const stickslip_normal_solution,
+    estimate: *mut f64,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solution, ("estimate", estimate), |of| {
+            Ok(of.discretisation_estimate().unwrap_or(f64::NAN))
+        })
+    }
+}
+
+/// The same of the traction; NaN without any.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_tangential_solution_discretisation_estimate(
+    solution: *const stickslip_tangential_solution,
+    estimate: *mut f64,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solution, ("estimate", estimate), |of| {
+            Ok(of.discretisation_estimate().unwrap_or(f64::NAN))
+        })
+    }
+}
+
+/// The same of pressure and traction that were found together; NaN of what there is not.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_solution_discretisation_estimates(
+    solution: *const stickslip_coupled_solution,
+    of_pressure: *mut f64,
+    of_traction: *mut f64,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let places = [
+            Place::new("of_pressure", of_pressure)?,
+            Place::new("of_traction", of_traction)?,
+        ];
+        let solution = reading(solution)?;
+        let estimates = [
+            solution.normal().discretisation_estimate(),
+            solution.tangential().discretisation_estimate(),
+        ];
+        for (place, found) in places.into_iter().zip(estimates) {
+            place.put(found.unwrap_or(f64::NAN));
+        }
+        Ok(())
+    })
+}
