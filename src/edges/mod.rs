@@ -31,7 +31,7 @@
 //! with 20 and 29 of them in all; the median ratio of the errors was 0.36.
 //!
 //! Of dissimilar bodies the edge of the contact holds as well, to 1e-3 of the area; that of the stick zone to 0.6 % up to
-//! Dundurs' beta 0.29, to 2 % up to 0.5, and beyond, where half of its fits and more are refused, only to 14 %.
+//! Dundurs' beta 0.29, to 2 % up to 0.5, and beyond only to 14 %: from 0.5 up a third to nearly all of its fits are refused.
 //!
 //! Of 200 random scenes on 60 x 60 cells, ellipses, quartics, rough spheres and rough planes, free and periodic, in 360
 //! solutions, seven had an area, a pressure at the centres or means with an error by more than a tenth above that of the cells:
