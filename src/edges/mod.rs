@@ -35,7 +35,7 @@
 //!
 //! Of 200 random scenes on 60 x 60 cells, ellipses, quartics, rough spheres and rough planes, free and periodic, in 360
 //! solutions, seven had an area, a pressure at the centres or means with an error by more than a tenth above that of the cells:
-//! two quartics 13 cells across whose fits were refused in two thirds (pressure at the centres up to 15 % worse, each with both
+//! two quartics 13 cells across whose fits were refused in two thirds (pressure at the centres up to 17 % worse, each with both
 //! cell values), a periodic plane (likewise), and a free plane with 50 cells in contact (area, both).
 //!
 //! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
