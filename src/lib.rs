@@ -269,6 +269,7 @@ mod pool;
 pub mod ranks;
 mod reduce;
 mod report;
+pub mod rolling;
 #[cfg(feature = "serde")]
 mod serial;
 mod share;
