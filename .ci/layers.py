@@ -78,6 +78,7 @@ LAYERS = [
     ("what is told of all of these", {
         "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
         "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
+        "rolling": ENGINE | {"contact", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]
@@ -86,7 +87,7 @@ LAYERS = [
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}
 
 # Sums over cells have one home, which fixes their order: elsewhere in these modules nothing may look like one.
-REDUCTIONS_IN = ("cgm", "contact", "normal", "tangential", "coupled", "history")
+REDUCTIONS_IN = ("cgm", "contact", "normal", "tangential", "coupled", "history", "rolling")
 REDUCTIONS = [
     ("parallel::fold", re.compile(r"\bparallel\s*::\s*fold\b")),
     (".sum::<f64>()", re.compile(r"\.\s*sum\s*::\s*<\s*f(?:32|64)\s*>")),

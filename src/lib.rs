@@ -79,6 +79,7 @@
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
+//! | roll with creepages, forces or spin, steadily | [`rolling::RollingProblem`] |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
 //! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |
@@ -236,6 +237,7 @@
 //! | duality gap ([`cgm`]) | Frank & Wolfe (1956), <https://doi.org/10.1002/nav.3800030109> |
 //! | stresses below the surface ([`subsurface`]) | Love (1929), <https://doi.org/10.1098/rsta.1929.0009> |
 //! | transient shift ([`history`]) | Kalker (1990), <https://doi.org/10.1007/978-94-015-7889-9> |
+//! | steady rolling ([`rolling`]) | Kalker (1990) |
 //! | wear by dissipated energy ([`history::wear`]) | Fouvry, Kapsa & Vincent (1996), <https://doi.org/10.1016/S0043-1648(96)07306-1> |
 //! | closed forms | each on its page, listed in [`analytical`] |
 //!
@@ -282,6 +284,7 @@ mod pool;
 pub mod ranks;
 mod reduce;
 mod report;
+pub mod rolling;
 #[cfg(feature = "serde")]
 mod serial;
 mod share;

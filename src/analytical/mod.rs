@@ -6,6 +6,7 @@
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | cylinder along a line, in plane strain | [`HertzLine`] | Hertz; Johnson (1985), section 4.2 |
 //! | the same in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
+//! | cylinder that rolls with creepage | [`Carter`] | Carter (1926) |
 //! | flat punch with rounded edges along a line | [`RoundedPunch`] | Ciavarella, Hills and Monno (1998) |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
 //! | sphere in partial slip under a varying tangential force | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
@@ -78,6 +79,7 @@
 //! - H. M. Westergaard, Bearing pressures and cracks, *J. Appl. Mech.* 6 (1939) A49-A53,
 //!   [doi:10.1115/1.4008919](https://doi.org/10.1115/1.4008919).
 
+mod carter;
 mod cattaneo_mindlin;
 mod cone;
 mod elliptic;
@@ -101,6 +103,7 @@ mod sines;
 mod spence_pressing;
 mod westergaard;
 
+pub use carter::Carter;
 pub use cattaneo_mindlin::{CattaneoMindlin, CattaneoMindlinEllipse};
 pub use cone::{Cone, ConePartialSlip};
 pub use flat_punch::FlatPunch;

@@ -50,7 +50,7 @@ impl<'a> From<&'a Field> for PressureSource<'a> {
 
 impl<'a> PressureSource<'a> {
     /// The pressure of every cell, if it is one on these bodies.
-    pub(super) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
+    pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {
             Self::Solved(normal) => {
                 let quantity = "normal solution";
@@ -74,7 +74,7 @@ impl<'a> PressureSource<'a> {
 }
 
 /// The smallest window around all pressure; all of the grid along an axis that repeats.
-pub(super) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
+pub(crate) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
     let contact = bodies.around(|i| pressure[i] > 0.0);
     contact
         .map(|window| bodies.confined(window))

@@ -1,0 +1,72 @@
+//! Steady rolling: traction, slip and creepage of two bodies that roll over each other, as the contact sees them.
+//!
+//! The contact stands still, and the particles of both surfaces move through it by $`d`$, a number of whole cells, from the
+//! [leading edge](LeadingEdge) on. With $`T f(x) = f(x + d)`$, the value where a particle was before that step, the slip of a
+//! cell over a step is
+//!
+//! ```math
+//! s = (1 - T)\,(C q + u_p) + B q - w, \qquad
+//! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
+//! ```
+//!
+//! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies alike), the creepages
+//! $`\xi, \eta`$, the spin $`\varphi`$ about the origin of the grid, all per length rolled, and x and y in the middle of the way of the
+//! particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction only where
+//! $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force, as a positive
+//! [shift](crate::TangentialSolution::shift) does.
+//!
+//! A creepage is given, or the force along its axis; the creepage then is the multiplier of that force, found in the same
+//! solve.
+//!
+//! # Cells that enter
+//!
+//! A particle ahead of the contact moves with the free surface. $`B = \kappa\,g/p`$, with the gap g where the particle was and the
+//! pressure p of the cell it enters and $`\kappa`$ from 1 across the edge of the
+//! contact to $`1/(1 - \nu)`$ along it, is what the surface moves less than a particle that sticks would; that of
+//! [growing contacts](crate::guide::growing_contacts). With it the error of the force falls with the square of the cells, without it
+//! ([`TouchRule::WholeStep`](crate::history::TouchRule::WholeStep), as CONTACT) in proportion.
+//!
+//! # Uniqueness and error
+//!
+//! $`(1 - T) C`$ is not symmetric, but monotone: with the energy norm $`|e|_C^2 = e' C e`$,
+//!
+//! ```math
+//! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
+//! ```
+//!
+//! where $`\lambda`$ bounds the eigenvalues of C and m cells, a step apart, lie one behind the other at most. So there is
+//! one traction for each creepage, and for each force below $`\mu P`$, and the [certificate](crate::cgm#the-certified-error)
+//! of the engine bounds $`(q - q^*)' (1 - T)\,C\,(q - q^*)`$.
+//!
+//! ```
+//! use stickslip::rolling::RollingProblem;
+//! use stickslip::*;
+//! let grid = Grid::square(24, 3.0)?;
+//! let body = Material::from_shear_modulus(1.0, 0.25)?;
+//! let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+//! let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(1.0));
+//! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+//! // Small creepages: F = G a b C11 xi, with Kalker's C11 = 4.12.
+//! let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?);
+//! let rolling = problem.creepage([1e-5, 0.0]).build()?.solve()?;
+//! let area = normal.contact_area() / std::f64::consts::PI;
+//! let coefficient = rolling.force()[0] / (area * 1e-5);
+//! assert!((coefficient / 4.12 - 1.0).abs() < 0.05);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
+//! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
+
+mod entering;
+mod inverse;
+mod operator;
+mod problem;
+mod solution;
+mod solver;
+mod step;
+
+pub use problem::{RollingControl, RollingProblem, RollingProblemBuilder};
+pub use solution::RollingSolution;
+pub use solver::RollingSolver;
+pub use step::LeadingEdge;

@@ -1,0 +1,90 @@
+//! What a traction that does not change contributes to the slip of a step.
+
+use std::sync::Arc;
+
+use crate::buffer::or_abort;
+use crate::error::Result;
+use crate::fft::{Convolution, ConvolutionWorkspace};
+use crate::operator::Operator;
+use crate::rolling::entering::Compliance;
+use crate::rolling::step::Step;
+
+/// $`(1 - T)\,C + B`$ on a window that reaches a step ahead of the contact.
+#[derive(Debug, Clone)]
+pub(super) struct SteadyOperator {
+    compliance: Arc<Convolution<2>>,
+    step: Step,
+    /// The compliance B of its own of each cell.
+    own: Vec<Compliance>,
+    lower_bound: f64,
+}
+
+impl SteadyOperator {
+    /// For tractions in cells of which `chain` at most lie one behind the other, a step apart.
+    pub(super) fn new(
+        compliance: Arc<Convolution<2>>,
+        step: Step,
+        own: Vec<Compliance>,
+        chain: usize,
+    ) -> Self {
+        let angle = std::f64::consts::PI / (chain as f64 + 1.0);
+        // 1 - cos, without cancellation.
+        let least = 2.0 * (0.5 * angle).sin().powi(2);
+        Self {
+            lower_bound: least * compliance.lower_bound(),
+            compliance,
+            step,
+            own,
+        }
+    }
+
+    /// A cell that is the last of its particles' way.
+    pub(super) fn trailing_cell(&self) -> usize {
+        if self.step.edge.is_positive() {
+            0
+        } else {
+            self.own.len() - 1
+        }
+    }
+
+    pub(super) fn own(&self) -> &[Compliance] {
+        &self.own
+    }
+}
+
+impl Operator<2> for SteadyOperator {
+    type Workspace = ConvolutionWorkspace<2>;
+
+    fn cells(&self) -> usize {
+        self.own.len()
+    }
+
+    fn workspace(&self) -> Self::Workspace {
+        or_abort(self.try_workspace())
+    }
+
+    fn try_workspace(&self) -> Result<Self::Workspace> {
+        self.compliance.try_workspace()
+    }
+
+    fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], workspace: &mut Self::Workspace) {
+        let displacement = out.each_mut().map(|part| &mut **part);
+        self.compliance.apply(x, displacement, workspace);
+        for out in &mut out {
+            self.step.difference(out);
+        }
+        for (cell, own) in self.own.iter().enumerate() {
+            let added = own.of([x[0][cell], x[1][cell]]);
+            out[0][cell] += added[0];
+            out[1][cell] += added[1];
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.lower_bound
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}

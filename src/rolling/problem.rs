@@ -1,0 +1,276 @@
+//! The scene of steady rolling, checked once.
+
+use crate::buffer::{filled, try_each, zeros};
+use crate::cgm::{Settings, settings_methods};
+use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
+use crate::half_space::HalfSpace;
+use crate::history::TouchRule;
+use crate::normal::NormalSolution;
+use crate::rolling::entering::{Compliance, entering};
+use crate::rolling::step::Step;
+use crate::rolling::{LeadingEdge, RollingSolution, RollingSolver};
+use crate::shown::shown;
+use crate::tangential::{
+    Axis, Drawing, Friction, Pressed, PressureSource, TangentialModel, contact_window, is_at_limit,
+};
+use crate::window::Window;
+
+/// What is prescribed along an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum RollingControl {
+    /// The creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
+    Creepage(f64),
+    /// The tangential force on body 1 (a force), less than friction holds; the creepage follows.
+    Force(f64),
+}
+
+impl RollingControl {
+    fn check(self) -> Result<()> {
+        match self {
+            Self::Creepage(creepage) => finite("creepage", creepage),
+            Self::Force(force) => finite("tangential force", force),
+        }
+        .map(|_| ())
+    }
+}
+
+/// Bodies, normal contact, friction, and what is prescribed of their rolling.
+pub struct RollingProblem {
+    pub(super) bodies: HalfSpace,
+    pub(super) pressed: Pressed,
+    pub(super) step: Step,
+    /// Length of a step.
+    pub(super) length: f64,
+    /// Compliance of its own of each cell of the window.
+    pub(super) own: Vec<Compliance>,
+    /// The most cells of the contact that lie one behind the other, a step apart.
+    pub(super) chain: usize,
+    /// What the pressure adds to the slip of each cell.
+    pub(super) drawn: [Vec<f64>; 2],
+    pub(super) controls: [RollingControl; 2],
+    pub(super) spin: f64,
+    pub(super) settings: Settings,
+}
+
+shown!(RollingProblem: bodies, step, controls, spin, settings);
+
+/// Options of a [`RollingProblem`]; each has a default.
+#[derive(Debug, Clone)]
+#[must_use = "a builder does nothing until build() is called"]
+pub struct RollingProblemBuilder<'a> {
+    bodies: &'a HalfSpace,
+    normal: &'a NormalSolution,
+    friction: Friction,
+    edge: LeadingEdge,
+    cells: usize,
+    controls: [RollingControl; 2],
+    spin: f64,
+    touch_rule: TouchRule,
+    settings: Settings,
+}
+
+impl RollingProblem {
+    /// Starts from what is required: bodies, a solved normal contact on them, friction. Free rolling without creepage is what
+    /// the options change.
+    pub fn builder<'a>(
+        bodies: &'a HalfSpace,
+        normal: &'a NormalSolution,
+        friction: Friction,
+    ) -> RollingProblemBuilder<'a> {
+        RollingProblemBuilder {
+            bodies,
+            normal,
+            friction,
+            edge: LeadingEdge::default(),
+            cells: 1,
+            controls: [RollingControl::Creepage(0.0); 2],
+            spin: 0.0,
+            touch_rule: TouchRule::default(),
+            settings: Settings::default(),
+        }
+    }
+
+    /// Solves once, with buffers of its own.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the report; [`Error::Memory`].
+    pub fn solve(self) -> Result<RollingSolution> {
+        let mut solver = RollingSolver::new(self)?;
+        let mut solution = solver.try_new_solution()?;
+        solver.solve_into(&mut solution)?;
+        Ok(solution)
+    }
+
+    /// The reusable form: creepages, forces and spin may change between solves, each of which starts from the last answer.
+    ///
+    /// # Errors
+    /// As [`HalfSpace::operator`]; [`Error::Memory`].
+    pub fn into_solver(self) -> Result<RollingSolver> {
+        RollingSolver::new(self)
+    }
+
+    /// `Ok` if these can be prescribed.
+    pub(super) fn check(&self, controls: [RollingControl; 2], spin: f64) -> Result<()> {
+        controls.into_iter().try_for_each(RollingControl::check)?;
+        finite("spin", spin)?;
+        if spin != 0.0 && !self.bodies.boundary().may_turn() {
+            return Err(Error::NotModelled {
+                quantity: "spin",
+                value: spin,
+                remedy: "a grid that repeats cannot turn, with any option",
+            });
+        }
+        let force = controls.map(|control| match control {
+            RollingControl::Force(force) => force,
+            RollingControl::Creepage(_) => 0.0,
+        });
+        let area = self.bodies.grid().cell_area();
+        self.pressed.limits.check(force, area)?;
+        let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
+        let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
+        // A force that slides the whole contact leaves its creepage open.
+        if controls.iter().any(is_force) && is_at_limit(size, limit) {
+            return Err(Error::BeyondFrictionCapacity { force: size, limit });
+        }
+        Ok(())
+    }
+}
+
+impl RollingProblemBuilder<'_> {
+    settings_methods!();
+
+    /// Where particles enter the contact (default [`LeadingEdge::PlusX`]).
+    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
+        self.edge = edge;
+        self
+    }
+
+    /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+    pub fn step(mut self, cells: usize) -> Self {
+        self.cells = cells;
+        self
+    }
+
+    /// Both creepages `[x, y]` (dimensionless, default zero).
+    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
+        self.controls = creepage.map(RollingControl::Creepage);
+        self
+    }
+
+    /// What is prescribed along an axis (default: no creepage).
+    pub fn control(mut self, axis: Axis, control: RollingControl) -> Self {
+        self.controls[axis.index()] = control;
+        self
+    }
+
+    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length, positive from x to
+    /// y, default zero), about the origin of the grid.
+    pub fn spin(mut self, spin: f64) -> Self {
+        self.spin = spin;
+        self
+    }
+
+    /// How cells that enter the contact follow the motion (default [`TouchRule::Growth`]).
+    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
+        self.touch_rule = touch_rule;
+        self
+    }
+
+    /// Checks everything and cuts out the contact.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
+    /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an axis on which the grid
+    /// repeats, or spin on such a grid; [`Error::Below`] if the grid ends less than a step ahead of the contact;
+    /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding;
+    /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies that ranks share.
+    pub fn build(self) -> Result<RollingProblem> {
+        let (bodies, grid) = (self.bodies, self.bodies.grid());
+        if bodies.is_shared() {
+            return Err(Error::Ranks(RankFailure::NotShared("steady rolling")));
+        }
+        self.friction.check(grid)?;
+        self.settings.check()?;
+        TangentialModel::Vector.check(&self.settings)?;
+        positive("cells of a step", self.cells as f64)?;
+        let axis = self.edge.axis();
+        let side = [grid.dx(), grid.dy()][axis.index()];
+        let length = side * self.cells as f64;
+        if bodies.boundary().repeats()[axis.index()] {
+            return Err(Error::NotModelled {
+                quantity: "rolling by a step along an axis on which the grid repeats",
+                value: length,
+                remedy: "roll along the other axis, or on a grid that does not repeat",
+            });
+        }
+        let samples = PressureSource::from(self.normal).checked(bodies)?;
+        let contact = contact_window(bodies, samples)?;
+        let window = self.reach_ahead(contact)?;
+        let step = Step {
+            size: window.size,
+            edge: self.edge,
+            cells: self.cells,
+        };
+        let mut pressed = Pressed::new(bodies, window)?;
+        pressed.set(samples, &self.friction);
+        let own = match self.touch_rule {
+            TouchRule::Growth => entering(self.normal, &pressed, step)?,
+            TouchRule::WholeStep => filled(Compliance::NONE, pressed.region.cells())?,
+        };
+        let problem = RollingProblem {
+            own,
+            drawn: drawn(bodies, &pressed, step)?,
+            chain: step.chain(contact.size[axis.index()]),
+            bodies: bodies.clone(),
+            pressed,
+            step,
+            length,
+            controls: self.controls,
+            spin: self.spin,
+            settings: self.settings,
+        };
+        problem.check(self.controls, self.spin)?;
+        Ok(problem)
+    }
+
+    /// The window of the contact and of where its particles were a step before.
+    fn reach_ahead(&self, contact: Window) -> Result<Window> {
+        let grid = self.bodies.grid();
+        let axis = self.edge.axis().index();
+        let (mut corner, mut size) = (contact.corner(), contact.size);
+        let room = if self.edge.is_positive() {
+            grid.whole().size()[axis] - corner[axis] - size[axis]
+        } else {
+            corner[axis]
+        };
+        let (needed, room) = (self.cells as f64, room as f64);
+        at_least(
+            "those of a step",
+            needed,
+            "cells ahead of the contact",
+            room,
+        )?;
+        size[axis] += self.cells;
+        if !self.edge.is_positive() {
+            corner[axis] -= self.cells;
+        }
+        Window::at(grid, corner, size).ok_or(Error::EmptyContact)
+    }
+}
+
+/// What the pressure of bodies of different materials adds to the slip of each cell.
+fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Step) -> Result<[Vec<f64>; 2]> {
+    let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
+    if bodies.pair().is_coupled() {
+        let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;
+        drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {
+            let part: &mut Vec<f64> = &mut drawn[axis.index()];
+            part.copy_from_slice(displacement);
+            step.difference(part);
+        });
+    }
+    Ok(drawn)
+}

@@ -1,0 +1,86 @@
+//! The way of particles through a window in one step.
+
+use crate::tangential::Axis;
+
+/// Where particles enter the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum LeadingEdge {
+    /// At the largest x: particles move along -x (the default).
+    #[default]
+    PlusX,
+    /// At the smallest x.
+    MinusX,
+    /// At the largest y.
+    PlusY,
+    /// At the smallest y.
+    MinusY,
+}
+
+impl LeadingEdge {
+    /// The axis that particles move along.
+    #[must_use]
+    pub fn axis(self) -> Axis {
+        match self {
+            Self::PlusX | Self::MinusX => Axis::X,
+            Self::PlusY | Self::MinusY => Axis::Y,
+        }
+    }
+
+    /// Whether it lies at the end of the axis.
+    pub(super) fn is_positive(self) -> bool {
+        matches!(self, Self::PlusX | Self::PlusY)
+    }
+}
+
+/// A step of so many cells through a window.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step {
+    pub(super) size: [usize; 2],
+    pub(super) edge: LeadingEdge,
+    pub(super) cells: usize,
+}
+
+impl Step {
+    /// Where the particle of a cell was before, if that is in the window.
+    pub(super) fn before(&self, cell: usize) -> Option<usize> {
+        let [nx, _] = self.size;
+        let axis = self.edge.axis().index();
+        let (place, stride) = ([cell % nx, cell / nx][axis], [1, nx][axis]);
+        let way = self.cells * stride;
+        if self.edge.is_positive() {
+            (place + self.cells < self.size[axis]).then(|| cell + way)
+        } else {
+            (place >= self.cells).then(|| cell - way)
+        }
+    }
+
+    /// `(1 - T) f` in place; zero in cells whose particles come from beyond the window.
+    pub(super) fn difference(&self, field: &mut [f64]) {
+        self.sweep(self.edge.is_positive(), |cell, before| {
+            field[cell] = before.map_or(0.0, |before| field[cell] - field[before]);
+        });
+    }
+
+    /// The sum from the leading edge on, the inverse of `1 - T` for fields that vanish there, in place.
+    pub(super) fn sum(&self, field: &mut [f64]) {
+        self.sweep(!self.edge.is_positive(), |cell, before| {
+            field[cell] += before.map_or(0.0, |before| field[before]);
+        });
+    }
+
+    fn sweep(&self, is_ascending: bool, mut visit: impl FnMut(usize, Option<usize>)) {
+        let cells = self.size[0] * self.size[1];
+        let mut visit = |cell| visit(cell, self.before(cell));
+        if is_ascending {
+            (0..cells).for_each(&mut visit);
+        } else {
+            (0..cells).rev().for_each(&mut visit);
+        }
+    }
+
+    /// The most cells, a step apart, that lie one behind the other where `length` cells do along the axis.
+    pub(super) fn chain(&self, length: usize) -> usize {
+        length.div_ceil(self.cells)
+    }
+}

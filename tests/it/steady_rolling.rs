@@ -1,0 +1,439 @@
+//! Steady rolling meets Carter's closed form with second order in the force, the numbers of CONTACT without the law of
+//! entering cells, and its own equations.
+
+use proptest::prelude::*;
+use stickslip::analytical::{Carter, HertzLine};
+use stickslip::history::TouchRule;
+use stickslip::influence::Direction;
+use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
+use stickslip::{
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, NormalSolution, Operator, Zone, surface,
+};
+
+fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+        .tolerance(1e-11)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+fn alike(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
+    let body = Material::from_shear_modulus(shear_modulus, poisson).unwrap();
+    HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap()
+}
+
+/// Forces along x and y, moment, and cells that stick.
+fn shown(rolling: &RollingSolution) -> ([f64; 3], usize) {
+    let [x, y] = rolling.force();
+    let stick = rolling.zones().iter().filter(|z| **z == Zone::Stick);
+    ([x, y, rolling.moment()], stick.count())
+}
+
+/// CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells, a sphere and an ellipse of steel, forces
+/// on the other body.
+#[test]
+fn another_code_has_the_same_digits_without_the_law() {
+    let grid = Grid::new(41, 37, 0.0116, 0.0116).unwrap();
+    let bodies = alike(grid, 80_000.0, 0.25);
+    let gap = Field::from_fn(grid, |x, y| 0.05 * (x * x + y * y));
+    let normal = pressed(&bodies, &gap, 100.0);
+    let of = |creepage: [f64; 2], spin: f64| {
+        RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+            .creepage(creepage)
+            .spin(spin)
+            .touch_rule(TouchRule::WholeStep)
+            .tolerance(1e-10)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap()
+    };
+    let cases = [
+        (
+            [0.00064, -0.0004, 0.0048],
+            [6.818489413493, 0.1625701062456, 0.7462370484893],
+            724,
+        ),
+        (
+            [0.0016, -0.001, 0.012],
+            [13.68673121789, 0.837369325419, 1.331743198635],
+            529,
+        ),
+        (
+            [0.004, -0.0025, 0.03],
+            [20.58314449537, 1.388160232716, 1.796806729575],
+            205,
+        ),
+        (
+            [0.0, 0.0012, 0.02],
+            [0.0, 22.90472755433, 1.293394779133],
+            228,
+        ),
+    ];
+    for ([xi, eta, spin], expected, stick) in cases {
+        let rolling = of([xi, eta], spin);
+        let (found, sticking) = shown(&rolling);
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{found} for {expected}");
+        }
+        assert_eq!(sticking, stick);
+    }
+    // Dissipation of a step of 0.0116 with the tractions at its end.
+    let lost = of([0.00064, -0.0004], 0.0048)
+        .dissipation()
+        .unwrap()
+        .integral()
+        * 0.0116;
+    assert!((lost / 7.420710888059e-5 - 1.0).abs() < 1e-9);
+
+    let grid = Grid::new(48, 44, 0.28891487356106, 0.63035972476398).unwrap();
+    let bodies = alike(grid, 82_000.0, 0.28);
+    let gap = Field::from_fn(grid, |x, y| 0.0008 * x * x + 0.00028141731461784 * y * y);
+    let normal = pressed(&bodies, &gap, 106_700.0);
+    let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
+        .creepage([0.0012, 0.0])
+        .touch_rule(TouchRule::WholeStep)
+        .tolerance(1e-9)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap();
+    let (found, stick) = shown(&rolling);
+    assert!((found[0] / 22_823.62310136 - 1.0).abs() < 1e-9 && stick == 782);
+}
+
+/// Errors of the force over the friction limit and of the traction (L1) on so many cells over the contact, means of three
+/// positions.
+fn errors_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> [f64; 2] {
+    let body = Material::new(1.0, 0.0).unwrap();
+    let pair = ElasticPair::new(body, body).unwrap();
+    let mut errors = [0.0; 2];
+    for offset in [0.1, 0.37, 0.77] {
+        let modulus = pair.contact_modulus();
+        // Half-width one.
+        let hertz = HertzLine::new(&pair, 1.0, std::f64::consts::PI * modulus / 4.0).unwrap();
+        let dx = 2.0 / cells as f64;
+        let grid = Grid::line(cells + 8, dx).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum: 4.0 };
+        let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+        let gap = Field::from_fn(grid, |x, _| 0.5 * (x + offset * dx).powi(2));
+        let normal = pressed(&bodies, &gap, hertz.load());
+        let slides_at = Carter::new(hertz, 0.3, 0.0).unwrap().sliding_creepage();
+        let creepage = (1.0 - ratio) * slides_at;
+        let carter = Carter::new(hertz, 0.3, creepage).unwrap();
+        let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+            .creepage([creepage, 0.0])
+            .touch_rule(touch_rule)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        let force = rolling.force()[0];
+        errors[0] += (force - carter.force()).abs() / (0.3 * hertz.load()) / 3.0;
+        let (mut missed, mut sum) = (0.0, 0.0);
+        for (i, q) in rolling.traction()[0].as_slice().iter().enumerate() {
+            let exact = carter.traction(grid.x(i) + offset * dx);
+            missed += (q - exact).abs();
+            sum += exact;
+        }
+        errors[1] += missed / sum / 3.0;
+    }
+    errors
+}
+
+#[test]
+fn carters_force_has_second_order() {
+    for ratio in [0.6, 0.2] {
+        let law = [32, 128, 512].map(|cells| errors_of_carter(cells, ratio, TouchRule::Growth));
+        let order = |part: usize| (law[0][part] / law[2][part]).ln() / 16.0_f64.ln();
+        assert!(
+            order(0) > 1.8 && order(1) > 1.3,
+            "{} {}",
+            order(0),
+            order(1)
+        );
+        assert!(law[1][0] < 2.5e-5, "{:e}", law[1][0]);
+        let whole = errors_of_carter(128, ratio, TouchRule::WholeStep);
+        assert!(whole[0] > 60.0 * law[1][0] && whole[1] > 5.0 * law[1][1]);
+    }
+}
+
+/// Kalker's coefficients of a circle (table E.3 of Kalker 1990), at creepages without slip but at the edge, and their
+/// reciprocity, which 42 cells across the contact have to one per cent.
+#[test]
+fn small_creepages_have_kalkers_coefficients() {
+    for (poisson, longitudinal, lateral, spin) in [
+        (0.0, 3.40, 3.40, 1.33),
+        (0.25, 4.12, 3.67, 1.47),
+        (0.5, 5.20, 3.98, 1.63),
+    ] {
+        let grid = Grid::square(48, 2.25).unwrap();
+        let bodies = alike(grid, 1.0, poisson);
+        let modulus = bodies.pair().contact_modulus();
+        let ball = surface::sphere(grid, 1.0).unwrap();
+        let normal = pressed(&bodies, &ball, 4.0 / 3.0 * modulus);
+        // The friction is so large that next to nothing slips.
+        let of = |creepage: [f64; 2], spin: f64| {
+            let friction = Friction::coulomb(1e4).unwrap();
+            let problem = RollingProblem::builder(&bodies, &normal, friction);
+            let rolling = problem
+                .creepage(creepage)
+                .spin(spin)
+                .build()
+                .unwrap()
+                .solve()
+                .unwrap();
+            (rolling.force(), rolling.moment())
+        };
+        let ([x, _], _) = of([1e-3, 0.0], 0.0);
+        let ([_, y], turned) = of([0.0, 1e-3], 0.0);
+        let ([_, pushed], _) = of([0.0, 0.0], 1e-3);
+        for (found, expected) in [(x, longitudinal), (y, lateral), (pushed, spin)] {
+            let coefficient = found / 1e-3;
+            assert!(
+                (coefficient / expected - 1.0).abs() < 6e-3,
+                "{coefficient} for {expected}"
+            );
+        }
+        assert!(
+            (pushed + turned).abs() < 1.5e-2 * pushed,
+            "{pushed} {turned}"
+        );
+    }
+}
+
+/// What the equations say of an answer, evaluated on the whole grid with an operator of three directions.
+fn check_laws(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    rolling: &RollingSolution,
+    limit: impl Fn(usize, f64) -> f64,
+) {
+    let grid = bodies.grid();
+    let operator = bodies
+        .tensor_operator([Direction::X, Direction::Y, Direction::Z])
+        .unwrap();
+    let [x, y] = rolling.traction();
+    let mut moved = [(); 3].map(|()| vec![0.0; grid.cells()]);
+    operator.apply(
+        [x.as_slice(), y.as_slice(), normal.pressure().as_slice()],
+        moved.each_mut().map(|part| &mut part[..]),
+        &mut operator.workspace(),
+    );
+    let (dx, [xi, eta]) = (grid.dx(), rolling.creepage());
+    let most = xi.hypot(eta) * dx + moved[0].iter().fold(0.0, |a: f64, u| a.max(u.abs())) * 0.1;
+    for cell in 0..grid.cells() {
+        let pressure = normal.pressure().as_slice()[cell];
+        let q = [x.as_slice()[cell], y.as_slice()[cell]];
+        if pressure == 0.0 {
+            assert_eq!(q, [0.0; 2]);
+            continue;
+        }
+        let middle = [
+            grid.x(cell % grid.nx()) + 0.5 * dx,
+            grid.y(cell / grid.nx()),
+        ];
+        let creep = [
+            xi - rolling.spin() * middle[1],
+            eta + rolling.spin() * middle[0],
+        ];
+        let slip = [0, 1].map(|axis| moved[axis][cell] - moved[axis][cell + 1] - dx * creep[axis]);
+        let bound = limit(cell, pressure);
+        assert!(q[0].hypot(q[1]) <= bound * (1.0 + 1e-12));
+        let size = slip[0].hypot(slip[1]);
+        if rolling.zones()[cell] == Zone::Stick {
+            assert!(size < 1e-6 * most, "{size:e} of {most:e}");
+        } else {
+            let work = q[0] * slip[0] + q[1] * slip[1];
+            assert!((work + bound * size).abs() < 1e-6 * most * bound);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Rough gaps, friction by cell, creepages or forces, spin, dissimilar bodies: Coulomb's law in every cell, and the certificate above
+    /// the error against a tighter solve.
+    #[test]
+    fn any_scene_obeys_coulomb(
+        poisson in 0.0..0.5_f64, other in 0.0..0.45_f64, is_dissimilar: bool, roughness in 0.0..0.02_f64,
+        creepage in prop::array::uniform2(-0.3..0.3_f64), spin in -0.3..0.3_f64,
+        fraction in prop::option::of(-0.99..0.99_f64), friction in prop::array::uniform2(0.05..0.6_f64),
+    ) {
+        let grid = Grid::new(22, 18, 0.14, 0.16).unwrap();
+        let one = Material::from_shear_modulus(1.0, poisson).unwrap();
+        let two = if is_dissimilar { Material::from_shear_modulus(3.0, other).unwrap() } else { one };
+        let bodies = HalfSpace::new(grid, ElasticPair::new(one, two).unwrap()).unwrap();
+        let gap = Field::from_fn(grid, |x, y| {
+            0.5 * (x * x + y * y) + roughness * (9.0 * x).cos() * (7.0 * y + 1.0).cos()
+        });
+        let normal = pressed(&bodies, &gap, 1.0);
+        let coefficients = Field::from_fn(grid, |x, _| if x > 0.1 { friction[0] } else { friction[1] });
+        let by_cell = Friction::per_cell(coefficients).unwrap();
+        let limit = |cell: usize, p: f64| by_cell.limit(cell, p);
+        let problem = |touch_rule: TouchRule, tolerance: f64| {
+            let builder = RollingProblem::builder(&bodies, &normal, by_cell.clone())
+                .creepage(creepage)
+                .spin(spin)
+                .touch_rule(touch_rule)
+                .tolerance(tolerance);
+            let held: f64 = (0..grid.cells()).map(|i| limit(i, normal.pressure().as_slice()[i])).sum();
+            let builder = match fraction {
+                Some(fraction) => builder.control(Axis::X, RollingControl::Force(fraction * held * grid.cell_area())),
+                None => builder,
+            };
+            builder.build().unwrap().solve().unwrap()
+        };
+        check_laws(&bodies, &normal, &problem(TouchRule::WholeStep, 1e-10), limit);
+        let (rough, tight) = (problem(TouchRule::WholeStep, 1e-3), problem(TouchRule::WholeStep, 1e-11));
+        // e'(1 - T)Ce = |e - Te|^2 / 2 for the error e.
+        let operator = bodies.tensor_operator([Direction::X, Direction::Y]).unwrap();
+        let error: [Vec<f64>; 2] = [0, 1].map(|axis| {
+            let (a, b) = (rough.traction()[axis].as_slice(), tight.traction()[axis].as_slice());
+            a.iter().zip(b).map(|(a, b)| a - b).collect()
+        });
+        let product = |q: &[Vec<f64>; 2]| {
+            let mut moved = [(); 2].map(|()| vec![0.0; grid.cells()]);
+            operator.apply(
+                q.each_ref().map(|part| &part[..]),
+                moved.each_mut().map(|part| &mut part[..]),
+                &mut operator.workspace(),
+            );
+            let next = |axis: usize, i: usize| if (i + 1) % grid.nx() == 0 { 0.0 } else { moved[axis][i + 1] };
+            let sum = |axis: usize| -> f64 { (0..grid.cells()).map(|i| q[axis][i] * (moved[axis][i] - next(axis, i))).sum() };
+            sum(0) + sum(1)
+        };
+        let whole: [Vec<f64>; 2] = [0, 1].map(|axis| rough.traction()[axis].as_slice().to_vec());
+        let energy = product(&whole);
+        let bound = (rough.report().duality_gap * energy).sqrt();
+        // The tighter answer has an error too.
+        prop_assert!(product(&error).max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
+        // With the law of entering cells the same scene converges too.
+        let entering = problem(TouchRule::Growth, 1e-9);
+        prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
+    }
+}
+
+#[test]
+fn every_leading_edge_is_another_view_of_the_same() {
+    let grid = Grid::square(24, 2.4).unwrap();
+    let bodies = alike(grid, 1.0, 0.3);
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let normal = pressed(&bodies, &ball, 1.0);
+    let of = |edge: LeadingEdge, creepage: [f64; 2], spin: f64| {
+        let friction = Friction::coulomb(0.3).unwrap();
+        let problem = RollingProblem::builder(&bodies, &normal, friction).leading_edge(edge);
+        problem
+            .creepage(creepage)
+            .spin(spin)
+            .tolerance(1e-11)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap()
+    };
+    let [x, y] = of(LeadingEdge::PlusX, [0.1, 0.05], 0.08).force();
+    // Turned by a quarter, by a half, and by three.
+    for (edge, creepage, expected) in [
+        (LeadingEdge::PlusY, [-0.05, 0.1], [-y, x]),
+        (LeadingEdge::MinusX, [-0.1, -0.05], [-x, -y]),
+        (LeadingEdge::MinusY, [0.05, -0.1], [y, -x]),
+    ] {
+        let found = of(edge, creepage, 0.08).force();
+        for axis in 0..2 {
+            assert!(
+                (found[axis] - expected[axis]).abs() < 1e-8 * x.hypot(y),
+                "{edge:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_force_gives_back_its_creepage() {
+    let grid = Grid::square(20, 2.4).unwrap();
+    let bodies = alike(grid, 1.0, 0.25);
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let normal = pressed(&bodies, &ball, 1.0);
+    let friction = || Friction::coulomb(0.3).unwrap();
+    let builder = || RollingProblem::builder(&bodies, &normal, friction()).tolerance(1e-11);
+    for creepage in [[0.01, 0.0], [0.1, -0.07], [0.2, 0.3]] {
+        let rolling = builder()
+            .creepage(creepage)
+            .spin(0.05)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        let [x, y] = rolling.force().map(RollingControl::Force);
+        let back = builder().control(Axis::X, x).control(Axis::Y, y).spin(0.05);
+        let back = back.build().unwrap().solve().unwrap().creepage();
+        for axis in 0..2 {
+            assert!(
+                (back[axis] - creepage[axis]).abs() < 1e-6 * creepage[0],
+                "{back:?}"
+            );
+        }
+    }
+    // What slides the contact leaves the creepage open.
+    for force in [0.3, 0.31, f64::NAN] {
+        let refused = builder()
+            .control(Axis::X, RollingControl::Force(force))
+            .build();
+        assert!(matches!(
+            refused,
+            Err(Error::BeyondFrictionCapacity { .. } | Error::NotFinite { .. })
+        ));
+    }
+}
+
+#[test]
+fn bad_rolling_is_refused() {
+    let grid = Grid::square(20, 2.4).unwrap();
+    let bodies = alike(grid, 1.0, 0.25);
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let normal = pressed(&bodies, &ball, 1.0);
+    let builder = || RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+    assert!(matches!(
+        builder().creepage([f64::NAN, 0.0]).build(),
+        Err(Error::NotFinite { .. })
+    ));
+    assert!(matches!(
+        builder().spin(f64::INFINITY).build(),
+        Err(Error::NotFinite { .. })
+    ));
+    assert!(matches!(
+        builder().step(0).build(),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        builder().step(9).build(),
+        Err(Error::Below { .. })
+    ));
+    assert!(matches!(
+        builder().step(usize::MAX).build(),
+        Err(Error::Below { .. })
+    ));
+    let mut solver = builder().build().unwrap().into_solver().unwrap();
+    let elsewhere = HalfSpace::new(Grid::square(8, 2.4).unwrap(), *bodies.pair()).unwrap();
+    let small = surface::sphere(elsewhere.grid(), 1.0).unwrap();
+    let other = pressed(&elsewhere, &small, 1.0);
+    let refused = RollingProblem::builder(&bodies, &other, Friction::coulomb(0.3).unwrap()).build();
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    let force = RollingControl::Force(1.0);
+    assert!(solver.set_control([force; 2], 0.0).is_err());
+    let mut rolling = solver.new_solution();
+    solver.solve_into(&mut rolling).unwrap();
+    assert_eq!(rolling.force(), [0.0; 2]);
+
+    let boundary = Boundary::Periodic;
+    let waves = HalfSpace::with_boundary(grid, *bodies.pair(), boundary).unwrap();
+    let gap = Field::from_fn(grid, |x, y| 0.01 * (x.cos() + y.cos()));
+    let flat = pressed(&waves, &gap, 0.01);
+    let refused = RollingProblem::builder(&waves, &flat, Friction::coulomb(0.3).unwrap()).build();
+    assert!(matches!(refused, Err(Error::NotModelled { .. })));
+}
