@@ -37,13 +37,12 @@ pub struct Carter {
 }
 
 impl Carter {
-    /// The contact `hertz`, with the coefficient of friction `friction` and the creepage `creepage` (dimensionless, of either
-    /// sign).
+    /// The contact `hertz`, with the coefficient of friction `friction` and the creepage `creepage` (dimensionless, of
+    /// either sign).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the creepage,
-    /// [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for bodies whose
-    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
+    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the creepage, [`Error::CoupledMaterials`] for bodies
+    /// whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
     pub fn new(hertz: HertzLine, friction: f64, creepage: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
         finite("creepage", creepage)?;

@@ -38,8 +38,8 @@ impl Compliance {
 /// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
-/// n across the edge of the contact: the surface ahead moves in plane strain across it, and in antiplane strain along it. Of
-/// rough surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
+/// n across the edge of the contact: the surface ahead moves in plane strain across it, and in antiplane strain along it.
+/// Of rough surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
 pub(super) fn entering(
     normal: &NormalSolution,
     pressed: &Pressed,

@@ -72,8 +72,8 @@ pub struct RollingProblemBuilder<'a> {
 }
 
 impl RollingProblem {
-    /// Starts from what is required: bodies, a solved normal contact on them, friction. Free rolling without creepage is what
-    /// the options change.
+    /// Starts from what is required: bodies, a solved normal contact on them, friction. Free rolling without creepage is
+    /// what the options change.
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
         normal: &'a NormalSolution,
@@ -165,8 +165,8 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
-    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length, positive from x to
-    /// y, default zero), about the origin of the grid.
+    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
+    /// positive from x to y, default zero), about the origin of the grid.
     pub fn spin(mut self, spin: f64) -> Self {
         self.spin = spin;
         self
@@ -183,10 +183,11 @@ impl RollingProblemBuilder<'_> {
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an axis on which the grid
-    /// repeats, or spin on such a grid; [`Error::Below`] if the grid ends less than a step ahead of the contact;
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an
+    /// axis on which the grid repeats, or spin on such a grid; [`Error::Below`] if the grid ends less than a step ahead of the contact;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding;
-    /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies that ranks share.
+    /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies
+    /// that ranks share.
     pub fn build(self) -> Result<RollingProblem> {
         let (bodies, grid) = (self.bodies, self.bodies.grid());
         if bodies.is_shared() {

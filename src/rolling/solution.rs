@@ -86,8 +86,8 @@ impl RollingSolution {
         self.traction.each_ref()
     }
 
-    /// Slip of the surface of body 1 over that of body 2 for each length rolled (dimensionless), over the step that brought the
-    /// particles here: against the traction in slip cells, zero elsewhere.
+    /// Slip of the surface of body 1 over that of body 2 for each length rolled (dimensionless), over the step that
+    /// brought the particles here: against the traction in slip cells, zero elsewhere.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -117,7 +117,8 @@ impl RollingSolution {
         self.traction.each_ref().map(Field::integral)
     }
 
-    /// Moment about z, at the origin of the grid, of the tractions on body 1 (a force times a length, positive from x to y).
+    /// Moment about z, at the origin of the grid, of the tractions on body 1 (a force times a length, positive from x to
+    /// y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         let grid = self.grid();
@@ -130,15 +131,16 @@ impl RollingSolution {
         reduce::sum(&grid.layout(), part) * grid.cell_area()
     }
 
-    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). All of it is dissipated, at
-    /// the trailing edge too: of the [dissipation](Self::dissipation) it is the more accurate sum.
+    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). All of it is
+    /// dissipated, at the trailing edge too: of the [dissipation](Self::dissipation) it is the more accurate sum.
     #[must_use]
     pub fn work(&self) -> f64 {
         let (force, [xi, eta]) = (self.force(), self.creepage);
         xi * force[0] + eta * force[1] + self.spin * self.moment()
     }
 
-    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows. With the tractions at
+    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows.
+    /// With the tractions at
     /// the end of a step, so that its integral is less than the [work](Self::work) by a part that falls with the cells.
     ///
     /// # Errors

@@ -102,8 +102,8 @@ impl RollingSolver {
     /// Solves into `solution`, whose last content does not matter.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), nothing changed; [`Error::NotConverged`](crate::Error::NotConverged) with
-    /// the last feasible iterate in `solution`.
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), nothing changed;
+    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible iterate in `solution`.
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }

@@ -256,8 +256,8 @@ fn check_laws(
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// Rough gaps, friction by cell, creepages or forces, spin, dissimilar bodies: Coulomb's law in every cell, and the certificate above
-    /// the error against a tighter solve.
+    /// Rough gaps, friction by cell, creepages or forces, spin, dissimilar bodies: Coulomb's law in every cell, and the
+    /// certificate above the error against a tighter solve.
     #[test]
     fn any_scene_obeys_coulomb(
         poisson in 0.0..0.5_f64, other in 0.0..0.45_f64, is_dissimilar: bool, roughness in 0.0..0.02_f64,
