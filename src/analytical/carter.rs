@@ -41,7 +41,7 @@ impl Carter {
     /// either sign).
     ///
     /// # Errors
-    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the creepage, [`Error::CoupledMaterials`] for bodies
+    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the creepage or that at which all slips, [`Error::CoupledMaterials`] for bodies
     /// whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
     pub fn new(hertz: HertzLine, friction: f64, creepage: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
@@ -50,11 +50,13 @@ impl Carter {
             let beta = hertz.pair().dundurs_beta();
             return Err(Error::CoupledMaterials { beta });
         }
-        Ok(Self {
+        let carter = Self {
             hertz,
             friction,
             creepage,
-        })
+        };
+        finite("creepage at which all slips", carter.sliding_creepage())?;
+        Ok(carter)
     }
 
     /// The creepage from which on the whole contact slips (dimensionless).

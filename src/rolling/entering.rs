@@ -38,7 +38,7 @@ impl Compliance {
 /// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
-/// n across the edge of the contact: the surface ahead moves in plane strain across it, and in antiplane strain along it.
+/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact: the surface ahead moves in plane strain across it, and in antiplane strain along it.
 /// Of rough surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
 pub(super) fn entering(
     normal: &NormalSolution,
@@ -47,13 +47,15 @@ pub(super) fn entering(
 ) -> Result<Vec<Compliance>> {
     let mut own = filled(Compliance::NONE, pressed.region.cells())?;
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
+    let pressure = normal.pressure().as_slice();
     let compliances = normal.pair().compliances();
     let along = 1.0 + compliances.lateral / compliances.normal;
     for (cell, own) in own.iter_mut().enumerate() {
         let Some(before) = step.before(cell).map(|before| window.index(before)) else {
             continue;
         };
-        if pressed.limits.cells[cell] > 0.0 && gap[before] > 0.0 {
+        let enters = pressure[before] <= 0.0 && gap[before] > 0.0;
+        if enters && pressed.limits.cells[cell] > 0.0 {
             let most = own_compliance(along * gap[before], pressed.pressure[cell]);
             let [xx, xy, yy] = across(normal, before);
             let less = most * (1.0 - 1.0 / along);
@@ -73,11 +75,13 @@ fn across(normal: &NormalSolution, cell: usize) -> [f64; 3] {
     let (size, repeats) = (grid.size(), normal.boundary().repeats());
     let gap = normal.gap().as_slice();
     let slope = |at: usize| {
-        let [west, south, east, north] = neighbours(at, size, repeats).map(|n| n.unwrap_or(at));
-        [
-            (gap[east] - gap[west]) / grid.dx(),
-            (gap[north] - gap[south]) / grid.dy(),
-        ]
+        let [west, south, east, north] = neighbours(at, size, repeats);
+        let along = |one: Option<usize>, other: Option<usize>, side: f64| {
+            let spacings = [one, other].iter().flatten().count().max(1);
+            let [one, other] = [one, other].map(|next| gap[next.unwrap_or(at)]);
+            (other - one) / (side * spacings as f64)
+        };
+        [along(west, east, grid.dx()), along(south, north, grid.dy())]
     };
     let mut sum = [0.0; 3];
     let [west, _, east, _] = neighbours(cell, size, repeats);

@@ -38,15 +38,6 @@ impl SteadyOperator {
         }
     }
 
-    /// A cell that is the last of its particles' way.
-    pub(super) fn trailing_cell(&self) -> usize {
-        if self.step.edge.is_positive() {
-            0
-        } else {
-            self.own.len() - 1
-        }
-    }
-
     pub(super) fn own(&self) -> &[Compliance] {
         &self.own
     }

@@ -22,7 +22,8 @@ use crate::window::Window;
 pub enum RollingControl {
     /// The creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
     Creepage(f64),
-    /// The tangential force on body 1 (a force), less than friction holds; the creepage follows.
+    /// The tangential force on body 1 (a force); the creepage follows. The forces of both axes together must be less than
+    /// friction holds: without friction none is.
     Force(f64),
 }
 
@@ -72,8 +73,8 @@ pub struct RollingProblemBuilder<'a> {
 }
 
 impl RollingProblem {
-    /// Starts from what is required: bodies, a solved normal contact on them, friction. Free rolling without creepage is
-    /// what the options change.
+    /// Starts from what is required: bodies, a solved normal contact on them, friction. Without
+    /// options both creepages and the spin are zero.
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
         normal: &'a NormalSolution,
@@ -95,7 +96,7 @@ impl RollingProblem {
     /// Solves once, with buffers of its own.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report; [`Error::Memory`].
+    /// [`Error::NotConverged`] with the report; as [`HalfSpace::operator`]; [`Error::Memory`].
     pub fn solve(self) -> Result<RollingSolution> {
         let mut solver = RollingSolver::new(self)?;
         let mut solution = solver.try_new_solution()?;
@@ -126,7 +127,19 @@ impl RollingProblem {
             RollingControl::Force(force) => force,
             RollingControl::Creepage(_) => 0.0,
         });
-        let area = self.bodies.grid().cell_area();
+        let (grid, area) = (self.bodies.grid(), self.bodies.grid().cell_area());
+        let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
+        finite("turn of a step by the spin", spin * extent * self.length)?;
+        for control in controls {
+            match control {
+                RollingControl::Creepage(creepage) => {
+                    finite("creepage of a step", creepage * self.length)?;
+                }
+                RollingControl::Force(force) => {
+                    finite("tangential force over the cell area", force / area)?;
+                }
+            }
+        }
         self.pressed.limits.check(force, area)?;
         let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
         let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
@@ -183,7 +196,7 @@ impl RollingProblemBuilder<'_> {
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an
+    /// [`Error::NotFinite`] for creepages, forces or spin, [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an
     /// axis on which the grid repeats, or spin on such a grid; [`Error::Below`] if the grid ends less than a step ahead of the contact;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding;
     /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies
@@ -199,7 +212,7 @@ impl RollingProblemBuilder<'_> {
         positive("cells of a step", self.cells as f64)?;
         let axis = self.edge.axis();
         let side = [grid.dx(), grid.dy()][axis.index()];
-        let length = side * self.cells as f64;
+        let length = finite("length of a step", side * self.cells as f64)?;
         if bodies.boundary().repeats()[axis.index()] {
             return Err(Error::NotModelled {
                 quantity: "rolling by a step along an axis on which the grid repeats",

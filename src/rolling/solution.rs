@@ -41,7 +41,7 @@ impl RollingSolution {
     pub(super) fn of(
         &mut self,
         problem: &RollingProblem,
-        traction: &[Vec<f64>; 2],
+        traction: impl Fn(usize, usize) -> f64,
         slip: impl Fn(usize, usize) -> f64,
     ) -> &mut Self {
         for field in self.traction.iter_mut().chain(&mut self.slip) {
@@ -53,7 +53,7 @@ impl RollingSolution {
             if pressed.pressure[cell] <= 0.0 {
                 continue;
             }
-            let q = [traction[0][cell], traction[1][cell]];
+            let q = [traction(0, cell), traction(1, cell)];
             let moved = [slip(0, cell), slip(1, cell)];
             let is_at_limit = is_at_limit(q[0].hypot(q[1]), pressed.limits.cells[cell]);
             // A motion along the traction is residual of the solve.
@@ -87,7 +87,8 @@ impl RollingSolution {
     }
 
     /// Slip of the surface of body 1 over that of body 2 for each length rolled (dimensionless), over the step that
-    /// brought the particles here: against the traction in slip cells, zero elsewhere.
+    /// brought the particles here: against the traction in slip cells, zero elsewhere, also in those that move along
+    /// it by what a tolerance leaves.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -131,17 +132,19 @@ impl RollingSolution {
         reduce::sum(&grid.layout(), part) * grid.cell_area()
     }
 
-    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). All of it is
-    /// dissipated, at the trailing edge too: of the [dissipation](Self::dissipation) it is the more accurate sum.
+    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). Between
+    /// bodies of the same material all of it is dissipated, at the trailing edge too: of the
+    /// [dissipation](Self::dissipation) it is the more accurate sum. Between others the pressure does work as well, which
+    /// is not in it: they dissipate without any creepage force.
     #[must_use]
     pub fn work(&self) -> f64 {
         let (force, [xi, eta]) = (self.force(), self.creepage);
         xi * force[0] + eta * force[1] + self.spin * self.moment()
     }
 
-    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows.
-    /// With the tractions at
-    /// the end of a step, so that its integral is less than the [work](Self::work) by a part that falls with the cells.
+    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows. It
+    /// is taken with the tractions at the end of a step, so that between bodies of the same material its integral is less
+    /// than the [work](Self::work) by a part that falls with the size of the cells.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::buffer::{or_abort, try_each, zeros};
+use crate::buffer::{collected, or_abort, try_each, zeros};
 use crate::cgm::{self, Disc, Magnitude, Problem, Total, WorkspaceOf};
 use crate::contact::has_iterate;
 use crate::error::Result;
@@ -13,6 +13,7 @@ use crate::operator::Operator;
 use crate::report::{Iteration, Report};
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
+use crate::rolling::step::Step;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution};
 use crate::shown::shown;
 use crate::tangential::centre;
@@ -43,6 +44,10 @@ pub struct RollingSolver {
     operator: Arc<SteadyOperator>,
     inverse: Arc<SteadyInverse>,
     workspace: WorkspaceOf<Arc<SteadyOperator>, Arc<SteadyInverse>, Disc, 2>,
+    /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
+    /// of numbers.
+    unit: f64,
+    limits: Vec<f64>,
     traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
     linear: [Vec<f64>; 2],
@@ -57,12 +62,16 @@ impl RollingSolver {
             .bodies
             .compliance([Direction::X, Direction::Y], step.size)?;
         let own = std::mem::take(&mut problem.own);
+        let elastic = elastic_part(&*operator, step)?;
         let operator = SteadyOperator::new(operator, step, own, problem.chain);
-        let elastic = elastic_part(&operator)?;
         let inverse = SteadyInverse::new(inverse, step, elastic, operator.own());
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
+        let unit = problem.pressed.limits.unit().unwrap_or(1.0);
+        let limits = problem.pressed.limits.cells.iter();
         Ok(Self {
+            limits: collected(cells, limits.map(|limit| limit / unit))?,
+            unit,
             workspace: Problem::new(Arc::clone(&operator), [&[]; 2], Magnitude(&[]))
                 .preconditioner(Arc::clone(&inverse))
                 .try_workspace()?,
@@ -123,25 +132,26 @@ impl RollingSolver {
             .expect("solution", solution.grid())?;
         let totals = self.prescribe();
         let problem = &self.problem;
-        let limits = &problem.pressed.limits;
         let linear = self.linear.each_ref().map(Vec::as_slice);
-        let task = Problem::new(Arc::clone(&self.operator), linear, Magnitude(&limits.cells))
+        let task = Problem::new(Arc::clone(&self.operator), linear, Magnitude(&self.limits))
             .preconditioner(Arc::clone(&self.inverse))
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
         let (settings, workspace) = (&problem.settings, &mut self.workspace);
         let outcome = cgm::minimise_with(&task, settings, traction, workspace, &mut observer);
         if has_iterate(&outcome) {
-            let multiplier = self.workspace.multiplier();
+            let unit = self.unit;
+            let multiplier = self.workspace.multiplier().map(|shift| shift * unit);
             let creepage = [0, 1].map(|axis| match problem.controls[axis] {
                 RollingControl::Creepage(creepage) => creepage,
                 RollingControl::Force(_) => multiplier[axis] / problem.length,
             });
             let product = self.workspace.product();
             let slip = |axis: usize, cell: usize| {
-                product[axis][cell] + self.linear[axis][cell] - multiplier[axis]
+                unit * (product[axis][cell] + self.linear[axis][cell]) - multiplier[axis]
             };
-            let answer = solution.of(problem, &self.traction, slip);
+            let traction = |axis: usize, cell: usize| unit * self.traction[axis][cell];
+            let answer = solution.of(problem, traction, slip);
             answer.set_motion(creepage, problem.spin, self.workspace.report());
         }
         outcome
@@ -163,13 +173,13 @@ impl RollingSolver {
             let turned = [-problem.spin * middle[1], problem.spin * middle[0]];
             for axis in 0..2 {
                 let moved = problem.length * (given[axis] + turned[axis]);
-                self.linear[axis][cell] = problem.drawn[axis][cell] - moved;
+                self.linear[axis][cell] = (problem.drawn[axis][cell] - moved) / self.unit;
             }
         }
         let area = grid.cell_area();
         problem.controls.map(|control| match control {
             RollingControl::Creepage(_) => Total::Free,
-            RollingControl::Force(force) => Total::Sum(force / area),
+            RollingControl::Force(force) => Total::Sum(force / area / self.unit),
         })
     }
 
@@ -180,18 +190,18 @@ impl RollingSolver {
     }
 }
 
-/// What a cell in the middle of others slips over a step by a traction of its own.
-fn elastic_part(operator: &SteadyOperator) -> Result<f64> {
-    let cells = operator.cells();
+/// What a cell slips over a step by a traction of its own.
+fn elastic_part(compliance: &impl Operator<2>, step: Step) -> Result<f64> {
+    let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
         (try_each(|_| zeros(cells))?, try_each(|_| zeros(cells))?);
-    // The last cells behind have others before them, and no compliance of their own.
-    let last = operator.trailing_cell();
+    let last = step.trailing_cell();
     unit[0][last] = 1.0;
-    operator.apply(
+    compliance.apply(
         unit.each_ref().map(Vec::as_slice),
         image.each_mut().map(Vec::as_mut_slice),
-        &mut operator.try_workspace()?,
+        &mut compliance.try_workspace()?,
     );
-    Ok(image[0][last] - operator.own()[last].xx)
+    step.difference(&mut image[0]);
+    Ok(image[0][last])
 }

@@ -27,7 +27,7 @@ impl LeadingEdge {
         }
     }
 
-    /// Whether it lies at the end of the axis.
+    /// Whether it lies at the positive end of the axis.
     pub(super) fn is_positive(self) -> bool {
         matches!(self, Self::PlusX | Self::PlusY)
     }
@@ -67,6 +67,15 @@ impl Step {
         self.sweep(!self.edge.is_positive(), |cell, before| {
             field[cell] += before.map_or(0.0, |before| field[before]);
         });
+    }
+
+    /// A cell that is the last on its particles' way.
+    pub(super) fn trailing_cell(&self) -> usize {
+        if self.edge.is_positive() {
+            0
+        } else {
+            self.size[0] * self.size[1] - 1
+        }
     }
 
     fn sweep(&self, is_ascending: bool, mut visit: impl FnMut(usize, Option<usize>)) {
