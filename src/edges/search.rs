@@ -4,7 +4,7 @@ use crate::buffer;
 use crate::edges::fit::{Fit, Values};
 use crate::edges::outline::{Corners, outline};
 use crate::edges::states::States;
-use crate::edges::stencil::{PLACES, Stencil};
+use crate::edges::stencil::{LANES, SIDE, Stencil};
 use crate::edges::{EdgeCell, Edges};
 use crate::error::Result;
 use crate::field::Field;
@@ -136,7 +136,7 @@ impl Search<'_> {
                 centre <= MOST_OUTSIDE
             };
             // A strip of two cells has two edges in one.
-            let is_wide = values.is_core.contains(&true);
+            let is_wide = values.is_core.as_flattened().contains(&true);
             agrees && is_wide && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
         });
         let Some(fit) = fit else {
@@ -201,13 +201,17 @@ impl Search<'_> {
         let mut lifted = buffer::filled(f64::NAN, self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
         for found in found {
-            for cell in stencil.cells(found.cell.index).into_iter().flatten() {
-                if lifted[cell].is_nan() {
-                    lifted[cell] = if self.contains(cell) {
-                        (self.inside[cell] / largest).powi(2)
-                    } else {
-                        -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
-                    };
+            let [rows, columns] = stencil.about(found.cell.index);
+            for row in rows.into_iter().flatten() {
+                for column in columns.into_iter().flatten() {
+                    let cell = row * self.grid.nx() + column;
+                    if lifted[cell].is_nan() {
+                        lifted[cell] = if self.contains(cell) {
+                            (self.inside[cell] / largest).powi(2)
+                        } else {
+                            -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
+                        };
+                    }
                 }
             }
         }
@@ -216,17 +220,25 @@ impl Search<'_> {
 
     fn values(&self, states: &States, stencil: &Stencil, index: usize, lifted: &[f64]) -> Values {
         let mut values = Values {
-            lifted: [0.0; PLACES],
-            is_inside: [false; PLACES],
-            is_core: [false; PLACES],
-            is_known: [false; PLACES],
+            lifted: [[0.0; LANES]; SIDE],
+            is_inside: [[false; LANES]; SIDE],
+            is_core: [[false; LANES]; SIDE],
+            weights: [[0.0; LANES]; SIDE],
         };
-        for (k, cell) in stencil.cells(index).into_iter().enumerate() {
-            let Some(cell) = cell else { continue };
-            values.lifted[k] = lifted[cell];
-            values.is_inside[k] = self.contains(cell);
-            values.is_core[k] = states.is_core(cell);
-            values.is_known[k] = values.is_inside[k] || (self.is_outside_known)(cell);
+        let [rows, columns] = stencil.about(index);
+        for (j, row) in rows.into_iter().enumerate() {
+            let Some(row) = row else { continue };
+            for (i, column) in columns.into_iter().enumerate() {
+                let Some(column) = column else { continue };
+                let cell = row * self.grid.nx() + column;
+                let is_inside = self.contains(cell);
+                values.lifted[j][i] = lifted[cell];
+                values.is_inside[j][i] = is_inside;
+                values.is_core[j][i] = is_inside && states.is_core(cell);
+                if is_inside || (self.is_outside_known)(cell) {
+                    values.weights[j][i] = stencil.weights[j][i];
+                }
+            }
         }
         values
     }
