@@ -67,12 +67,13 @@ impl States {
     }
 
     pub(super) fn core_cells(&self) -> usize {
-        self.states.iter().filter(|state| **state == CORE).count()
+        let is_core = self.states.iter().map(|state| *state == CORE);
+        is_core.map(usize::from).sum()
     }
 
     /// The cells at the edge of the set, by rising index.
     pub(super) fn at_edge(&self) -> impl Iterator<Item = usize> + '_ {
-        let is_at_edge = |state: State| (state == BESIDE) | (state == BORDER);
+        let is_at_edge = |state: State| matches!(state, BESIDE | BORDER);
         let parts = self.states.chunks(AT_ONCE).enumerate();
         let parts = parts.filter(move |(_, part)| {
             part.iter()
