@@ -1,6 +1,8 @@
 //! The quadratic that is zero at the edge, fitted to the cells about one.
 
-use crate::edges::stencil::{CELLS, PLACES, POWERS, PRODUCT_OF, Stencil, dot};
+use crate::edges::stencil::{
+    FOURTH, LANES, POWERS, PRODUCT_OF, PRODUCTS, SECOND, SIDE, Square, Stencil, dot, product,
+};
 
 /// Unknowns: the quadratic, and a square of the distance outside.
 const UNKNOWNS: usize = POWERS + 1;
@@ -35,11 +37,21 @@ const PARTS: usize = 8;
 pub(super) struct Values {
     /// Inside the square of the pressure, outside minus the power 2/3 of the gap times 3/4 over the unit of length and the
     /// largest pressure, without the modulus.
-    pub(super) lifted: [f64; PLACES],
-    pub(super) is_inside: [bool; PLACES],
+    pub(super) lifted: Square<f64>,
+    pub(super) is_inside: Square<bool>,
     /// Whether all four neighbours of a cell are inside too.
-    pub(super) is_core: [bool; PLACES],
-    pub(super) is_known: [bool; PLACES],
+    pub(super) is_core: Square<bool>,
+    /// Those of the stencil, and none of the cells that are not known.
+    pub(super) weights: Square<f64>,
+}
+
+/// What a round fits, by places: weights, those of values that are trusted, distances inside the edge, and squares of those
+/// outside.
+struct Sample {
+    weights: Square<f64>,
+    trusted: Square<f64>,
+    distances: Square<f64>,
+    squares: Square<f64>,
 }
 
 /// The fit about one cell, in units of the largest pressure and of a cell.
@@ -61,7 +73,7 @@ impl Fit {
         values: &Values,
         modulus: impl Fn([f64; 2]) -> f64,
     ) -> Option<Self> {
-        let largest = values.lifted.iter().copied().fold(0.0, f64::max);
+        let largest = values.lifted.iter().flatten().copied().fold(0.0, f64::max);
         let gradient = first_gradient(stencil, values)?;
         let mut fit = Self {
             coefficients: [0.0; POWERS],
@@ -70,10 +82,14 @@ impl Fit {
             missed: f64::INFINITY,
             count: 0,
         };
-        for round in 0..ROUNDS {
-            fit.refine(stencil, values, modulus(fit.normal()), round > 0)?;
+        for round in 1..=ROUNDS {
+            let sample = fit.sample(stencil, values, modulus(fit.normal()), round > 1)?;
+            let solution = fit.refine(stencil, &sample)?;
             // The edge is in none of the further rounds in this cell.
-            if fit.distance([0.0; 2]) < -FAR_OUTSIDE {
+            if round == ROUNDS || fit.distance([0.0; 2]) < -FAR_OUTSIDE {
+                let counts = sample.trusted.iter().flatten();
+                fit.count = counts.filter(|weight| **weight > 0.0).count();
+                fit.missed = sample.missed(stencil, solution);
                 break;
             }
         }
@@ -89,50 +105,59 @@ impl Fit {
         }
     }
 
-    /// A round: the fit with the slope known so far, and the slope at its edge.
-    fn refine(
-        &mut self,
+    /// The values with the slope known so far.
+    fn sample(
+        &self,
         stencil: &Stencil,
         values: &Values,
         modulus: f64,
         has_edge: bool,
-    ) -> Option<()> {
+    ) -> Option<Sample> {
         // Values next to nothing, or none, leave nothing to measure by.
         if !(self.square > 0.0 && self.square.is_finite()) {
             return None;
         }
-        let slope = (self.square * modulus).cbrt().powi(2);
         let inverse = 1.0 / self.square;
-        let fitted = self.distances(stencil);
-        let (mut weights, mut trusted) = ([0.0; PLACES], [0.0; PLACES]);
-        let (mut distances, mut squares) = ([0.0; PLACES], [0.0; PLACES]);
-        for k in (0..CELLS).filter(|k| values.is_known[*k]) {
-            let is_inside = values.is_inside[k];
-            let level = values.lifted[k] * if is_inside { 1.0 } else { slope };
-            let distance = level * inverse;
-            let far = (distance.abs() - NEAR).max(0.0) * (1.0 / FADE);
-            if far > NOTHING {
-                continue;
+        let slope = (self.square * modulus).cbrt().powi(2) * inverse;
+        let fitted = stencil.quadratic(self.coefficients.map(|part| part * inverse));
+        let mut sample = Sample {
+            weights: [[0.0; LANES]; SIDE],
+            trusted: [[0.0; LANES]; SIDE],
+            distances: [[0.0; LANES]; SIDE],
+            squares: [[0.0; LANES]; SIDE],
+        };
+        for row in 0..SIDE {
+            for k in 0..LANES {
+                let is_inside = values.is_inside[row][k];
+                let distance = values.lifted[row][k] * if is_inside { inverse } else { slope };
+                let far = (distance.abs() - NEAR).max(0.0) * (1.0 / FADE);
+                if far > NOTHING {
+                    continue;
+                }
+                let fitted = fitted[row][k];
+                let is_trusted = match (is_inside, has_edge) {
+                    (true, false) => values.is_core[row][k] || distance > BLURRED_INSIDE,
+                    (false, false) => distance < -BLURRED_OUTSIDE,
+                    (true, true) => fitted > BLURRED_INSIDE,
+                    (false, true) => distance < -BLURRED_OUTSIDE && fitted < -0.5 * BLURRED_OUTSIDE,
+                };
+                let fade = if far > 0.0 { (-far * far).exp() } else { 1.0 };
+                let weight = values.weights[row][k] * fade;
+                sample.weights[row][k] = weight * if is_trusted { 1.0 } else { DISTRUSTED };
+                sample.trusted[row][k] = if is_trusted { weight } else { 0.0 };
+                sample.distances[row][k] = distance;
+                sample.squares[row][k] = if is_inside { 0.0 } else { distance * distance };
             }
-            let is_trusted = match (is_inside, has_edge) {
-                (true, false) => values.is_core[k] || distance > BLURRED_INSIDE,
-                (false, false) => distance < -BLURRED_OUTSIDE,
-                (true, true) => fitted[k] > BLURRED_INSIDE,
-                (false, true) => distance < -BLURRED_OUTSIDE && fitted[k] < -0.5 * BLURRED_OUTSIDE,
-            };
-            let fade = if far > 0.0 { (-far * far).exp() } else { 1.0 };
-            let weight = stencil.weights[k] * fade;
-            weights[k] = weight * if is_trusted { 1.0 } else { DISTRUSTED };
-            trusted[k] = if is_trusted { weight } else { 0.0 };
-            distances[k] = distance;
-            squares[k] = if is_inside { 0.0 } else { distance * distance };
         }
-        let solution = least_squares(stencil, &weights, &distances, &squares)?;
+        Some(sample)
+    }
+
+    /// A round: the fit to a sample, and the slope at its edge.
+    fn refine(&mut self, stencil: &Stencil, sample: &Sample) -> Option<[f64; UNKNOWNS]> {
+        let solution = sample.least_squares(stencil)?;
         if !solution.iter().all(|part| part.is_finite()) {
             return None;
         }
-        self.count = trusted.iter().filter(|weight| **weight > 0.0).count();
-        self.missed = missed(stencil, &solution, &trusted, [distances, squares]);
         for (coefficient, part) in self.coefficients.iter_mut().zip(solution) {
             *coefficient = part * self.square;
         }
@@ -149,19 +174,7 @@ impl Fit {
         let (u, v) = (step(x), step(y));
         self.gradient = [x + 2.0 * xx * u + xy * v, y + 2.0 * yy * v + xy * u];
         self.square = length(self.gradient).clamp(0.2 * self.square, 5.0 * self.square);
-        Some(())
-    }
-
-    /// Those of all places inside the edge, as far as it is known.
-    fn distances(&self, stencil: &Stencil) -> [f64; PLACES] {
-        let mut distances = [0.0; PLACES];
-        for (coefficient, power) in self.coefficients.iter().zip(&stencil.products) {
-            let coefficient = coefficient / self.square;
-            for (distance, power) in distances.iter_mut().zip(power) {
-                *distance += coefficient * power;
-            }
-        }
-        distances
+        Some(solution)
     }
 
     /// The squared pressure at a place from the middle of the cell.
@@ -204,103 +217,88 @@ fn length([x, y]: [f64; 2]) -> f64 {
 
 /// Slope of the squared pressure, by a plane through the cells inside.
 fn first_gradient(stencil: &Stencil, values: &Values) -> Option<[f64; 2]> {
-    let is_inside = |k: usize| {
-        if values.is_inside[k] {
-            stencil.weights[k]
-        } else {
-            0.0
-        }
-    };
-    let weights: [f64; PLACES] = std::array::from_fn(is_inside);
-    let weighted = product(&weights, &values.lifted);
-    let products = &stencil.products;
+    let mut weights = values.weights;
+    for (weight, is_inside) in weights
+        .as_flattened_mut()
+        .iter_mut()
+        .zip(values.is_inside.as_flattened())
+    {
+        *weight *= f64::from(u8::from(*is_inside));
+    }
+    let sums: [f64; POWERS] = stencil.moments::<SECOND, POWERS>(&weights);
     let mut matrix = [[0.0; 3]; 3];
     for i in 0..3 {
         for j in 0..=i {
-            matrix[i][j] = dot(&weights, &products[PRODUCT_OF[i][j]]);
+            matrix[i][j] = sums[PRODUCT_OF[i][j]];
         }
         matrix[i][i] += 1e-9;
     }
-    let [_, x, y] = solved(matrix, [0, 1, 2].map(|i| dot(&weighted, &products[i])))?;
+    let right = stencil.moments::<2, 3>(&product(&weights, &values.lifted));
+    let [_, x, y] = solved(matrix, right)?;
     Some([x, y])
 }
 
-fn least_squares(
-    stencil: &Stencil,
-    weights: &[f64; PLACES],
-    distances: &[f64; PLACES],
-    squares: &[f64; PLACES],
-) -> Option<[f64; UNKNOWNS]> {
-    let products = &stencil.products;
-    let sums = products.each_ref().map(|power| dot(weights, power));
-    let (right, outside) = (product(weights, distances), product(weights, squares));
-    let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
-    for i in 0..POWERS {
-        for j in 0..=i {
-            matrix[i][j] = sums[PRODUCT_OF[i][j]];
+impl Sample {
+    fn least_squares(&self, stencil: &Stencil) -> Option<[f64; UNKNOWNS]> {
+        let right = product(&self.weights, &self.distances);
+        let outside = product(&self.weights, &self.squares);
+        let sums: [f64; PRODUCTS] = stencil.moments::<FOURTH, PRODUCTS>(&self.weights);
+        let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
+        for i in 0..POWERS {
+            for j in 0..=i {
+                matrix[i][j] = sums[PRODUCT_OF[i][j]];
+            }
         }
-        matrix[POWERS][i] = dot(&outside, &products[i]);
+        matrix[POWERS][..POWERS].copy_from_slice(&stencil.moments::<SECOND, POWERS>(&outside));
+        matrix[POWERS][POWERS] = dot(&outside, &self.squares);
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row[i] += 1e-12 + if i < 3 { 0.0 } else { STRAIGHT };
+        }
+        let [c, x, y, xx, xy, yy] = stencil.moments::<SECOND, POWERS>(&right);
+        solved(matrix, [c, x, y, xx, xy, yy, dot(&right, &self.squares)])
     }
-    matrix[POWERS][POWERS] = dot(&outside, squares);
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row[i] += 1e-12 + if i < 3 { 0.0 } else { STRAIGHT };
-    }
-    let of_unknown = |i: usize| dot(&right, if i < POWERS { &products[i] } else { squares });
-    solved(matrix, std::array::from_fn(of_unknown))
-}
 
-/// Root mean square of what a solution misses, in cells.
-fn missed(
-    stencil: &Stencil,
-    solution: &[f64; UNKNOWNS],
-    trusted: &[f64; PLACES],
-    [distances, squares]: [[f64; PLACES]; 2],
-) -> f64 {
-    let mut missed = distances;
-    for (missed, square) in missed.iter_mut().zip(&squares) {
-        *missed -= solution[POWERS] * square;
-    }
-    for (part, power) in solution.iter().zip(&stencil.products[..POWERS]) {
-        for (missed, power) in missed.iter_mut().zip(power) {
-            *missed -= part * power;
+    /// Root mean square of what a solution misses, in cells.
+    fn missed(&self, stencil: &Stencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
+        let mut missed = stencil.quadratic([c, x, y, xx, xy, yy]);
+        let places = self
+            .distances
+            .as_flattened()
+            .iter()
+            .zip(self.squares.as_flattened());
+        for (missed, (distance, square)) in missed.as_flattened_mut().iter_mut().zip(places) {
+            *missed += outside * square - distance;
+        }
+        let [sum] = stencil.moments::<1, 1>(&self.trusted);
+        if sum > 0.0 {
+            (dot(&product(&self.trusted, &missed), &missed) / sum).sqrt()
+        } else {
+            f64::INFINITY
         }
     }
-    let sum = dot(trusted, &stencil.products[0]);
-    if sum > 0.0 {
-        (dot(&product(trusted, &missed), &missed) / sum).sqrt()
-    } else {
-        f64::INFINITY
-    }
-}
-
-fn product(a: &[f64; PLACES], b: &[f64; PLACES]) -> [f64; PLACES] {
-    let mut products = *a;
-    for (product, b) in products.iter_mut().zip(b) {
-        *product *= b;
-    }
-    products
 }
 
 /// The solution of a positive definite system of which the lower triangle is given, by Cholesky; `None` for another.
 fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
+    // The diagonal holds reciprocals.
     for i in 0..N {
         for j in 0..=i {
             let done: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
             let rest = matrix[i][j] - done;
             matrix[i][j] = if i > j {
-                rest / matrix[j][j]
+                rest * matrix[j][j]
             } else if rest > 0.0 {
-                rest.sqrt()
+                1.0 / rest.sqrt()
             } else {
                 return None;
             };
         }
         let done: f64 = (0..i).map(|k| matrix[i][k] * right[k]).sum();
-        right[i] = (right[i] - done) / matrix[i][i];
+        right[i] = (right[i] - done) * matrix[i][i];
     }
     for i in (0..N).rev() {
         let done: f64 = (i + 1..N).map(|k| matrix[k][i] * right[k]).sum();
-        right[i] = (right[i] - done) / matrix[i][i];
+        right[i] = (right[i] - done) * matrix[i][i];
     }
     Some(right)
 }
@@ -316,10 +314,10 @@ mod tests {
         let stencil = Stencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);
         for lifted in [0.0, f64::INFINITY] {
             let values = Values {
-                lifted: [lifted; PLACES],
-                is_inside: [true; PLACES],
-                is_core: [true; PLACES],
-                is_known: [true; PLACES],
+                lifted: [[lifted; LANES]; SIDE],
+                is_inside: [[true; LANES]; SIDE],
+                is_core: [[true; LANES]; SIDE],
+                weights: stencil.weights,
             };
             assert!(Fit::new(&stencil, &values, |_| 1.0).is_none(), "{lifted}");
         }

@@ -3,13 +3,13 @@
 use crate::buffer;
 use crate::edges::fit::{Fit, Values};
 use crate::edges::outline::{Corners, outline};
-use crate::edges::states::States;
-use crate::edges::stencil::{PLACES, Stencil};
+use crate::edges::states::{States, beside};
+use crate::edges::stencil::{LANES, SIDE, Stencil};
 use crate::edges::{EdgeCell, Edges};
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
-use crate::neighbours::{neighbours, second_difference};
+use crate::neighbours::neighbours;
 use crate::parallel::{self, Blocks};
 
 /// Largest root mean square by which a fit may miss the values, in cells.
@@ -50,8 +50,8 @@ struct Found {
 
 impl Search<'_> {
     pub(super) fn edges(&self) -> Result<Edges> {
-        let largest = self.inside.iter().copied().fold(0.0, f64::max);
-        let states = States::new(self.grid, self.repeats, |i| self.contains(i))?;
+        let largest = largest(self.inside);
+        let states = States::new(self.grid, self.repeats, self.inside)?;
         let stencil = Stencil::new(self.grid, self.repeats);
         let mut found = Vec::new();
         for index in states.at_edge() {
@@ -90,13 +90,8 @@ impl Search<'_> {
         let mut centres = Field::try_zeros(self.grid)?;
         centres.as_mut_slice().copy_from_slice(self.inside);
         let mut means = Field::try_zeros(self.grid)?;
-        parallel::rows(means.as_mut_slice(), self.grid.nx(), |row, out| {
-            let first = row * self.grid.nx();
-            for (mean, i) in out.iter_mut().zip(first..) {
-                if states.is_core(i) {
-                    *mean = self.raw_mean(i);
-                }
-            }
+        parallel::rows(means.as_mut_slice(), self.grid.nx(), |row, means| {
+            self.raw_means(states, row, means);
         });
         let mut covered = states.core_cells() as f64;
         for Found { cell, .. } in found {
@@ -136,7 +131,7 @@ impl Search<'_> {
                 centre <= MOST_OUTSIDE
             };
             // A strip of two cells has two edges in one.
-            let is_wide = values.is_core.contains(&true);
+            let is_wide = values.is_core.as_flattened().contains(&true);
             agrees && is_wide && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
         });
         let Some(fit) = fit else {
@@ -189,25 +184,41 @@ impl Search<'_> {
         }
     }
 
-    /// The mean over a cell of a smooth pressure with these values at the centres.
-    fn raw_mean(&self, cell: usize) -> f64 {
-        let difference = second_difference(self.inside, cell, self.grid.size(), self.repeats);
-        (self.inside[cell] + difference / 24.0).max(0.0)
+    /// The means over the core cells of a row of a smooth pressure with these values at the centres.
+    fn raw_means(&self, states: &States, row: usize, means: &mut [f64]) {
+        let [nx, ny] = self.grid.size();
+        // Core cells have all their neighbours.
+        let [Some(below), Some(above)] = beside(row, ny, self.repeats[1]) else {
+            return;
+        };
+        let [below, middle, above] = [below, row, above].map(|row| &self.inside[row * nx..][..nx]);
+        let cells = means.iter_mut().zip(states.are_core(row)).enumerate();
+        for (column, (mean, _)) in cells.filter(|(_, (_, is_core))| *is_core) {
+            if let [Some(left), Some(right)] = beside(column, nx, self.repeats[0]) {
+                let around = (middle[left] + middle[right]) + (below[column] + above[column]);
+                let difference = around - 4.0 * middle[column];
+                *mean = (middle[column] + difference / 24.0).max(0.0);
+            }
+        }
     }
 
     /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
-    /// the power 2/3 outside, as in [`Values`]; NaN of all others.
+    /// the power 2/3 outside, as in [`Values`]; zero of all others.
     fn lifted(&self, stencil: &Stencil, found: &[Found], largest: f64) -> Result<Vec<f64>> {
-        let mut lifted = buffer::filled(f64::NAN, self.inside.len())?;
+        let mut lifted = buffer::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
         for found in found {
-            for cell in stencil.cells(found.cell.index).into_iter().flatten() {
-                if lifted[cell].is_nan() {
-                    lifted[cell] = if self.contains(cell) {
-                        (self.inside[cell] / largest).powi(2)
-                    } else {
-                        -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
-                    };
+            let [rows, columns] = stencil.about(found.cell.index);
+            for row in rows.into_iter().flatten() {
+                for column in columns.into_iter().flatten() {
+                    let cell = row * self.grid.nx() + column;
+                    if lifted[cell] == 0.0 {
+                        lifted[cell] = if self.contains(cell) {
+                            (self.inside[cell] / largest).powi(2)
+                        } else {
+                            -(scale * self.outside[cell].max(0.0)).cbrt().powi(2)
+                        };
+                    }
                 }
             }
         }
@@ -216,18 +227,37 @@ impl Search<'_> {
 
     fn values(&self, states: &States, stencil: &Stencil, index: usize, lifted: &[f64]) -> Values {
         let mut values = Values {
-            lifted: [0.0; PLACES],
-            is_inside: [false; PLACES],
-            is_core: [false; PLACES],
-            is_known: [false; PLACES],
+            lifted: [[0.0; LANES]; SIDE],
+            is_inside: [[false; LANES]; SIDE],
+            is_core: [[false; LANES]; SIDE],
+            weights: [[0.0; LANES]; SIDE],
         };
-        for (k, cell) in stencil.cells(index).into_iter().enumerate() {
-            let Some(cell) = cell else { continue };
-            values.lifted[k] = lifted[cell];
-            values.is_inside[k] = self.contains(cell);
-            values.is_core[k] = states.is_core(cell);
-            values.is_known[k] = values.is_inside[k] || (self.is_outside_known)(cell);
+        let [rows, columns] = stencil.about(index);
+        for (j, row) in rows.into_iter().enumerate() {
+            let Some(row) = row else { continue };
+            for (i, column) in columns.into_iter().enumerate() {
+                let Some(column) = column else { continue };
+                let cell = row * self.grid.nx() + column;
+                let is_inside = self.contains(cell);
+                values.lifted[j][i] = lifted[cell];
+                values.is_inside[j][i] = is_inside;
+                values.is_core[j][i] = is_inside && states.is_core(cell);
+                if is_inside || (self.is_outside_known)(cell) {
+                    values.weights[j][i] = stencil.weights[j][i];
+                }
+            }
         }
         values
     }
+}
+
+/// The largest of the values, or zero; several run side by side.
+fn largest(values: &[f64]) -> f64 {
+    let mut most = [0.0_f64; LANES];
+    for values in values.chunks(LANES) {
+        for (most, value) in most.iter_mut().zip(values) {
+            *most = most.max(*value);
+        }
+    }
+    most.into_iter().fold(0.0, f64::max)
 }

@@ -3,88 +3,102 @@
 use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::neighbours::neighbours;
 use crate::parallel;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum State {
-    Outside,
-    /// Outside, with a cell of the set beside it or at a corner.
-    Beside,
-    /// In the set, with a neighbour that is not.
-    Border,
-    /// In the set with all its neighbours.
-    Core,
-}
+/// The state of a cell: one for each that holds of being in the set or beside it or at a corner of it, being in the set, and
+/// having all neighbours in it too.
+type State = u8;
+
+/// Outside, with a cell of the set beside it or at a corner.
+const BESIDE: State = 1;
+/// In the set, with a neighbour that is not.
+const BORDER: State = 2;
+/// In the set with all its neighbours.
+const CORE: State = 3;
+
+/// Cells that are searched at once for one at the edge.
+const AT_ONCE: usize = 64;
 
 /// The states of all cells of a grid.
-pub(super) struct States(Vec<State>);
+pub(super) struct States {
+    nx: usize,
+    states: Vec<State>,
+}
 
 impl States {
-    pub(super) fn new(
-        grid: Grid,
-        repeats: [bool; 2],
-        contains: impl Fn(usize) -> bool + Sync,
-    ) -> Result<Self> {
-        let size @ [nx, ny] = grid.size();
-        let mut states = buffer::filled(State::Outside, grid.cells())?;
-        let count = |next: [Option<usize>; 4]| {
-            let is_in = |next: &Option<usize>| next.is_some_and(&contains);
-            next.iter().filter(|next| is_in(next)).count()
-        };
-        // Of a cell at an edge of the grid.
-        let beside_rim = |i: usize| {
-            let [left, below, right, above] = neighbours(i, size, repeats);
-            let of = |next: Option<usize>| {
-                next.map_or([None; 4], |next| neighbours(next, size, repeats))
-            };
-            let ([a, _, b, _], [c, _, d, _]) = (of(below), of(above));
-            [count([left, below, right, above]), count([a, b, c, d])]
-        };
-        parallel::rows(&mut states, nx, |row, states| {
-            let first = row * nx;
-            for (column, state) in states.iter_mut().enumerate() {
-                let i = first + column;
-                let is_inner = column > 0 && column + 1 < nx && row > 0 && row + 1 < ny;
-                let next = |step: usize, back: usize| Some(i + step - back);
-                let sides = || {
-                    if is_inner {
-                        count([next(0, 1), next(0, nx), next(1, 0), next(nx, 0)])
-                    } else {
-                        beside_rim(i)[0]
-                    }
-                };
-                let corners = || {
-                    if is_inner {
-                        count([next(0, nx + 1), next(1, nx), next(nx, 1), next(nx + 1, 0)])
-                    } else {
-                        beside_rim(i)[1]
-                    }
-                };
-                *state = match (contains(i), sides()) {
-                    (true, 4) => State::Core,
-                    (true, _) => State::Border,
-                    (false, 0) if corners() == 0 => State::Outside,
-                    (false, _) => State::Beside,
-                };
+    /// Of the set of the cells with a positive value.
+    pub(super) fn new(grid: Grid, repeats: [bool; 2], inside: &[f64]) -> Result<Self> {
+        let [nx, ny] = grid.size();
+        let mut is_in = buffer::filled(0, grid.cells())?;
+        parallel::rows(&mut is_in, nx, |row, out| {
+            for (out, value) in out.iter_mut().zip(&inside[row * nx..]) {
+                *out = u8::from(*value > 0.0);
             }
         });
-        Ok(Self(states))
+        let beyond = buffer::filled(0, nx)?;
+        let mut states = buffer::filled(0, grid.cells())?;
+        parallel::rows(&mut states, nx, |row, states| {
+            let [below, above] = beside(row, ny, repeats[1]);
+            let rows = [below, Some(row), above]
+                .map(|row| row.map_or(&beyond[..], |row| &is_in[row * nx..][..nx]));
+            let [below, middle, above] = rows.map(|row| row.windows(3));
+            let inner = states.iter_mut().skip(1);
+            for (((state, below), middle), above) in inner.zip(below).zip(middle).zip(above) {
+                *state = state_of([below, middle, above]);
+            }
+            for column in [0, nx - 1] {
+                let [left, right] = beside(column, nx, repeats[0]);
+                let columns = [left, Some(column), right];
+                let around = rows.map(|row| columns.map(|next| next.map_or(0, |next| row[next])));
+                states[column] = state_of(around.each_ref().map(|row| &row[..]));
+            }
+        });
+        Ok(Self { nx, states })
     }
 
     pub(super) fn is_core(&self, cell: usize) -> bool {
-        self.0[cell] == State::Core
+        self.states[cell] == CORE
+    }
+
+    /// Whether the cells of a row are core cells.
+    pub(super) fn are_core(&self, row: usize) -> impl Iterator<Item = bool> + '_ {
+        let states = &self.states[row * self.nx..][..self.nx];
+        states.iter().map(|state| *state == CORE)
     }
 
     pub(super) fn core_cells(&self) -> usize {
-        self.0.iter().filter(|state| **state == State::Core).count()
+        let is_core = self.states.iter().map(|state| *state == CORE);
+        is_core.map(usize::from).sum()
     }
 
     /// The cells at the edge of the set, by rising index.
     pub(super) fn at_edge(&self) -> impl Iterator<Item = usize> + '_ {
-        let states = self.0.iter().enumerate();
-        states.filter_map(|(cell, state)| {
-            matches!(state, State::Beside | State::Border).then_some(cell)
+        let is_at_edge = |state: State| matches!(state, BESIDE | BORDER);
+        let parts = self.states.chunks(AT_ONCE).enumerate();
+        let parts = parts.filter(move |(_, part)| {
+            part.iter()
+                .fold(false, |any, state| any | is_at_edge(*state))
+        });
+        parts.flat_map(move |(part, states)| {
+            let cells = (part * AT_ONCE..).zip(states);
+            cells.filter_map(move |(cell, state)| is_at_edge(*state).then_some(cell))
         })
     }
+}
+
+/// The state of the middle one of three by three cells, of which those in the set are one and the others zero.
+fn state_of([below, middle, above]: [&[u8]; 3]) -> State {
+    let any = |row: &[u8]| row[0] | row[1] | row[2];
+    let is_core = middle[0] & middle[1] & middle[2] & below[1] & above[1];
+    (any(below) | any(middle) | any(above)) + middle[1] + is_core
+}
+
+/// The places before and after one along an axis; beyond an edge none, or the periodic image.
+pub(super) fn beside(place: usize, count: usize, repeats: bool) -> [Option<usize>; 2] {
+    let before = place.checked_sub(1);
+    let after = Some(place + 1).filter(|next| *next < count);
+    [
+        before.or(repeats.then_some(count - 1)),
+        after.or(repeats.then_some(0)),
+    ]
 }

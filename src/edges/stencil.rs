@@ -1,19 +1,25 @@
 //! The square of cells about one at the edge: places, powers of them, weights.
 
+use std::array::from_fn;
+
 use crate::grid::Grid;
 
 /// Cells on each side of the middle.
-pub(super) const REACH: usize = 3;
-/// Cells of the square.
-pub(super) const CELLS: usize = (2 * REACH + 1) * (2 * REACH + 1);
-/// The same rounded up to whole [`LANES`].
-pub(super) const PLACES: usize = CELLS.div_ceil(LANES) * LANES;
-/// Sums that run side by side.
-const LANES: usize = 8;
+const REACH: usize = 3;
+/// Cells of a side of the square.
+pub(super) const SIDE: usize = 2 * REACH + 1;
+/// Places of a row, those past the cells without weight: sums over rows run side by side in vectors.
+pub(super) const LANES: usize = 8;
+/// Of each place a number, or the like, by rows.
+pub(super) type Square<T> = [[T; LANES]; SIDE];
 /// Powers of a quadratic: 1, x, y, x^2, x y, y^2.
 pub(super) const POWERS: usize = 6;
 /// Products of two of them, up to the fourth degree.
 pub(super) const PRODUCTS: usize = 15;
+/// Powers of x or of y in these.
+pub(super) const FOURTH: usize = 5;
+/// The same up to the second degree.
+pub(super) const SECOND: usize = 3;
 
 /// Width of the Gaussian that weighs the cells, in cells.
 const WIDTH: f64 = 1.8;
@@ -69,9 +75,10 @@ pub(super) struct Stencil {
     /// The unit (a length), and the sides of a cell in it.
     pub(super) unit: f64,
     pub(super) sides: [f64; 2],
-    /// Of all places, which are zero beyond the cells.
-    pub(super) products: [[f64; PLACES]; PRODUCTS],
-    pub(super) weights: [f64; PLACES],
+    /// Powers of x of each exponent along a row, and of y of each row.
+    columns: [[f64; LANES]; FOURTH],
+    rows: [[f64; FOURTH]; SIDE],
+    pub(super) weights: Square<f64>,
 }
 
 impl Stencil {
@@ -85,46 +92,34 @@ impl Stencil {
                 (unit, [grid.dx() / unit, grid.dy() / unit])
             }
         };
-        let place = |k: usize| {
-            let k = k.min(CELLS - 1);
-            let steps = [k % (2 * REACH + 1), k / (2 * REACH + 1)];
-            [0, 1].map(|axis| (steps[axis] as f64 - REACH as f64) * sides[axis])
+        let place = |axis: usize, step: usize| (step as f64 - REACH as f64) * sides[axis];
+        let weight = |row: usize, column: usize| {
+            let [x, y] = [place(0, column), place(1, row)];
+            if column < SIDE {
+                (-0.5 * (x * x + y * y) / (WIDTH * WIDTH)).exp()
+            } else {
+                0.0
+            }
         };
         Self {
             size: grid.size(),
             repeats,
             unit,
             sides,
-            products: EXPONENTS.map(|exponents| {
-                std::array::from_fn(|k| {
-                    if k < CELLS {
-                        power(place(k), exponents)
-                    } else {
-                        0.0
-                    }
-                })
-            }),
-            weights: std::array::from_fn(|k| {
-                let [x, y] = place(k);
-                let weight = (-0.5 * (x * x + y * y) / (WIDTH * WIDTH)).exp();
-                if k < CELLS { weight } else { 0.0 }
-            }),
+            columns: from_fn(|exponent| from_fn(|column| power(place(0, column), exponent))),
+            rows: from_fn(|row| from_fn(|exponent| power(place(1, row), exponent))),
+            weights: from_fn(|row| from_fn(|column| weight(row, column))),
         }
     }
 
-    /// The cells of the square about one, by index; none beyond an edge of the grid.
-    pub(super) fn cells(&self, about: usize) -> [Option<usize>; CELLS] {
+    /// The rows and the columns of the square about a cell; none beyond an edge of the grid.
+    pub(super) fn about(&self, cell: usize) -> [[Option<usize>; SIDE]; 2] {
         let [nx, ny] = self.size;
-        let columns = self.along(0, about % nx, nx);
-        let rows = self.along(1, about / nx, ny);
-        std::array::from_fn(|k| {
-            let (column, row) = (columns[k % (2 * REACH + 1)], rows[k / (2 * REACH + 1)]);
-            column.zip(row).map(|(column, row)| row * nx + column)
-        })
+        [self.along(1, cell / nx, ny), self.along(0, cell % nx, nx)]
     }
 
-    fn along(&self, axis: usize, place: usize, count: usize) -> [Option<usize>; 2 * REACH + 1] {
-        std::array::from_fn(|step| {
+    fn along(&self, axis: usize, place: usize, count: usize) -> [Option<usize>; SIDE] {
+        from_fn(|step| {
             let place = place + step;
             if self.repeats[axis] {
                 // As many periods more as make it positive.
@@ -134,20 +129,64 @@ impl Stencil {
             }
         })
     }
+
+    /// The sums over the square of the values times the products, in their order, that have less than so many powers of x and
+    /// of y: first over the rows.
+    pub(super) fn moments<const POWERS_OF: usize, const SUMS: usize>(
+        &self,
+        values: &Square<f64>,
+    ) -> [f64; SUMS] {
+        let mut sums = [[0.0; LANES]; POWERS_OF];
+        for (values, powers) in values.iter().zip(&self.rows) {
+            for (sums, power) in sums.iter_mut().zip(powers) {
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    *sum += power * value;
+                }
+            }
+        }
+        from_fn(|k| {
+            let [i, j] = EXPONENTS[k];
+            total(from_fn(|lane| sums[j][lane] * self.columns[i][lane]))
+        })
+    }
+
+    /// A quadratic at all places.
+    pub(super) fn quadratic(&self, [c, cx, cy, cxx, cxy, cyy]: [f64; POWERS]) -> Square<f64> {
+        let [_, columns, ..] = &self.columns;
+        self.rows.map(|[_, y, yy, ..]| {
+            let (constant, linear) = (c + cy * y + cyy * yy, cx + cxy * y);
+            columns.map(|x| constant + x * (linear + cxx * x))
+        })
+    }
 }
 
-fn power([x, y]: [f64; 2], [i, j]: [usize; 2]) -> f64 {
-    let of = |z: f64, exponent: usize| (0..exponent).fold(1.0, |product, _| product * z);
-    of(x, i) * of(y, j)
+fn power(place: f64, exponent: usize) -> f64 {
+    (0..exponent).fold(1.0, |product, _| product * place)
 }
 
-/// The sum of products of two lists.
-pub(super) fn dot(a: &[f64; PLACES], b: &[f64; PLACES]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
-            *sum += a * b;
+/// The product at all places.
+pub(super) fn product(a: &Square<f64>, b: &Square<f64>) -> Square<f64> {
+    let mut products = *a;
+    for (products, b) in products.iter_mut().zip(b) {
+        for (product, b) in products.iter_mut().zip(b) {
+            *product *= b;
         }
     }
-    sums.iter().sum()
+    products
+}
+
+/// The sum of products of two squares.
+pub(super) fn dot(a: &Square<f64>, b: &Square<f64>) -> f64 {
+    let mut sums = [0.0; LANES];
+    for products in product(a, b) {
+        for (sum, product) in sums.iter_mut().zip(products) {
+            *sum += product;
+        }
+    }
+    total(sums)
+}
+
+/// The sum of a row, by halves.
+fn total([a, b, c, d, e, f, g, h]: [f64; LANES]) -> f64 {
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
