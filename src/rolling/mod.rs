@@ -83,7 +83,7 @@ mod solution;
 mod solver;
 mod step;
 
+pub use crate::history::LeadingEdge;
 pub use problem::{RollingControl, RollingProblem, RollingProblemBuilder};
 pub use solution::RollingSolution;
 pub use solver::RollingSolver;
-pub use step::LeadingEdge;
