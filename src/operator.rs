@@ -3,6 +3,9 @@
 use crate::error::Result;
 use crate::layout::Layout;
 
+/// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.
+pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
+
 /// A linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless it says
 /// [otherwise](Self::is_symmetric).
 ///
@@ -82,6 +85,12 @@ pub trait Operator<const N: usize = 1>: Sync {
         0.0
     }
 
+    /// About how far a unit traction on one cell displaces that cell: beside it preconditioners weigh what cells have of
+    /// their own. The default is five times the [lower bound](Self::lower_bound), as of elastic half-spaces.
+    fn self_compliance(&self) -> f64 {
+        SELF_COMPLIANCE * self.lower_bound()
+    }
+
     /// Whether `x' C y = y' C x` (the default). The engine solves for others too, of which `x' C x > 0` holds: what it
     /// finds is then no minimum, but satisfies the same conditions (a variational inequality), by GMRES in place of
     /// conjugate gradients, and with the same certificate.
@@ -122,6 +131,10 @@ macro_rules! operator_behind {
 
             fn lower_bound(&self) -> f64 {
                 (**self).lower_bound()
+            }
+
+            fn self_compliance(&self) -> f64 {
+                (**self).self_compliance()
             }
 
             fn is_symmetric(&self) -> bool {

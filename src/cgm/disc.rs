@@ -17,7 +17,7 @@ use crate::cgm::motion::{Linearised, Motion, Reach};
 use crate::cgm::newton::newton;
 use crate::cgm::run::Run;
 use crate::cgm::small::Small;
-use crate::cgm::turn::{SINGLE, Turn};
+use crate::cgm::turn::Turn;
 use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result, non_negative};
@@ -146,7 +146,7 @@ impl Linearised<2> for Disc {
         q: [f64; 2],
         g: [f64; 2],
         noise: f64,
-        [lower_bound, diagonal]: [f64; 2],
+        [self_compliance, diagonal]: [f64; 2],
     ) -> (Turn, [f64; 2]) {
         let size = norm(q);
         match was {
@@ -155,13 +155,13 @@ impl Linearised<2> for Disc {
             // As stiff as if its own compliance alone had held what is beyond the limit. Were it not stiff before its
             // slip is measured, a total that is spread in the meantime would turn it right round.
             Turn::Free => {
-                let excess = SINGLE * lower_bound * (1.0 - self.radius / size);
+                let excess = self_compliance * (1.0 - self.radius / size);
                 let held = self.measured(Turn::along(q, 0.0), q.map(|q| -excess * q));
-                (held.weighed(lower_bound, diagonal), self.rim_along(q))
+                (held.weighed(self_compliance, diagonal), self.rim_along(q))
             }
             Turn::Along { .. } if dot(g, q) > noise * size => (Turn::Free, self.project(q)),
             Turn::Along { stiffness, .. } => {
-                let turned = Turn::along(q, stiffness).weighed(lower_bound, diagonal);
+                let turned = Turn::along(q, stiffness).weighed(self_compliance, diagonal);
                 (turned, self.rim_along(q))
             }
         }

@@ -64,10 +64,10 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     reason = "it appears in the sealed traits of the sets alone"
 )]
 pub trait Motion<const N: usize>: Row<N> {
-    /// With the stiffness in force known to the preconditioner, beside an operator of this least eigenvalue and what the
-    /// cell has of its own.
+    /// With the stiffness in force known to the preconditioner, beside an operator of this
+    /// [compliance](Operator::self_compliance) of a cell and what the cell has of its own.
     #[must_use]
-    fn weighed(self, lower_bound: f64, diagonal: f64) -> Self;
+    fn weighed(self, self_compliance: f64, diagonal: f64) -> Self;
 
     /// A cell that has to move although its bound holds it, if a gradient `g` pushes it from there.
     #[must_use]
@@ -131,8 +131,8 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     fn measured(self, motion: Self::Motion, g: [f64; N]) -> Self::Motion;
 
     /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
-    /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the least eigenvalue of the operator
-    /// and on what the cell has of its own, `weighing`.
+    /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the
+    /// [compliance](Operator::self_compliance) of a cell and on what the cell has of its own, `weighing`.
     fn next(
         self,
         was: Self::Motion,

@@ -287,7 +287,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if !MotionOf::<K, N>::IS_CURVED {
             return;
         }
-        let (problem, lower_bound) = (self.problem, self.lower_bound);
+        let (problem, self_compliance) = (self.problem, self.self_compliance);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = w.linear.moving.motions(&mut w.linear.rows);
@@ -298,7 +298,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let set = problem.constraint.of(cell);
                 let measured = set.measured(motions.items[kept], g);
                 motions.items[kept] = if weighed {
-                    measured.weighed(lower_bound, problem.diagonal_of(cell))
+                    measured.weighed(self_compliance, problem.diagonal_of(cell))
                 } else {
                     measured
                 };
@@ -312,7 +312,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let problem = self.problem;
         // Below this a wrong sign is noise of the inner solution, and would come and go.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
-        let lower_bound = self.lower_bound;
+        let self_compliance = self.self_compliance;
         self.is_fresh = false;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
@@ -327,7 +327,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let g = minus(at(&gradient, cell), multiplier);
                 let was = motions.items[kept];
                 let set = problem.constraint.of(cell);
-                let weighing = [lower_bound, problem.diagonal_of(cell)];
+                let weighing = [self_compliance, problem.diagonal_of(cell)];
                 let (next, value) = set.next(was, held(&x, place), g, noise, weighing);
                 let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
                 changed += usize::from(!is_same);

@@ -134,7 +134,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn restrain(&mut self, stiffness: f64) {
         self.is_fresh &= stiffness.max(self.restraint) == 0.0;
         self.restraint = stiffness;
-        self.lower_bound = self.problem.operator.lower_bound().max(0.0) + stiffness;
+        let operator = &self.problem.operator;
+        self.lower_bound = operator.lower_bound().max(0.0) + stiffness;
+        self.self_compliance = operator.self_compliance().max(0.0) + stiffness;
         self.monitor.begin((stiffness > 0.0).then_some(SOLVED));
     }
 }

@@ -78,6 +78,8 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) start: Start,
     /// Of the eigenvalues; zero if none is known.
     pub(super) lower_bound: f64,
+    /// How far a unit traction displaces its own cell.
+    pub(super) self_compliance: f64,
     /// Reduction of the inner residual that the next pass of Newton's method begins with.
     pub(super) inner_reduction: f64,
     /// Stiffness that is added to the operator about the centre of a stage; zero but in the way out of a cycle.
@@ -116,6 +118,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             ),
             // A bound that is not a number, or negative, says nothing.
             lower_bound: problem.operator.lower_bound().max(0.0),
+            self_compliance: problem.operator.self_compliance().max(0.0),
             problem,
             x,
             workspace,
@@ -191,7 +194,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             preconditioner: &self.problem.preconditioner,
             layout: &self.problem.layout,
             diagonal: self.problem.diagonal,
-            lower_bound: self.lower_bound,
+            self_compliance: self.self_compliance,
             restraint: self.restraint,
             stiff: self.stiff,
             monitor: &mut self.monitor,

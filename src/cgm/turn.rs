@@ -37,7 +37,9 @@ pub enum Turn {
 /// ```
 ///
 /// with the weights $`0 < W \le 1`$ of the cells: symmetric and positive definite like both parts, and exact in both
-/// limits. The stiffness $`e`$ at which a pattern counts a quarter is a choice, measured (`EVEN` below).
+/// limits. The stiffness $`e`$ at which a pattern counts a quarter is a choice, measured: half of $`c_1`$. From two fifths to
+/// three fifths of it, and with $`c_1`$ from four to six least eigenvalues of a half-space, the steps change by 2 % on smooth and
+/// rough balls in growing contact; the root of the weight costs a tenth more, in cells that enter a third.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
@@ -50,29 +52,22 @@ pub struct Weight {
     own: f64,
 }
 
-/// The stiffness at which a pattern counts a quarter, and the compliance of a cell that moves alone, in least eigenvalues
-/// of the operator: of the half-space a cell's own compliance is about two of them, and the mean about four. Measured on
-/// smooth and rough balls in growing contact: from 2 to 3 and from 4 to 6 the steps change by 2 %; the root of the weight
-/// costs a tenth more, in cells that enter a third.
-const EVEN: f64 = 2.5;
-pub(super) const SINGLE: f64 = 5.0;
-
 impl Weight {
     pub(super) const PATTERN: Self = Self {
         pattern: 1.0,
         own: 0.0,
     };
 
-    /// For a stiffness of the circle beside an operator of this least eigenvalue.
-    pub(crate) fn new(stiffness: f64, lower_bound: f64) -> Self {
-        let even = EVEN * lower_bound;
+    /// For a stiffness of the circle beside an operator of this [compliance](crate::Operator::self_compliance) of a cell.
+    pub(crate) fn new(stiffness: f64, self_compliance: f64) -> Self {
+        let even = 0.5 * self_compliance;
         if even <= 0.0 {
             return Self::PATTERN;
         }
         let pattern = even / (even + stiffness);
         Self {
             pattern,
-            own: (1.0 - pattern * pattern) / (SINGLE * lower_bound + stiffness),
+            own: (1.0 - pattern * pattern) / (self_compliance + stiffness),
         }
     }
 
@@ -165,12 +160,12 @@ impl Row<2> for Turn {
 }
 
 impl Motion<2> for Turn {
-    fn weighed(mut self, lower_bound: f64, diagonal: f64) -> Self {
+    fn weighed(mut self, self_compliance: f64, diagonal: f64) -> Self {
         if let Self::Along {
             stiffness, weight, ..
         } = &mut self
         {
-            *weight = Weight::new(*stiffness + diagonal, lower_bound);
+            *weight = Weight::new(*stiffness + diagonal, self_compliance);
         }
         self
     }

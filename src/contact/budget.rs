@@ -90,10 +90,10 @@ pub(crate) fn with_memory(
 }
 
 /// An observer of a further pass, which counts those before it too.
-pub(crate) fn with_counts_of(
+pub(crate) fn with_counts_of<'a>(
     earlier: &Report,
-    observer: Observer<'_>,
-) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
+    observer: Observer<'a>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
     let before = earlier.counts();
     move |step| observer(&step.after(before))
 }

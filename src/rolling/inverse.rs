@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use crate::buffer::{or_abort, try_each, zeros};
+use crate::cgm::Weight;
+use crate::cgm::vector::{at, slices, update_cells};
 use crate::error::Result;
 use crate::fft::CirculantInverse;
 use crate::operator::Operator;
@@ -15,23 +17,23 @@ pub(super) struct SteadyInverse {
     inverse: Arc<CirculantInverse<2>>,
     step: Step,
     /// The part of its slip that a cell hands on; the rest its own compliance takes.
-    handed_on: Vec<f64>,
+    weights: Vec<Weight>,
 }
 
 impl SteadyInverse {
-    /// Of cells that have `own` compliance beside that of their displacement over a step, `elastic`.
+    /// Of cells that have `own` compliance beside that of their displacement over a step, `self_compliance`.
     pub(super) fn new(
         inverse: Arc<CirculantInverse<2>>,
         step: Step,
-        elastic: f64,
+        self_compliance: f64,
         own: &[Compliance],
     ) -> Self {
         Self {
             inverse,
             step,
-            handed_on: own
+            weights: own
                 .iter()
-                .map(|own| elastic / (elastic + own.mean()))
+                .map(|own| Weight::new(own.mean(), self_compliance))
                 .collect(),
         }
     }
@@ -47,7 +49,7 @@ impl Operator<2> for SteadyInverse {
     type Workspace = SteadyInverseWorkspace;
 
     fn cells(&self) -> usize {
-        self.handed_on.len()
+        self.weights.len()
     }
 
     fn workspace(&self) -> Self::Workspace {
@@ -59,15 +61,24 @@ impl Operator<2> for SteadyInverse {
         Ok((self.inverse.try_workspace()?, sums))
     }
 
-    fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], (workspace, sums): &mut Self::Workspace) {
+    fn apply(
+        &self,
+        x: [&[f64]; 2],
+        mut out: [&mut [f64]; 2],
+        (workspace, sums): &mut Self::Workspace,
+    ) {
         for (sum, x) in sums.iter_mut().zip(x) {
-            for ((sum, x), part) in sum.iter_mut().zip(x).zip(&self.handed_on) {
-                *sum = part * x;
+            for ((sum, x), weight) in sum.iter_mut().zip(x).zip(&self.weights) {
+                *sum = weight.weighted(*x);
             }
             self.step.sum(sum);
         }
-        let sums = sums.each_ref().map(Vec::as_slice);
-        self.inverse.apply(sums, out, workspace);
+        let tractions = out.each_mut().map(|part| &mut **part);
+        self.inverse.apply_f32(slices(sums), tractions, workspace);
+        update_cells(&mut out, |cell, answer| {
+            let r = at(&x, cell);
+            [0, 1].map(|axis| self.weights[cell].preconditioned(answer[axis], r[axis]))
+        });
     }
 
     fn is_symmetric(&self) -> bool {

@@ -75,6 +75,8 @@
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
 
+mod control;
+mod creep;
 mod entering;
 mod inverse;
 mod operator;
@@ -82,8 +84,11 @@ mod problem;
 mod solution;
 mod solver;
 mod step;
+mod stiffness;
 
 pub use crate::history::LeadingEdge;
-pub use problem::{RollingControl, RollingProblem, RollingProblemBuilder};
+pub use control::{RollingControl, SpinControl};
+pub use creep::CreepForce;
+pub use problem::{RollingProblem, RollingProblemBuilder};
 pub use solution::RollingSolution;
 pub use solver::RollingSolver;

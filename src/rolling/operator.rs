@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::buffer::or_abort;
+use crate::cgm::vector::{at, plus, update_cells};
 use crate::error::Result;
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::operator::Operator;
@@ -17,15 +18,18 @@ pub(super) struct SteadyOperator {
     /// The compliance B of its own of each cell.
     own: Vec<Compliance>,
     lower_bound: f64,
+    self_compliance: f64,
 }
 
 impl SteadyOperator {
-    /// For tractions in cells of which `chain` at most lie one behind the other, a step apart.
+    /// For tractions in cells of which `chain` at most lie one behind the other, a step apart, and each slips by
+    /// `self_compliance` over a step by a traction of its own.
     pub(super) fn new(
         compliance: Arc<Convolution<2>>,
         step: Step,
         own: Vec<Compliance>,
         chain: usize,
+        self_compliance: f64,
     ) -> Self {
         let angle = std::f64::consts::PI / (chain as f64 + 1.0);
         // 1 - cos, without cancellation.
@@ -35,6 +39,7 @@ impl SteadyOperator {
             compliance,
             step,
             own,
+            self_compliance,
         }
     }
 
@@ -58,21 +63,24 @@ impl Operator<2> for SteadyOperator {
         self.compliance.try_workspace()
     }
 
+    /// In double precision alone: the difference over a step would leave few digits of single precision.
     fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], workspace: &mut Self::Workspace) {
         let displacement = out.each_mut().map(|part| &mut **part);
         self.compliance.apply(x, displacement, workspace);
         for out in &mut out {
             self.step.difference(out);
         }
-        for (cell, own) in self.own.iter().enumerate() {
-            let added = own.of([x[0][cell], x[1][cell]]);
-            out[0][cell] += added[0];
-            out[1][cell] += added[1];
-        }
+        update_cells(&mut out, |cell, u| {
+            plus(u, 1.0, self.own[cell].of(at(&x, cell)))
+        });
     }
 
     fn lower_bound(&self) -> f64 {
         self.lower_bound
+    }
+
+    fn self_compliance(&self) -> f64 {
+        self.self_compliance
     }
 
     fn is_symmetric(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The scene of steady rolling, checked once.
 
-use crate::buffer::{filled, try_each, zeros};
+use crate::buffer::{TryClone, filled, try_clone, try_each, zeros};
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
 use crate::half_space::HalfSpace;
@@ -8,36 +8,16 @@ use crate::history::TouchRule;
 use crate::normal::NormalSolution;
 use crate::rolling::entering::{Compliance, entering};
 use crate::rolling::step::Step;
-use crate::rolling::{LeadingEdge, RollingSolution, RollingSolver};
+use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{
-    Axis, Drawing, Friction, Pressed, PressureSource, TangentialModel, contact_window, is_at_limit,
+    Axis, Drawing, Friction, Pressed, PressureSource, TangentialModel, centre, contact_window,
+    is_at_limit,
 };
 use crate::window::Window;
 
-/// What is prescribed along an axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum RollingControl {
-    /// The creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
-    Creepage(f64),
-    /// The tangential force on body 1 (a force); the creepage follows. The forces of both axes together must be less than
-    /// friction holds: without friction none is.
-    Force(f64),
-}
-
-impl RollingControl {
-    fn check(self) -> Result<()> {
-        match self {
-            Self::Creepage(creepage) => finite("creepage", creepage),
-            Self::Force(force) => finite("tangential force", force),
-        }
-        .map(|_| ())
-    }
-}
-
 /// Bodies, normal contact, friction, and what is prescribed of their rolling.
+#[derive(Clone)]
 pub struct RollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) pressed: Pressed,
@@ -51,9 +31,11 @@ pub struct RollingProblem {
     /// What the pressure adds to the slip of each cell.
     pub(super) drawn: [Vec<f64>; 2],
     pub(super) controls: [RollingControl; 2],
-    pub(super) spin: f64,
+    pub(super) spin: SpinControl,
     pub(super) settings: Settings,
 }
+
+try_clone!(RollingProblem { pressed, own, drawn } { bodies, step, length, chain, controls, spin, settings });
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
 
@@ -67,7 +49,7 @@ pub struct RollingProblemBuilder<'a> {
     edge: LeadingEdge,
     cells: usize,
     controls: [RollingControl; 2],
-    spin: f64,
+    spin: SpinControl,
     touch_rule: TouchRule,
     settings: Settings,
 }
@@ -87,7 +69,7 @@ impl RollingProblem {
             edge: LeadingEdge::default(),
             cells: 1,
             controls: [RollingControl::Creepage(0.0); 2],
-            spin: 0.0,
+            spin: SpinControl::Spin(0.0),
             touch_rule: TouchRule::default(),
             settings: Settings::default(),
         }
@@ -97,8 +79,8 @@ impl RollingProblem {
     ///
     /// # Errors
     /// [`Error::NotConverged`] with the report; as [`HalfSpace::operator`]; [`Error::Memory`].
-    pub fn solve(self) -> Result<RollingSolution> {
-        let mut solver = RollingSolver::new(self)?;
+    pub fn solve(&self) -> Result<RollingSolution> {
+        let mut solver = RollingSolver::new(self.try_clone()?)?;
         let mut solution = solver.try_new_solution()?;
         solver.solve_into(&mut solution)?;
         Ok(solution)
@@ -113,13 +95,17 @@ impl RollingProblem {
     }
 
     /// `Ok` if these can be prescribed.
-    pub(super) fn check(&self, controls: [RollingControl; 2], spin: f64) -> Result<()> {
+    pub(super) fn check(&self, controls: [RollingControl; 2], spin: SpinControl) -> Result<()> {
         controls.into_iter().try_for_each(RollingControl::check)?;
-        finite("spin", spin)?;
-        if spin != 0.0 && !self.bodies.boundary().may_turn() {
+        let (name, turn) = match spin {
+            SpinControl::Spin(spin) => ("spin", spin),
+            SpinControl::Moment(moment) => ("moment", moment),
+        };
+        finite(name, turn)?;
+        if spin != SpinControl::Spin(0.0) && !self.bodies.boundary().may_turn() {
             return Err(Error::NotModelled {
-                quantity: "spin",
-                value: spin,
+                quantity: name,
+                value: turn,
                 remedy: "a grid that repeats cannot turn, with any option",
             });
         }
@@ -128,8 +114,10 @@ impl RollingProblem {
             RollingControl::Creepage(_) => 0.0,
         });
         let (grid, area) = (self.bodies.grid(), self.bodies.grid().cell_area());
-        let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
-        finite("turn of a step by the spin", spin * extent * self.length)?;
+        if let SpinControl::Spin(spin) = spin {
+            let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
+            finite("turn of a step by the spin", spin * extent * self.length)?;
+        }
         for control in controls {
             match control {
                 RollingControl::Creepage(creepage) => {
@@ -147,7 +135,41 @@ impl RollingProblem {
         if controls.iter().any(is_force) && is_at_limit(size, limit) {
             return Err(Error::BeyondFrictionCapacity { force: size, limit });
         }
+        if let SpinControl::Moment(moment) = spin {
+            let capacity = self.moment_capacity();
+            if is_at_limit(moment.abs(), capacity) {
+                return Err(Error::Below {
+                    quantity: "moment that friction holds",
+                    value: capacity,
+                    least_is: "more than the moment",
+                    least: moment.abs(),
+                });
+            }
+        }
         Ok(())
+    }
+
+    /// How a cell of the grid moves over a step by a unit of creepage along x, along y and of spin, halfway.
+    pub(super) fn motions(&self, index: usize) -> [[f64; 2]; 3] {
+        let edge = self.step.edge;
+        let mut middle = centre(self.bodies.grid(), index);
+        middle[edge.axis().index()] += if edge.is_positive() { 0.5 } else { -0.5 } * self.length;
+        let directions = [[1.0, 0.0], [0.0, 1.0], [-middle[1], middle[0]]];
+        directions.map(|direction| direction.map(|part| self.length * part))
+    }
+
+    /// The largest moment about the origin of the grid that friction holds.
+    pub(super) fn moment_capacity(&self) -> f64 {
+        let (grid, limits) = (self.bodies.grid(), &self.pressed.limits.cells);
+        let levers = self.pressed.window().indices().map(|index| {
+            let [x, y] = centre(grid, index);
+            x.hypot(y)
+        });
+        let parts = limits
+            .iter()
+            .zip(levers)
+            .map(|(limit, lever)| limit * lever);
+        parts.fold(0.0, |sum, part| sum + part) * grid.cell_area()
     }
 }
 
@@ -178,10 +200,9 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
-    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
-    /// positive from x to y, default zero), about the origin of the grid.
-    pub fn spin(mut self, spin: f64) -> Self {
-        self.spin = spin;
+    /// The [spin](SpinControl::Spin) (one over a length, default zero), or what is prescribed in its place.
+    pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
+        self.spin = spin.into();
         self
     }
 

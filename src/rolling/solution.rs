@@ -74,6 +74,10 @@ impl RollingSolution {
         self.report.clone_from(report);
     }
 
+    pub(super) fn set_report(&mut self, report: &Report) {
+        self.report.clone_from(report);
+    }
+
     /// The grid of all its fields.
     #[must_use]
     pub fn grid(&self) -> Grid {

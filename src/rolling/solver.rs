@@ -4,19 +4,24 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::buffer::{collected, or_abort, try_each, zeros};
-use crate::cgm::{self, Disc, Magnitude, Problem, Total, WorkspaceOf};
-use crate::contact::has_iterate;
-use crate::error::Result;
+use crate::cgm::{self, Disc, Magnitude, Problem, Total, WorkspaceOf, solver_settings};
+use crate::contact::{has_iterate, with_counts_of};
+use crate::error::{Error, Result};
 use crate::half_space::Compliance;
 use crate::influence::Direction;
 use crate::operator::Operator;
-use crate::report::{Iteration, Report};
+use crate::report::{Iteration, Report, Status};
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
 use crate::rolling::step::Step;
-use crate::rolling::{RollingControl, RollingProblem, RollingSolution};
+use crate::rolling::stiffness::Follow;
+use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
-use crate::tangential::centre;
+use crate::tangential::TangentialModel;
+use crate::watch::Observer;
+
+/// Solves at given spins after which the spin of a moment counts as not found.
+const SPINS: usize = 40;
 
 /// Solves for one creepage, force or spin after the other, each from the answer of the last.
 ///
@@ -40,17 +45,21 @@ use crate::tangential::centre;
 /// # Ok::<(), Error>(())
 /// ```
 pub struct RollingSolver {
-    problem: RollingProblem,
-    operator: Arc<SteadyOperator>,
-    inverse: Arc<SteadyInverse>,
-    workspace: WorkspaceOf<Arc<SteadyOperator>, Arc<SteadyInverse>, Disc, 2>,
+    pub(super) problem: RollingProblem,
+    pub(super) operator: Arc<SteadyOperator>,
+    pub(super) inverse: Arc<SteadyInverse>,
+    pub(super) workspace: WorkspaceOf<Arc<SteadyOperator>, Arc<SteadyInverse>, Disc, 2>,
     /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
     /// of numbers.
     unit: f64,
-    limits: Vec<f64>,
-    traction: [Vec<f64>; 2],
+    pub(super) limits: Vec<f64>,
+    pub(super) traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
-    linear: [Vec<f64>; 2],
+    pub(super) linear: [Vec<f64>; 2],
+    /// The spin of the last solve, where a moment is prescribed.
+    spin: f64,
+    report: Report,
+    pub(super) follow: Option<Follow>,
 }
 
 shown!(RollingSolver: problem);
@@ -62,9 +71,9 @@ impl RollingSolver {
             .bodies
             .compliance([Direction::X, Direction::Y], step.size)?;
         let own = std::mem::take(&mut problem.own);
-        let elastic = elastic_part(&*operator, step)?;
-        let operator = SteadyOperator::new(operator, step, own, problem.chain);
-        let inverse = SteadyInverse::new(inverse, step, elastic, operator.own());
+        let alone = self_compliance(&*operator, step)?;
+        let operator = SteadyOperator::new(operator, step, own, problem.chain, alone);
+        let inverse = SteadyInverse::new(inverse, step, alone, operator.own());
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
         let unit = problem.pressed.limits.unit().unwrap_or(1.0);
@@ -77,18 +86,31 @@ impl RollingSolver {
                 .try_workspace()?,
             traction: try_each(|_| zeros(cells))?,
             linear: try_each(|_| zeros(cells))?,
+            spin: 0.0,
+            report: Report::with_room(),
+            follow: None,
             operator,
             inverse,
             problem,
         })
     }
 
-    /// Changes what is prescribed of the next solve: along x and along y, and the spin.
+    solver_settings!(problem.settings, problem.bodies, |_, settings| {
+        TangentialModel::Vector.check(settings)
+    });
+
+    /// Changes what is prescribed of the next solve: along x and along y, and the spin or moment.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotModelled`](crate::Error::NotModelled) or
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); all is then as it was.
-    pub fn set_control(&mut self, controls: [RollingControl; 2], spin: f64) -> Result<()> {
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotModelled`](crate::Error::NotModelled),
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) or [`Error::Below`](crate::Error::Below); all is
+    /// then as it was.
+    pub fn set_control(
+        &mut self,
+        controls: [RollingControl; 2],
+        spin: impl Into<SpinControl>,
+    ) -> Result<()> {
+        let spin = spin.into();
         self.problem.check(controls, spin)?;
         (self.problem.controls, self.problem.spin) = (controls, spin);
         Ok(())
@@ -130,6 +152,26 @@ impl RollingSolver {
             .bodies
             .grid()
             .expect("solution", solution.grid())?;
+        match self.problem.spin {
+            SpinControl::Spin(spin) => {
+                self.spin = spin;
+                let outcome = self.solve_at_spin(solution, &mut observer);
+                self.report.clone_from(self.workspace.report());
+                outcome?;
+            }
+            SpinControl::Moment(moment) => {
+                self.solve_for_moment(moment, solution, &mut observer)?
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves at the spin as it is.
+    fn solve_at_spin(
+        &mut self,
+        solution: &mut RollingSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
         let totals = self.prescribe();
         let problem = &self.problem;
         let linear = self.linear.each_ref().map(Vec::as_slice);
@@ -138,7 +180,7 @@ impl RollingSolver {
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
         let (settings, workspace) = (&problem.settings, &mut self.workspace);
-        let outcome = cgm::minimise_with(&task, settings, traction, workspace, &mut observer);
+        let outcome = cgm::minimise_with(&task, settings, traction, workspace, observer);
         if has_iterate(&outcome) {
             let unit = self.unit;
             let multiplier = self.workspace.multiplier().map(|shift| shift * unit);
@@ -152,31 +194,78 @@ impl RollingSolver {
             };
             let traction = |axis: usize, cell: usize| unit * self.traction[axis][cell];
             let answer = solution.of(problem, traction, slip);
-            answer.set_motion(creepage, problem.spin, self.workspace.report());
+            answer.set_motion(creepage, self.spin, self.workspace.report());
         }
         outcome
+    }
+
+    /// Finds the spin of a moment, which grows with it: by Newton's method on solves at given spins, within the spins between
+    /// which it is known to lie.
+    fn solve_for_moment(
+        &mut self,
+        moment: f64,
+        solution: &mut RollingSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let capacity = self.problem.moment_capacity();
+        let (mut low, mut high, mut stride) = (f64::NEG_INFINITY, f64::INFINITY, 0.0);
+        self.report.clear();
+        for _ in 0..SPINS {
+            let mut watch = with_counts_of(&self.report, &mut *observer);
+            let outcome = self.solve_at_spin(solution, &mut watch);
+            drop(watch);
+            self.report.add_pass(self.workspace.report());
+            let missing = moment - solution.moment();
+            let error = (missing / capacity).abs();
+            self.report.load_error = self.report.load_error.max(error);
+            solution.set_report(&self.report);
+            outcome.map_err(|error| match error {
+                Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
+                other => other,
+            })?;
+            if error <= self.problem.settings.tolerance {
+                return Ok(());
+            }
+            let spin = self.spin;
+            if missing > 0.0 {
+                low = low.max(spin);
+            } else {
+                high = high.min(spin);
+            }
+            let step = missing / self.moment_by_spin()?;
+            self.spin = if low < spin + step && spin + step < high {
+                stride = 2.0 * step;
+                spin + step
+            } else if (high - low).is_finite() {
+                low + 0.5 * (high - low)
+            } else {
+                // Where all cells slip the moment hardly changes with the spin.
+                stride *= 2.0;
+                spin + stride
+            };
+        }
+        self.report.status = Status::Stalled;
+        solution.set_report(&self.report);
+        Err(Error::NotConverged(Box::new(self.report.clone())))
     }
 
     /// Writes what each cell is to follow, and returns what is prescribed of the sums.
     fn prescribe(&mut self) -> [Total; 2] {
         let problem = &self.problem;
-        let (grid, window) = (problem.bodies.grid(), problem.pressed.window());
         let given = problem.controls.map(|control| match control {
             RollingControl::Creepage(creepage) => creepage,
             RollingControl::Force(_) => 0.0,
         });
-        let edge = problem.step.edge;
-        let half = if edge.is_positive() { 0.5 } else { -0.5 } * problem.length;
-        for (cell, index) in window.indices().enumerate() {
-            let mut middle = centre(grid, index);
-            middle[edge.axis().index()] += half;
-            let turned = [-problem.spin * middle[1], problem.spin * middle[0]];
+        let motion = [given[0], given[1], self.spin];
+        for (cell, index) in problem.pressed.window().indices().enumerate() {
+            let motions = problem.motions(index);
             for axis in 0..2 {
-                let moved = problem.length * (given[axis] + turned[axis]);
+                let parts = motions.iter().zip(motion);
+                let moved = parts.fold(0.0, |sum, (part, motion)| sum + motion * part[axis]);
                 self.linear[axis][cell] = (problem.drawn[axis][cell] - moved) / self.unit;
             }
         }
-        let area = grid.cell_area();
+        let area = problem.bodies.grid().cell_area();
         problem.controls.map(|control| match control {
             RollingControl::Creepage(_) => Total::Free,
             RollingControl::Force(force) => Total::Sum(force / area / self.unit),
@@ -186,12 +275,12 @@ impl RollingSolver {
     /// The report of the last solve.
     #[must_use]
     pub fn report(&self) -> &Report {
-        self.workspace.report()
+        &self.report
     }
 }
 
 /// What a cell slips over a step by a traction of its own.
-fn elastic_part(compliance: &impl Operator<2>, step: Step) -> Result<f64> {
+fn self_compliance(compliance: &impl Operator<2>, step: Step) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
         (try_each(|_| zeros(cells))?, try_each(|_| zeros(cells))?);

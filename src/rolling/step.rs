@@ -1,6 +1,7 @@
 //! The way of particles through a window in one step.
 
 use crate::history::LeadingEdge;
+use crate::tangential::Axis;
 
 /// A step of so many cells through a window.
 #[derive(Debug, Clone, Copy)]
@@ -47,13 +48,28 @@ impl Step {
         }
     }
 
+    /// Visits the cells in the order of their places along the axis, each with that of its particle before.
     fn sweep(&self, is_ascending: bool, mut visit: impl FnMut(usize, Option<usize>)) {
-        let cells = self.size[0] * self.size[1];
-        let mut visit = |cell| visit(cell, self.before(cell));
-        if is_ascending {
-            (0..cells).for_each(&mut visit);
-        } else {
-            (0..cells).rev().for_each(&mut visit);
+        let [nx, ny] = self.size;
+        // Along y all rows are one line.
+        let (length, way) = match self.edge.axis() {
+            Axis::X => (nx, self.cells),
+            Axis::Y => (nx * ny, self.cells.saturating_mul(nx)),
+        };
+        for line in (0..nx * ny).step_by(length) {
+            let mut visit = |place: usize| {
+                let before = if self.edge.is_positive() {
+                    (way < length - place).then(|| line + place + way)
+                } else {
+                    (way <= place).then(|| line + place - way)
+                };
+                visit(line + place, before);
+            };
+            if is_ascending {
+                (0..length).for_each(&mut visit);
+            } else {
+                (0..length).rev().for_each(&mut visit);
+            }
         }
     }
 

@@ -126,7 +126,7 @@ impl Cells {
         &self,
         axes: [Axis; N],
         cell: usize,
-        lower_bound: f64,
+        self_compliance: f64,
     ) -> <BallOf<N> as Linearised<N>>::Motion
     where
         Within: Ball<N>,
@@ -140,7 +140,7 @@ impl Cells {
         );
         let limit = Within::of_radius(norm(q));
         let turning = limit.measured(limit.motion(q), slip);
-        turning.weighed(lower_bound, self.entered[cell])
+        turning.weighed(self_compliance, self.entered[cell])
     }
 
     /// Forces upon cells that slip the tractions by which their limits grow.
@@ -203,11 +203,15 @@ impl Cells {
             system.hold(boundary, |cell| self.sticking(cell), &[])?;
             reversal = Some(system.stiffness(&of_cells, course)?);
         }
-        let lower_bound = system.lower_bound();
+        let self_compliance = system.self_compliance();
         // Where no rank has cells that entered, none has a compliance of its own.
         let has_own = reduce::any(region.layout(), |cell| self.entered[cell] > 0.0);
         let own = if has_own { &*self.entered } else { &[] };
-        system.hold(boundary, |cell| self.slipping(axes, cell, lower_bound), own)?;
+        system.hold(
+            boundary,
+            |cell| self.slipping(axes, cell, self_compliance),
+            own,
+        )?;
         let found = system.stiffness(&of_cells, course)?;
         let area = grid.cell_area();
         let mut by_approach = [None; 3];

@@ -139,6 +139,11 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         self.compliance.operator.lower_bound()
     }
 
+    /// How far a unit traction displaces its own cell.
+    pub(super) fn self_compliance(&self) -> f64 {
+        self.compliance.operator.self_compliance()
+    }
+
     /// The stiffness against these motions of the cells.
     ///
     /// Motions that the cells follow alike, as all do that slip in one direction, are combinations `C` of independent

@@ -159,14 +159,14 @@ impl Law {
         }
     }
 
-    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is the least
-    /// eigenvalue of the operator.
+    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is how far a unit
+    /// traction displaces its own cell.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],
         [limit, slope]: [f64; 2],
         least: f64,
-        lower_bound: f64,
+        self_compliance: f64,
     ) -> Self {
         let mut alone = self.lag.own;
         if let Kind::Slip(slip) = &mut self.kind {
@@ -175,7 +175,7 @@ impl Law {
             alone += stiffness;
         }
         self.weight = if alone > 0.0 {
-            Weight::new(alone, lower_bound)
+            Weight::new(alone, self_compliance)
         } else {
             Weight::PATTERN
         };

@@ -33,7 +33,7 @@ use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{Operator, SELF_COMPLIANCE};
 use crate::per_cell::PerCell;
 use crate::report::Status;
 use crate::watch::Observer;
@@ -72,6 +72,13 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) lower_bounds: [f64; 2],
     /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
     pub(crate) coupling: f64,
+}
+
+impl<C, P, F> ConeProblem<'_, C, P, F> {
+    /// How far a unit tangential traction displaces its own cell.
+    pub(super) fn self_compliance(&self) -> f64 {
+        SELF_COMPLIANCE * self.lower_bounds[1]
+    }
 }
 
 /// What an iterate shows, from one product.

@@ -244,7 +244,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
 
     /// The stiffness of every cell that slips, from the slip just measured.
     fn measure_slip(&mut self) {
-        let (friction, [_, least_plane]) = (&self.problem.friction, self.problem.lower_bounds);
+        let (friction, self_compliance) = (&self.problem.friction, self.problem.self_compliance());
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
@@ -254,7 +254,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
                 if law.moves() {
                     let [_, x, y] = gradient(i);
                     let limit = [limits[i], friction.slope(i, pressure[i])];
-                    *law = law.measured([x, y], limit, least, least_plane);
+                    *law = law.measured([x, y], limit, least, self_compliance);
                 }
             }
         });
@@ -273,7 +273,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
             preconditioner: &problem.preconditioner,
             layout: problem.layout,
             diagonal: &[],
-            lower_bound: 0.0,
+            self_compliance: 0.0,
             restraint: 0.0,
             stiff: f64::INFINITY,
             monitor: &mut self.monitor,

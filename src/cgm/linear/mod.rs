@@ -129,8 +129,8 @@ pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usi
     pub(in crate::cgm) layout: &'a Layout,
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     pub(in crate::cgm) diagonal: &'a [f64],
-    /// Of the eigenvalues; zero if none is known.
-    pub(in crate::cgm) lower_bound: f64,
+    /// How far a unit traction displaces its own cell; zero if it is not known.
+    pub(in crate::cgm) self_compliance: f64,
     /// Stiffness that is added to the operator; zero but in the way out of a cycle.
     pub(in crate::cgm) restraint: f64,
     /// Restraint beside which the inverse of the operator alone is of no use.
@@ -203,7 +203,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         &mut self,
         weigh: impl Fn(Weight, [f64; N], [f64; N]) -> ([f64; N], [f64; N]) + Sync,
     ) {
-        let (diagonal, lower_bound) = (self.diagonal, self.lower_bound);
+        let (diagonal, self_compliance) = (self.diagonal, self.self_compliance);
         if diagonal.is_empty() {
             return;
         }
@@ -219,7 +219,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
                     continue;
                 }
                 let own = diagonal[entries.chunk.start + place];
-                let weight = Weight::new(own, lower_bound);
+                let weight = Weight::new(own, self_compliance);
                 let (r, z) = weigh(weight, held(&direction, place), held(&image, place));
                 put(&mut direction, place, r);
                 put(&mut image, place, z);

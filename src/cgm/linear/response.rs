@@ -118,7 +118,7 @@ impl<C, P> Held<'_, C, P> {
             preconditioner: self.preconditioner,
             layout: self.layout,
             diagonal: self.own,
-            lower_bound: self.operator.lower_bound(),
+            self_compliance: self.operator.self_compliance(),
             restraint: 0.0,
             stiff: f64::INFINITY,
             monitor: &mut monitor,

@@ -1,0 +1,157 @@
+//! How forces and moment of rolling bodies follow creepages and spin, at fixed zones.
+//!
+//! With the projection P onto what cells may do, the turning stiffness K of cells that slip and the motion $`w_a`$ of a
+//! step by a unit of a creepage or of spin, the tractions that it adds solve $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::small::Small;
+use crate::cgm::vector::{at, dot, slices};
+use crate::cgm::{Disc, Held, LinearWorkspace, Linearised, Motion};
+use crate::error::{Error, Result};
+use crate::layout::Layout;
+use crate::operator::Operator;
+use crate::reduce;
+use crate::rolling::inverse::SteadyInverse;
+use crate::rolling::operator::SteadyOperator;
+use crate::rolling::{RollingControl, RollingSolver};
+use crate::tangential::centre;
+
+/// Relative residual of the tractions.
+const TOLERANCE: f64 = 1e-10;
+
+/// The linear problem of a step at fixed zones, and its unknowns.
+pub(super) struct Follow {
+    linear: LinearWorkspace<
+        <SteadyOperator as Operator<2>>::Workspace,
+        <SteadyInverse as Operator<2>>::Workspace,
+        <Disc as Linearised<2>>::Motion,
+        2,
+    >,
+    layout: Layout,
+    right: Vec<[f64; 2]>,
+    unknowns: Vec<[f64; 2]>,
+}
+
+impl RollingSolver {
+    /// How forces and moment change with creepages and spin about the last answer,
+    ///
+    /// ```math
+    /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
+    /// ```
+    ///
+    /// by rows of the loads: forces, with the spin forces times lengths, in the row of the moment once more times a
+    /// length. Cells that stick follow, cells that slip turn with their slip and stay at their limits, whichever of motion
+    /// and load is prescribed. Before the first solve all cells stick: these are Kalker's coefficients, times
+    /// $`G a b`$ and lengths. The matrix is not symmetric; where the whole contact slides along one direction, a part of
+    /// it is zero. Each column costs about a warm solve.
+    ///
+    /// ```
+    /// # use stickslip::{rolling::RollingProblem, *};
+    /// # let grid = Grid::square(24, 3.0)?;
+    /// # let body = Material::from_shear_modulus(1.0, 0.25)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(1.0));
+    /// # let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+    /// let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?).build()?;
+    /// let stiffness = problem.into_solver()?.stiffness()?;
+    /// let a = analytical::HertzSphere::new(bodies.pair(), 1.0, 1.0)?.contact_radius();
+    /// // Kalker's C11 and C22; the lateral force by spin is minus the moment by lateral creepage.
+    /// assert!((stiffness[0][0] / (a * a) / 4.12 - 1.0).abs() < 0.02);
+    /// assert!((stiffness[1][1] / (a * a) / 3.67 - 1.0).abs() < 0.02);
+    /// assert!((stiffness[1][2] / stiffness[2][1] + 1.0).abs() < 0.05);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] if the tractions are not found to a relative residual of 1e-10; [`Error::Memory`].
+    pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
+        self.hold_zones()?;
+        let mut columns = [[0.0; 3]; 3];
+        for (motion, column) in columns.iter_mut().enumerate() {
+            *column = self.loads_by(motion)?;
+        }
+        Ok(Small(columns).transposed().0)
+    }
+
+    /// How the moment changes with the spin while the prescribed creepages and forces stay.
+    pub(super) fn moment_by_spin(&mut self) -> Result<f64> {
+        self.hold_zones()?;
+        let held = self
+            .problem
+            .controls
+            .map(|control| matches!(control, RollingControl::Force(_)));
+        let mut rows = [[0.0; 3]; 3];
+        for motion in [0, 1, 2] {
+            if motion == 2 || held[motion] {
+                for (row, load) in rows.iter_mut().zip(self.loads_by(motion)?) {
+                    row[motion] = load;
+                }
+            }
+        }
+        // The creepages that keep the forces.
+        let active = [held[0], held[1], false];
+        let follow = Small(rows).solve(rows.map(|row| row[2]), active);
+        Ok(rows[2][2] - dot(rows[2], follow))
+    }
+
+    /// Holds each cell in the zone where it is.
+    fn hold_zones(&mut self) -> Result<()> {
+        let follow = match self.follow.take() {
+            Some(follow) => follow,
+            None => Follow {
+                linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
+                layout: self.operator.layout(),
+                right: Vec::new(),
+                unknowns: Vec::new(),
+            },
+        };
+        let follow = self.follow.insert(follow);
+        let (traction, limits) = (slices(&self.traction), &self.limits);
+        let (product, linear) = (self.workspace.product(), slices(&self.linear));
+        let (multiplier, alone) = (self.workspace.multiplier(), self.operator.self_compliance());
+        follow.linear.hold(|cell| {
+            let disc = Disc {
+                radius: limits[cell],
+            };
+            let slip =
+                [0, 1].map(|axis| product[axis][cell] + linear[axis][cell] - multiplier[axis]);
+            disc.measured(disc.motion(at(&traction, cell)), slip)
+                .weighed(alone, 0.0)
+        })
+    }
+
+    /// Forces and moment by a unit of a creepage or of spin.
+    fn loads_by(&mut self, motion: usize) -> Result<[f64; 3]> {
+        let Some(follow) = &mut self.follow else {
+            return Ok([0.0; 3]);
+        };
+        let Follow {
+            linear,
+            layout,
+            right,
+            unknowns,
+        } = follow;
+        let problem = &self.problem;
+        let index = |cell: usize| problem.pressed.region.own().index(cell);
+        linear.restrict(|cell| problem.motions(index(cell))[motion], right)?;
+        let held = Held {
+            operator: &*self.operator,
+            preconditioner: &*self.inverse,
+            layout,
+            own: &[],
+        };
+        let mut observer = |_: &_| ControlFlow::Continue(());
+        held.respond(right, unknowns, linear, TOLERANCE, &mut observer)?;
+        if !linear.report().is_converged() {
+            return Err(Error::NotConverged(Box::new(linear.report().clone())));
+        }
+        let tractions = linear.tractions();
+        let grid = problem.bodies.grid();
+        let loads: [f64; 3] = reduce::sum(layout, |cell| {
+            let (q, [x, y]) = (at(&tractions, cell), centre(grid, index(cell)));
+            [q[0], q[1], x * q[1] - y * q[0]]
+        });
+        Ok(loads.map(|load| load * grid.cell_area()))
+    }
+}
