@@ -75,6 +75,9 @@ WITHOUT = {
     "struct rolling::RollingSolution": "rolling is in Rust alone so far",
     "struct rolling::RollingSolver": "rolling is in Rust alone so far",
     "struct analytical::Carter": "rolling is in Rust alone so far",
+    "struct analytical::KalkerCoefficients": "rolling is in Rust alone so far",
+    "struct analytical::VermeulenJohnson": "rolling is in Rust alone so far",
+    "struct analytical::BentallJohnson": "rolling is in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
