@@ -26,10 +26,11 @@ const MIDDLE: f64 = 0.403_972_753_299_517_2;
 /// D = \frac{8t(1 - t^2/3) - 8/3}{\pi}\,\frac{\mu|\beta| P a}{R} = 0.1239\,\frac{\mu|\beta| P a}{R} .
 /// ```
 ///
-/// The leading edge is at +x; with that at -x creepage and slip change their signs. A positive creepage moves body 2 along
-/// +x over body 1, as in [`rolling`](crate::rolling). The action of the traction on the pressure is neglected (Goodman's
-/// assumption), and so are the strips about the reversals that stick: [solved](crate::rolling::RollingProblem), the creepage
-/// is 0.3 % less at $`\mu = 0.009\,|\beta|`$, 5 % at $`0.085\,|\beta|`$, and 28 % at $`0.86\,|\beta|`$.
+/// The leading edge is at +x; with that at -x creepage and slip change their signs. A positive creepage moves body 2
+/// along +x over body 1, as in [`rolling`](crate::rolling). The action of the traction on the pressure is neglected
+/// (Goodman's assumption), and so are the strips about the reversals that stick:
+/// [solved](crate::rolling::RollingProblem), the creepage is 0.3 % less at $`\mu = 0.009\,|\beta|`$, 5 % at
+/// $`0.085\,|\beta|`$, and 28 % at $`0.86\,|\beta|`$.
 ///
 /// R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404,
 /// <https://doi.org/10.1016/0020-7403(67)90043-4>; Johnson (1985), section 8.2.

@@ -14,8 +14,8 @@ use crate::error::{Error, Result, at_least, positive};
 /// M = G c^3\,(C_{32}\,\eta + c\,C_{33}\,\varphi), \qquad C_{32} = -C_{23} ,
 /// ```
 ///
-/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge at +x.
-/// The pressure and the friction do not matter.
+/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge at
+/// +x. The pressure and the friction do not matter.
 ///
 /// The values are those of this crate: solves of [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128
 /// cells across each axis, extrapolated to cells of no size and to reciprocity, for $`a/b`$ from 1/16 to 16, right to about
@@ -50,11 +50,11 @@ pub struct KalkerCoefficients {
 }
 
 impl KalkerCoefficients {
-    /// The coefficients of an ellipse of the ratio $`a/b`$ `ratio` of its semi-axes, along the rolling direction and across it,
-    /// from 1/16 to 16, and of bodies of Poisson's ratio `poisson_ratio`, from 0 to 1/2. For bodies that differ with
-    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero, it is
-    /// [that of one as compliant](crate::ElasticPair::equivalent_poisson_ratio), and G is twice
-    /// [its modulus](crate::ElasticPair::equivalent_shear_modulus).
+    /// The coefficients of an ellipse of the ratio $`a/b`$ `ratio` of its semi-axes, along the rolling direction and
+    /// across it, from 1/16 to 16, and of bodies of Poisson's ratio `poisson_ratio`, from 0 to 1/2. For bodies that
+    /// differ with [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero, it is [that of one as
+    /// compliant](crate::ElasticPair::equivalent_poisson_ratio), and G is twice [its
+    /// modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the ratio, [`Error::Below`] for one beyond the table or a negative Poisson's ratio,

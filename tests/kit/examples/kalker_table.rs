@@ -1,5 +1,5 @@
-//! The table of Kalker's coefficients in the library, by solves of steady rolling with creepages so small that only the edge
-//! slips: `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES (default 8).
+//! The table of Kalker's coefficients in the library, by solves of steady rolling with creepages so small that only the
+//! edge slips: `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES (default 8).
 //!
 //! On one grid forces are wrong by some 0.3 %, as the cells of the contact cover the ellipse a little more or less than
 //! exactly. That error shows as a lack of reciprocity, C32 + C23, of which C23 has next to none. So each coefficient is
