@@ -202,7 +202,7 @@ fn tractions(
     for iy in (every[1] / 2..grid.ny()).step_by(every[1]) {
         for ix in (every[0] / 2..grid.nx()).step_by(every[0]) {
             let traction = [x, y].map(|field| field.get(ix, iy).unwrap_or_default() / largest);
-            if traction == [0.0; 2] {
+            if traction[0].hypot(traction[1]) < 1e-3 {
                 continue;
             }
             let from = (grid.x(ix), grid.y(iy));

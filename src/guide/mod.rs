@@ -34,6 +34,7 @@ pub mod fretting_and_wear {}
 pub mod growing_contacts {}
 
 #[doc = include_str!("rolling.md")]
+#[cfg_attr(doc, doc = include_str!("../pictures/creep_curves.html"))]
 pub mod rolling {}
 
 #[doc = include_str!("dissimilar_bodies.md")]
