@@ -18,7 +18,7 @@ use crate::error::{Error, Result, finite, positive};
 /// on body 1, as in [`rolling`](crate::rolling). The curve supposes an elliptic stick zone that touches the contact's
 /// leading edge at one point, which is an approximation: of a sphere, $`\nu = 0.25`$, along x, it is 0.8 % below the
 /// [solved](crate::rolling::RollingProblem) force at x = 0.3, 2.3 % at 1 and 1.8 % at 2; of a steel ellipse with a = b/2
-/// up to 3.3 %.
+/// up to 3.4 %.
 ///
 /// P. J. Vermeulen and K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340, <https://doi.org/10.1115/1.3629610>, for bodies of
 /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero; Johnson (1985), section 8.4.
