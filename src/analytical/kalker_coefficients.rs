@@ -20,11 +20,11 @@ use crate::error::{Error, Result, at_least, positive};
 /// The values are those of this crate: solves of [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128
 /// cells across each axis, extrapolated to cells of no size and to reciprocity, for $`a/b`$ from 1/16 to 16, right to about
 /// 0.1 % ($`C_{33}`$ to 0.3 %). Between them logarithms are interpolated in $`\ln(a/b)`$, and compliances,
-/// $`1/C_{11}, 1/C_{22}, 1/C_{23}`$ and the turn by a moment alone, as parabolas in $`\nu`$, which adds less than 0.1 % for
-/// $`a/b`$ from 1/8 to 4 and up to 0.4 % beyond.
+/// $`1/C_{11}, 1/C_{22}, 1/C_{23}`$ and the turn by a moment alone, as parabolas in $`\nu`$, which adds at most 0.1 % for
+/// $`a/b`$ from 0.09 to 2.8 and up to 0.4 % beyond.
 ///
-/// Kalker's own table differs by less than 0.5 %, the last of its three digits, for $`0.2 \le a/b \le 2`$ but at
-/// $`a/b = 0.5`$, $`\nu = 0.5`$ (4.83 for $`C_{11}`$; 4.87 would go with its neighbours), and by up to 1.2 % at 10.
+/// Kalker's own $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$, of three digits, differ by less than 0.6 % for $`0.2 \le a/b \le 2`$
+/// but at $`a/b = 0.5`$, $`\nu = 0.5`$ (4.83 for $`C_{11}`$; 4.87 would go with its neighbours), and by up to 1.2 % at 10.
 ///
 /// J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990), section 4.2 and table E.3,
 /// <https://doi.org/10.1007/978-94-015-7889-9>. A copy of the table in circulation has 1.15 in place of 1.25 for
