@@ -68,13 +68,16 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "enum rolling::LeadingEdge": "rolling is in Rust alone so far",
+    "enum history::LeadingEdge": "rolling is in Rust alone so far",
     "enum rolling::RollingControl": "rolling is in Rust alone so far",
     "struct rolling::RollingProblem": "rolling is in Rust alone so far",
     "struct rolling::RollingProblemBuilder": "rolling is in Rust alone so far",
     "struct rolling::RollingSolution": "rolling is in Rust alone so far",
     "struct rolling::RollingSolver": "rolling is in Rust alone so far",
     "struct analytical::Carter": "rolling is in Rust alone so far",
+    "struct analytical::KalkerCoefficients": "rolling is in Rust alone so far",
+    "struct analytical::VermeulenJohnson": "rolling is in Rust alone so far",
+    "struct analytical::BentallJohnson": "rolling is in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
