@@ -9,9 +9,9 @@
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies of the same material), the creepages
-//! $`\xi, \eta`$, the spin $`\varphi`$ about the origin of the grid, all per length rolled, and x and y in the middle of
-//! the way of the particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction only where
+//! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies of the same material), the
+//! creepages $`\xi, \eta`$, the spin $`\varphi`$ about the origin of the grid, all per length rolled, and x and y in the
+//! middle of the way of the particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction only where
 //! $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force, as a positive
 //! [shift](crate::TangentialSolution::shift) does.
 //!
@@ -34,8 +34,8 @@
 //!
 //! # Uniqueness and error
 //!
-//! $`(1 - T) C`$ is not symmetric, but monotone: with the energy norm $`|e|_C^2 = e' C e`$ and fields e that are zero outside
-//! the contact,
+//! $`(1 - T) C`$ is not symmetric, but monotone: with the energy norm $`|e|_C^2 = e' C e`$ and fields e that are zero
+//! outside the contact,
 //!
 //! ```math
 //! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
