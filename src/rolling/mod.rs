@@ -92,6 +92,7 @@ mod operator;
 mod problem;
 mod solution;
 mod solver;
+mod spin_search;
 mod step;
 mod stiffness;
 

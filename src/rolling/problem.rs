@@ -136,7 +136,7 @@ impl RollingProblem {
             return Err(Error::BeyondFrictionCapacity { force: size, limit });
         }
         if let SpinControl::Moment(moment) = spin {
-            let capacity = self.moment_capacity();
+            let capacity = finite("moment that friction holds", self.moment_capacity())?;
             if is_at_limit(moment.abs(), capacity) {
                 return Err(Error::Below {
                     quantity: "moment that friction holds",
@@ -158,12 +158,14 @@ impl RollingProblem {
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
-    /// The largest moment about the origin of the grid that friction holds.
+    /// The moment about the origin of the grid that a large spin causes: tractions at their limits along its motion.
     pub(super) fn moment_capacity(&self) -> f64 {
         let (grid, limits) = (self.bodies.grid(), &self.pressed.limits.cells);
         let levers = self.pressed.window().indices().map(|index| {
-            let [x, y] = centre(grid, index);
-            x.hypot(y)
+            let ([x, y], [_, _, turned]) = (centre(grid, index), self.motions(index));
+            let size = turned[0].hypot(turned[1]);
+            let lever = (x * turned[1] - y * turned[0]) / size;
+            if size > 0.0 { lever } else { 0.0 }
         });
         let parts = limits
             .iter()
