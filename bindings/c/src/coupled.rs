@@ -188,7 +188,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe { solver::reset(solver) }
+    unsafe { solver::reset(solver, CoupledSolver::reset) }
 }
 
 /// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With

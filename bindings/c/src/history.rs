@@ -134,7 +134,7 @@ fn axis(value: i32) -> Outcome<Axis> {
     }
 }
 
-fn touch_rule(value: i32) -> Outcome<TouchRule> {
+pub(crate) fn touch_rule(value: i32) -> Outcome<TouchRule> {
     match value {
         STICKSLIP_GROWTH => Ok(TouchRule::Growth),
         STICKSLIP_WHOLE_STEP => Ok(TouchRule::WholeStep),

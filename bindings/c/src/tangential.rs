@@ -234,7 +234,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe { solver::reset(solver) }
+    unsafe { solver::reset(solver, TangentialSolver::reset) }
 }
 
 /// The largest tangential force that friction holds.
