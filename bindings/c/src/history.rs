@@ -121,8 +121,7 @@ pub unsafe extern "C" fn stickslip_history_new(
             }
         }
         let made = builder.build()?;
-        give(place, made, grid.cells());
-        Ok(())
+        give(place, made, grid.cells())
     })
 }
 
@@ -152,8 +151,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
     call_on(history, || unsafe {
         let place = Place::new("copy", copy)?;
         let history = reading(history)?;
-        give(place, history.try_clone()?, history.grid().cells());
-        Ok(())
+        give(place, history.try_clone()?, history.grid().cells())
     })
 }
 

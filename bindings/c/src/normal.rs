@@ -67,8 +67,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells());
-        Ok(())
+        give(place, Solver { own, grid }, grid.cells())
     })
 }
 

@@ -169,8 +169,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
                 .settings(options.settings.checked()?);
         }
         let own = problem.build()?.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells());
-        Ok(())
+        give(place, Solver { own, grid }, grid.cells())
     })
 }
 

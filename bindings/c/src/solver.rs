@@ -166,8 +166,7 @@ where
     call_on(solver, || unsafe {
         let place = Place::new("solution", solution)?;
         let solver = reading(solver)?;
-        give(place, solver.own.new_solution()?, solver.grid.cells());
-        Ok(())
+        give(place, solver.own.new_solution()?, solver.grid.cells())
     })
 }
 

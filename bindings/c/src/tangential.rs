@@ -140,8 +140,7 @@ unsafe fn new(
     }
     let problem = problem.build()?;
     let own = problem.into_solver()?;
-    give(place, Solver { own, grid }, grid.cells());
-    Ok(())
+    give(place, Solver { own, grid }, grid.cells())
 }
 
 /// Frees a solver; nothing for NULL.
