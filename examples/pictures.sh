@@ -23,6 +23,7 @@ mkdir -p src/pictures
 embed sphere "Pressure and traction of a ball along x beside the closed forms, and its stick and slip zones"
 embed fretting_loop "Loop of force and shift of a ball, and its tractions on the way"
 embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below it"
+embed creep_curves "Stick and slip zones of a rolling ellipse with its tractions, and creep curves beside CONTACT"
 embed dissimilar "Pressure of an aluminium ball on steel, the tractions that pressing leaves, and a loop of force and shift"
 embed hardness "Contact area, approach and pressure of rough steel, elastic and with a hardness"
 embed wear_loop "Gap and pressure of a ball in wear, towards the limiting shape"

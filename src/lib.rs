@@ -225,7 +225,7 @@
 //! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
-//! Not modelled: rolling, layers, plasticity, adhesion, viscosity, heat.
+//! Not modelled: layers, plasticity, adhesion, viscosity, heat.
 //!
 //! # Sources of the formulas
 //!

@@ -7,6 +7,9 @@
 //! | cylinder along a line, in plane strain | [`HertzLine`] | Hertz; Johnson (1985), section 4.2 |
 //! | the same in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
 //! | cylinder that rolls with creepage | [`Carter`] | Carter (1926) |
+//! | cylinders of different materials that roll freely | [`BentallJohnson`] | Bentall and Johnson (1967) |
+//! | ellipse that rolls with small creepages and spin | [`KalkerCoefficients`] | Kalker (1990) |
+//! | ellipse that rolls with creepages | [`VermeulenJohnson`] | Vermeulen and Johnson (1964) |
 //! | flat punch with rounded edges along a line | [`RoundedPunch`] | Ciavarella, Hills and Monno (1998) |
 //! | sphere in partial slip under a tangential load | [`CattaneoMindlin`] | Cattaneo (1938), Mindlin (1949) |
 //! | sphere in partial slip under a varying tangential force | [`MindlinDeresiewicz`] | Mindlin and Deresiewicz (1953), Jaeger (1998) |
@@ -40,6 +43,8 @@
 //!   the error is of the order of beta.
 //!
 //! # References
+//! - R. H. Bentall and K. L. Johnson, Slip in the rolling contact of two dissimilar elastic rollers, *Int. J. Mech. Sci.* 9
+//!   (1967) 389-404, [doi:10.1016/0020-7403(67)90043-4](https://doi.org/10.1016/0020-7403(67)90043-4).
 //! - A. W. Bush, R. D. Gibson, T. R. Thomas, The elastic contact of a rough surface, *Wear* 35 (1975)
 //!   87-111, [doi:10.1016/0043-1648(75)90145-3](https://doi.org/10.1016/0043-1648(75)90145-3).
 //! - C. Cattaneo, Sul contatto di due corpi elastici: distribuzione locale degli sforzi, *Rend. Accad.
@@ -53,6 +58,8 @@
 //! - J. Jaeger, A new principle in contact mechanics, *J. Tribology* 120 (1998) 677-684,
 //!   [doi:10.1115/1.2833765](https://doi.org/10.1115/1.2833765).
 //! - J. L. Lubkin, The torsion of elastic spheres in contact, *J. Appl. Mech.* 18 (1951) 183-187.
+//! - J. J. Kalker, *Three-dimensional elastic bodies in rolling contact*, Kluwer, 1990,
+//!   [doi:10.1007/978-94-015-7889-9](https://doi.org/10.1007/978-94-015-7889-9).
 //! - R. D. Mindlin, Compliance of elastic bodies in contact, *J. Appl. Mech.* 16 (1949) 259-268,
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
 //! - R. D. Mindlin and H. Deresiewicz, Elastic spheres in contact under varying oblique forces,
@@ -75,10 +82,11 @@
 //!   for a punch of arbitrary profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
 //!   [doi:10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 //! - P. J. Vermeulen and K. L. Johnson, Contact of nonspherical elastic bodies transmitting tangential
-//!   forces, *J. Appl. Mech.* 31 (1964) 338-340.
+//!   forces, *J. Appl. Mech.* 31 (1964) 338-340, [doi:10.1115/1.3629610](https://doi.org/10.1115/1.3629610).
 //! - H. M. Westergaard, Bearing pressures and cracks, *J. Appl. Mech.* 6 (1939) A49-A53,
 //!   [doi:10.1115/1.4008919](https://doi.org/10.1115/1.4008919).
 
+mod bentall_johnson;
 mod carter;
 mod cattaneo_mindlin;
 mod cone;
@@ -87,6 +95,8 @@ mod flat_punch;
 mod full_stick;
 mod held_force;
 mod hertz;
+mod kalker_coefficients;
+mod kalker_table;
 mod line;
 mod line_partial_slip;
 mod line_stress;
@@ -101,14 +111,17 @@ mod rough_sphere;
 mod rounded_punch;
 mod sines;
 mod spence_pressing;
+mod vermeulen_johnson;
 mod westergaard;
 
+pub use bentall_johnson::BentallJohnson;
 pub use carter::Carter;
 pub use cattaneo_mindlin::{CattaneoMindlin, CattaneoMindlinEllipse};
 pub use cone::{Cone, ConePartialSlip};
 pub use flat_punch::FlatPunch;
 pub use full_stick::MindlinFullStick;
 pub use hertz::{HertzEllipse, HertzSphere};
+pub use kalker_coefficients::KalkerCoefficients;
 pub use line::HertzLine;
 pub use line_partial_slip::CattaneoMindlinLine;
 pub use lubkin_torsion::LubkinTorsion;
@@ -119,4 +132,5 @@ pub use popov_limiting_shape::PopovLimitingShape;
 pub use rough_sphere::RoughSphere;
 pub use rounded_punch::RoundedPunch;
 pub use spence_pressing::SpencePressing;
+pub use vermeulen_johnson::VermeulenJohnson;
 pub use westergaard::{Westergaard, WestergaardPartialSlip};

@@ -15,6 +15,7 @@
 use std::ops::ControlFlow;
 
 use crate::buffer;
+use crate::cgm::motion::Linearised;
 use crate::cgm::newton::newton;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, dot, slices, update_cells};
@@ -87,28 +88,42 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         ControlFlow::Continue(())
     }
 
-    /// By the power method, from the gradient.
+    /// By the power method, from the gradient. Where the operator is not symmetric, by the lengths of what it makes of the
+    /// cells that can move, beside which alone it is positive.
     fn largest_eigenvalue(&mut self) -> ControlFlow<Status, f64> {
+        let is_symmetric = self.problem.operator.is_symmetric();
+        let constraint = &self.problem.constraint;
+        let counts = |i: usize| is_symmetric || constraint.of(i).can_move();
         let w = &mut *self.workspace;
-        for (direction, gradient) in w.linear.direction.iter_mut().zip(&w.gradient) {
-            direction.copy_from_slice(gradient);
-        }
+        let gradient = slices(&w.gradient);
+        update_cells(&mut w.linear.direction, |i, _| {
+            if counts(i) {
+                at(&gradient, i)
+            } else {
+                [0.0; N]
+            }
+        });
         let mut largest = 0.0;
         for _ in 0..POWERS {
             self.ask()?;
             self.linear().apply(Precision::Single);
             let w = &mut *self.workspace;
             let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
-            let [square, along] = reduce::sum(&self.problem.layout, |i| {
-                let d = at(&direction, i);
-                [dot(d, d), dot(d, at(&image, i))]
+            let [square, along, length] = reduce::sum(&self.problem.layout, |i| {
+                let (d, u) = (at(&direction, i), at(&image, i));
+                let length = if counts(i) { dot(u, u) } else { 0.0 };
+                [dot(d, d), dot(d, u), length]
             });
-            largest = along / square;
+            largest = if is_symmetric {
+                along / square
+            } else {
+                (length / square).sqrt()
+            };
             if !(largest.is_finite() && largest > 0.0) {
                 return ControlFlow::Break(Status::Stalled);
             }
             update_cells(&mut w.linear.direction, |i, _| {
-                at(&image, i).map(|u| u / largest)
+                at(&image, i).map(|u| if counts(i) { u / largest } else { 0.0 })
             });
         }
         ControlFlow::Continue(largest)

@@ -37,9 +37,9 @@ pub enum Turn {
 /// ```
 ///
 /// with the weights $`0 < W \le 1`$ of the cells: symmetric and positive definite like both parts, and exact in both
-/// limits. The stiffness $`e`$ at which a pattern counts a quarter is a choice, measured: half of $`c_1`$. From two fifths to
-/// three fifths of it, and with $`c_1`$ from four to six least eigenvalues of a half-space, the steps change by 2 % on smooth and
-/// rough balls in growing contact; the root of the weight costs a tenth more, in cells that enter a third.
+/// limits. The stiffness $`e`$ at which a pattern counts a quarter is a choice, measured: half of $`c_1`$. From two fifths
+/// to three fifths of it, and with $`c_1`$ from four to six least eigenvalues of a half-space, the steps change by 2 % on
+/// smooth and rough balls in growing contact; the root of the weight costs a tenth more, in cells that enter a third.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"

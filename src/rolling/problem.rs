@@ -217,8 +217,9 @@ impl RollingProblemBuilder<'_> {
     /// # Errors
     /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
-    /// [`Error::NotFinite`] for creepages, forces or spin, [`Error::NotPositive`] for a step of no cells, [`Error::NotModelled`] for rolling along an
-    /// axis on which the grid repeats, or spin on such a grid; [`Error::Below`] if the grid ends less than a step ahead of the contact;
+    /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
+    /// [`Error::NotModelled`] for rolling along an axis on which the grid repeats, or spin on such a grid;
+    /// [`Error::Below`] if the grid ends less than a step ahead of the contact, or for a moment beyond what friction holds;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding;
     /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies
     /// that ranks share.

@@ -110,7 +110,7 @@ impl RollingSolution {
         self.creepage
     }
 
-    /// The spin, as prescribed (one over a length).
+    /// The spin, prescribed or caused by the moment (one over a length).
     #[must_use]
     pub fn spin(&self) -> f64 {
         self.spin

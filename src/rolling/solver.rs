@@ -103,8 +103,8 @@ impl RollingSolver {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotModelled`](crate::Error::NotModelled),
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) or [`Error::Below`](crate::Error::Below); all is
-    /// then as it was.
+    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) or [`Error::Below`](crate::Error::Below); all
+    /// is then as it was.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -130,7 +130,8 @@ impl RollingSolver {
         RollingSolution::empty(self.problem.bodies.grid())
     }
 
-    /// Solves into `solution`, whose last content does not matter.
+    /// Solves into `solution`, whose last content does not matter. The spin of a moment is found by several solves, whose
+    /// report adds up their work; each of them has the limits of the [settings](Self::settings).
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch), nothing changed;
@@ -199,8 +200,8 @@ impl RollingSolver {
         outcome
     }
 
-    /// Finds the spin of a moment, which grows with it: by Newton's method on solves at given spins, within the spins between
-    /// which it is known to lie.
+    /// Finds the spin of a moment, which grows with it: by Newton's method on solves at given spins, within the spins
+    /// between which it is known to lie.
     fn solve_for_moment(
         &mut self,
         moment: f64,

@@ -2,6 +2,7 @@
 //! allocates nothing.
 
 use kit::{rough, unit_bodies};
+use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
 use stickslip::{
     Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, NormalProblem, TangentialLoad, TangentialModel, TangentialProblem,
@@ -153,4 +154,31 @@ fn of_cells_that_are_made_to_stick() {
         again();
     }
     assert_eq!(allocations(&mut again), 0);
+}
+
+#[test]
+fn of_bodies_that_roll() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
+    let normal = press.build().unwrap().solve().unwrap();
+    let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    let mut cycle = || {
+        for part in [0.2, 0.9, 0.5] {
+            let creepage = RollingControl::Creepage(0.2 * part);
+            for force in [creepage, RollingControl::Force(0.2 * part)] {
+                solver.set_control([creepage, force], 0.1 * part).unwrap();
+                solver.solve_into(&mut rolling).unwrap();
+                solver.stiffness().unwrap();
+            }
+            let moment = SpinControl::Moment(0.01 * part);
+            solver.set_control([creepage; 2], moment).unwrap();
+            solver.solve_into(&mut rolling).unwrap();
+        }
+    };
+    cycle();
+    assert_eq!(allocations(&mut cycle), 0);
 }

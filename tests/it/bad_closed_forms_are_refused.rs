@@ -4,13 +4,13 @@
 use kit::refusal::Rule::{Finite, NonNegative, Positive};
 use kit::refusal::assert_checked;
 use kit::unit_pair;
-use stickslip::Error;
 use stickslip::analytical::{
-    CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone, ConePartialSlip, FlatPunch,
-    HertzEllipse, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick,
-    Persson, PopovLimitingShape, RoughSphere, RoundedPunch, Westergaard, WestergaardPartialSlip,
-    linear_stick_ratio,
+    BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
+    ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, KalkerCoefficients,
+    LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape, RoughSphere,
+    RoundedPunch, VermeulenJohnson, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
 };
+use stickslip::{ElasticPair, Error, Material};
 
 #[test]
 fn normal_contacts() {
@@ -94,6 +94,43 @@ fn line_contacts() {
     assert_checked("load per length", Positive, |value| {
         rounded(1.0, 1.0, value)
     });
+}
+
+#[test]
+fn rolling_contacts() {
+    let pair = unit_pair(0.3);
+    let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
+    let carter = |friction, creepage| Ok(Carter::new(hertz, friction, creepage)?.force());
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        carter(value, 1e-3)
+    });
+    assert_checked("creepage", Finite, |value| carter(0.3, value));
+    let soft = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let hertz = HertzLine::new(&soft, 2.0, 1e-3).unwrap();
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        let free = BentallJohnson::new(hertz, value)?;
+        Ok(free.creepage() + free.dissipation() + free.traction(0.0))
+    });
+    assert_checked("ratio of the semi-axes", Positive, |value| {
+        let kalker = KalkerCoefficients::new(value, 0.3)?;
+        Ok(kalker.c11() + kalker.c22() + kalker.c23() + kalker.c33())
+    });
+    let ellipse = HertzEllipse::new(&pair, 2.0, 1.0, 1e-3).unwrap();
+    let creep = |friction, creepage| {
+        let [x, y] = VermeulenJohnson::new(ellipse, friction, creepage)?.force();
+        Ok(x + y)
+    };
+    assert_checked("coefficient of friction", Positive, |value| {
+        creep(value, [1e-3, 0.0])
+    });
+    assert_checked("creepage", Finite, |value| creep(0.3, [value, 1e-3]));
+    assert_checked("creepage", Finite, |value| creep(0.3, [0.0, value]));
+    // Neither form is of bodies whose pressure moves them along the surface.
+    let refused = Carter::new(hertz, 0.3, 1e-3);
+    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
+    let ellipse = HertzEllipse::new(&soft, 2.0, 1.0, 1e-3).unwrap();
+    let refused = VermeulenJohnson::new(ellipse, 0.3, [1e-3, 0.0]);
+    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
 }
 
 #[test]

@@ -159,8 +159,8 @@ impl Law {
         }
     }
 
-    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is how far a unit
-    /// traction displaces its own cell.
+    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is how far a
+    /// unit traction displaces its own cell.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],

@@ -1,0 +1,215 @@
+//! A steel ellipse that rolls: creep curves beside another code and closed forms, and stick and slip under creepage and
+//! spin.
+//!
+//! `cargo run --release -p stickslip --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
+//! with and without the law of entering cells, and writes `target/gallery/creep_curves.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::Path;
+
+use plotters::prelude::*;
+use stickslip::analytical::{HertzEllipse, VermeulenJohnson};
+use stickslip::history::TouchRule;
+use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
+use stickslip::{
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
+};
+
+/// In mm, N and MPa: the scene of `tractcurv`, which CONTACT solves on 48 x 44 cells.
+const LOAD: f64 = 106_700.0;
+const FRICTION: f64 = 0.33;
+const CELLS: [usize; 2] = [48, 44];
+const SIDES: [f64; 2] = [0.288_914_873_561_06, 0.630_359_724_763_98];
+/// Radii of curvature along x and y.
+const RADII: [f64; 2] = [625.0, 1_776.720_812_928_627_5];
+
+/// Creepages, and the forces over the friction limit that CONTACT prints.
+const CONTACT: [(f64, f64); 6] = [
+    (4e-4, 0.2588),
+    (8e-4, 0.4742),
+    (12e-4, 0.6482),
+    (16e-4, 0.7831),
+    (20e-4, 0.8816),
+    (24e-4, 0.9467),
+];
+/// Creepages along x and y, and the spin in 1/mm, of the map of zones.
+const COMBINED: ([f64; 2], f64) = ([6e-4, -4e-4], 1e-4);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let grids = [1, 2].map(|part: usize| CELLS.map(|cells| cells / part));
+    let [fine, coarse] = grids;
+    let whole = creep_curve(fine, TouchRule::WholeStep)?;
+    let law = creep_curve(fine, TouchRule::Growth)?;
+    let half = creep_curve(coarse, TouchRule::Growth)?;
+    let hertz = HertzEllipse::new(&steel()?, RADII[0], RADII[1], LOAD)?;
+    let closed_form = |xi: f64| -> stickslip::Result<f64> {
+        let curve = VermeulenJohnson::new(hertz, FRICTION, [xi, 0.0])?;
+        Ok(curve.force()[0] / (FRICTION * LOAD))
+    };
+
+    println!("creepage | CONTACT | without the law | with it | 24 x 22 | Vermeulen and Johnson");
+    let csv = support::gallery("creep_curves.csv")?;
+    let mut table = csv::Writer::from_path(&csv)?;
+    table.write_record([
+        "creepage",
+        "contact",
+        "without_law",
+        "law",
+        "law_24x22",
+        "closed_form",
+    ])?;
+    for (i, (xi, contact)) in CONTACT.into_iter().enumerate() {
+        let row = [xi, contact, whole[i], law[i], half[i], closed_form(xi)?];
+        println!(
+            "{:>8.1e} | {:>7.4} | {:>15.4} | {:>7.4} | {:>7.4} | {:>7.4}",
+            row[0], row[1], row[2], row[3], row[4], row[5]
+        );
+        table.serialize(row)?;
+    }
+    table.flush()?;
+
+    let rolling = combined()?;
+    println!(
+        "\ncreepages {:?}, spin {:e}/mm: F/µP = {:.3?}, moment {:.0} N mm, stick ratio {:.3}",
+        rolling.creepage(),
+        rolling.spin(),
+        rolling.force().map(|force| force / (FRICTION * LOAD)),
+        rolling.moment(),
+        rolling.stick_ratio(),
+    );
+    let svg = support::gallery("creep_curves.svg")?;
+    let curve: stickslip::Result<Vec<_>> = (0..=60)
+        .map(|i| f64::from(i) * 5e-5)
+        .map(|xi| Ok((1e3 * xi, closed_form(xi)?)))
+        .collect();
+    draw(&svg, &rolling, &law, &curve?)?;
+    println!("\ntable: {}\nfigure: {}", csv.display(), svg.display());
+    Ok(())
+}
+
+fn steel() -> stickslip::Result<ElasticPair> {
+    let steel = Material::from_shear_modulus(82e3, 0.28)?;
+    ElasticPair::new(steel, steel)
+}
+
+/// Rolling on a grid of so many cells; the same area of any.
+fn problem(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<RollingProblem> {
+    let [dx, dy] = [0, 1].map(|axis| SIDES[axis] * (CELLS[axis] / cells[axis]) as f64);
+    let grid = Grid::new(cells[0], cells[1], dx, dy)?;
+    let bodies = HalfSpace::new(grid, steel()?)?;
+    let gap = surface::ellipsoid(grid, RADII[0], RADII[1])?;
+    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD))
+        .build()?
+        .solve()?;
+    RollingProblem::builder(&bodies, &normal, Friction::coulomb(FRICTION)?)
+        .touch_rule(touch_rule)
+        .build()
+}
+
+/// The force over the friction limit at each of CONTACT's creepages.
+fn creep_curve(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<Vec<f64>> {
+    let mut solver = problem(cells, touch_rule)?.into_solver()?;
+    let mut rolling = solver.new_solution();
+    let mut force = |(xi, _): (f64, f64)| {
+        solver.set_control([xi, 0.0].map(RollingControl::Creepage), 0.0)?;
+        solver.solve_into(&mut rolling)?;
+        Ok(rolling.force()[0] / (FRICTION * LOAD))
+    };
+    CONTACT.into_iter().map(&mut force).collect()
+}
+
+/// Rolling with both creepages and spin.
+fn combined() -> stickslip::Result<RollingSolution> {
+    let mut solver = problem(CELLS, TouchRule::Growth)?.into_solver()?;
+    let mut rolling = solver.new_solution();
+    solver.set_control(COMBINED.0.map(RollingControl::Creepage), COMBINED.1)?;
+    solver.solve_into(&mut rolling)?;
+    Ok(rolling)
+}
+
+fn draw(
+    path: &Path,
+    rolling: &RollingSolution,
+    law: &[f64],
+    closed_form: &[(f64, f64)],
+) -> Result<(), Box<dyn Error>> {
+    let title = "A steel ellipse that rolls to the right";
+    let figure = support::figure(path, (1800, 860), title)?;
+    let (left, right) = figure.split_horizontally(760);
+
+    let left = left.titled(
+        "with spin: blue sticks, orange slips, lines are tractions",
+        ("sans-serif", support::LETTERS),
+    )?;
+    let reach = [0, 1].map(|axis| 0.5 * SIDES[axis] * CELLS[axis] as f64);
+    let sight = reach.map(|reach| -reach..reach);
+    let [x, y] = sight.clone();
+    let mut chart = support::map_axes(&left, (x, "x, mm"), (y, "y, mm"))?;
+    support::maps::zones(&mut chart, rolling.grid(), rolling.zones(), 1.0, sight)?;
+    tractions(&mut chart, rolling)?;
+
+    let mut chart = support::axes(
+        &right,
+        (0.0..3.0, "creepage ξ, 0.001"),
+        (0.0..1.05, "F / µP"),
+    )?;
+    support::law(
+        &mut chart,
+        "Vermeulen and Johnson",
+        true,
+        closed_form.iter().copied(),
+    )?;
+    let points = |values: &mut dyn Iterator<Item = (f64, f64)>| -> Vec<_> {
+        values.map(|(xi, force)| (1e3 * xi, force)).collect()
+    };
+    let contact = points(&mut CONTACT.into_iter());
+    let ours = points(&mut CONTACT.iter().map(|(xi, _)| *xi).zip(law.iter().copied()));
+    support::dots(
+        &mut chart,
+        "CONTACT; the same without the law",
+        (support::ORANGE, false),
+        contact,
+    )?;
+    support::dots(
+        &mut chart,
+        "with the law of entering cells",
+        (support::BLUE, true),
+        ours,
+    )?;
+    support::legend(&mut chart, SeriesLabelPosition::LowerRight)?;
+    figure.present()?;
+    Ok(())
+}
+
+/// Tractions on body 1, each from a point in the middle of its cell.
+fn tractions(
+    chart: &mut support::Chart<'_>,
+    rolling: &RollingSolution,
+) -> Result<(), Box<dyn Error>> {
+    let (grid, [x, y]) = (rolling.grid(), rolling.traction());
+    let sizes = x
+        .as_slice()
+        .iter()
+        .zip(y.as_slice())
+        .map(|(x, y)| x.hypot(*y));
+    let largest = sizes.fold(0.0, f64::max);
+    let every = [6, 3];
+    let length = 1.2 * every[0] as f64 * grid.dx();
+    for iy in (every[1] / 2..grid.ny()).step_by(every[1]) {
+        for ix in (every[0] / 2..grid.nx()).step_by(every[0]) {
+            let traction = [x, y].map(|field| field.get(ix, iy).unwrap_or_default() / largest);
+            if traction[0].hypot(traction[1]) < 1e-3 {
+                continue;
+            }
+            let from = (grid.x(ix), grid.y(iy));
+            let to = (from.0 + length * traction[0], from.1 + length * traction[1]);
+            chart.draw_series([PathElement::new([from, to], BLACK.stroke_width(3))])?;
+            chart.draw_series([Circle::new(from, 4, BLACK.filled())])?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,204 @@
+//! Stiffness, moments and creep curves of steady rolling agree with single solves, and solves stay within their number of
+//! products.
+
+use stickslip::cgm::Settings;
+use stickslip::rolling::{RollingControl, RollingProblem, RollingProblemBuilder, SpinControl};
+use stickslip::{
+    Axis, ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, surface,
+};
+
+/// Kalker's longitudinal coefficient of a circle at a Poisson ratio of 0.25.
+const KALKER: f64 = 4.12;
+const FRICTION: f64 = 0.3;
+
+struct Scene {
+    bodies: HalfSpace,
+    normal: NormalSolution,
+    /// The creepage at which the linear theory reaches the friction limit.
+    unit: f64,
+    limit: f64,
+}
+
+impl Scene {
+    /// A sphere of contact radius one on so many cells across.
+    fn across(cells: usize) -> Self {
+        let size = cells + 6;
+        let grid = Grid::square(size, 2.0 * size as f64 / cells as f64).unwrap();
+        let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
+        let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+        let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
+        let ball = surface::sphere(grid, 1.0).unwrap();
+        let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(load));
+        let normal = normal.tolerance(1e-11).build().unwrap().solve().unwrap();
+        let limit = FRICTION * load;
+        Self {
+            bodies,
+            normal,
+            unit: limit / KALKER,
+            limit,
+        }
+    }
+
+    fn rolling(&self) -> RollingProblemBuilder<'_> {
+        let friction = Friction::coulomb(FRICTION).unwrap();
+        RollingProblem::builder(&self.bodies, &self.normal, friction)
+    }
+
+    fn at(&self, [xi, eta, spin]: [f64; 3]) -> RollingProblemBuilder<'_> {
+        let rolling = self.rolling().creepage([xi * self.unit, eta * self.unit]);
+        rolling.spin(spin * self.unit).tolerance(1e-11)
+    }
+
+    fn loads(&self, point: [f64; 3]) -> [f64; 3] {
+        let rolling = self.at(point).build().unwrap().solve().unwrap();
+        [rolling.force()[0], rolling.force()[1], rolling.moment()]
+    }
+}
+
+#[test]
+fn stiffness_is_the_slope_of_solves() {
+    let scene = Scene::across(24);
+    for point in [[0.5, 0.4, 0.5], [1.2, 0.0, 0.1], [0.1, -1.0, -0.6]] {
+        let mut solver = scene.at(point).build().unwrap().into_solver().unwrap();
+        solver.solve_into(&mut solver.new_solution()).unwrap();
+        let found = solver.stiffness().unwrap();
+        for motion in 0..3 {
+            let step = 1e-5;
+            let [before, after] = [-step, step].map(|step| {
+                let mut moved = point;
+                moved[motion] += step;
+                scene.loads(moved)
+            });
+            for load in 0..3 {
+                let slope = (after[load] - before[load]) / (2.0 * step * scene.unit);
+                let error = (found[load][motion] - slope).abs();
+                assert!(error < 1e-6, "{load} by {motion}: {error:e} of {slope}");
+            }
+        }
+    }
+}
+
+/// A contact that sticks: Kalker's coefficients, and reciprocity to what the grid leaves.
+#[test]
+fn stiffness_before_any_solve_is_of_a_contact_that_sticks() {
+    let scene = Scene::across(64);
+    let mut solver = scene.rolling().build().unwrap().into_solver().unwrap();
+    let of = solver.stiffness().unwrap();
+    for (found, expected) in [
+        (of[0][0], 4.12),
+        (of[1][1], 3.67),
+        (of[1][2], 1.47),
+        (of[2][2], 1.19),
+    ] {
+        assert!((found / expected - 1.0).abs() < 6e-3, "{found} {expected}");
+    }
+    assert!((of[1][2] + of[2][1]).abs() < 1e-2 * of[1][2]);
+    assert!(of[0][1].abs().max(of[1][0].abs()).max(of[0][2].abs()) < 1e-9);
+}
+
+#[test]
+fn a_moment_gives_back_its_spin() {
+    let scene = Scene::across(20);
+    for [xi, eta, spin] in [[0.0, 0.0, 0.5], [0.5, 0.3, -0.4], [0.2, 0.0, 3.0]] {
+        let [x, y, moment] = scene.loads([xi, eta, spin]);
+        let motions = scene.at([xi, eta, 0.0]).spin(SpinControl::Moment(moment));
+        // The forces prescribed too, the creepages follow.
+        let loads = motions.clone().control(Axis::X, RollingControl::Force(x));
+        let loads = loads.control(Axis::Y, RollingControl::Force(y));
+        for problem in [motions, loads] {
+            let found = problem.tolerance(1e-10).build().unwrap().solve().unwrap();
+            assert!(found.report().is_converged() && found.report().load_error < 1e-10);
+            let motion = [found.creepage()[0], found.creepage()[1], found.spin()];
+            for (found, expected) in motion.into_iter().zip([xi, eta, spin]) {
+                assert!(
+                    (found / scene.unit - expected).abs() < 1e-6,
+                    "{found} {expected}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn moments_that_friction_does_not_hold_are_refused() {
+    let scene = Scene::across(16);
+    // The integral of the distance over a Hertzian pressure is 3 pi/16 of load times radius.
+    let capacity = 3.0 * std::f64::consts::PI / 16.0 * scene.limit;
+    let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
+    assert!(matches!(of(1.02 * capacity), Err(Error::Below { .. })));
+    assert!(matches!(of(f64::NAN), Err(Error::NotFinite { .. })));
+    let held = of(0.97 * capacity).unwrap().solve().unwrap();
+    assert!((held.moment() / (0.97 * capacity) - 1.0).abs() < 1e-7);
+}
+
+#[test]
+fn creep_forces_are_those_of_single_solves() {
+    let scene = Scene::across(16);
+    let points = [-1.0, -0.3, 0.2, 0.9].map(|xi| [0.4, 0.0].map(|eta| [xi, eta, 0.2]));
+    let points: Vec<_> = points.into_iter().flatten().collect();
+    let solver = scene.rolling().tolerance(1e-11).build().unwrap();
+    let scaled = points
+        .iter()
+        .map(|point| point.map(|part| part * scene.unit));
+    let found = solver.into_solver().unwrap().creep_forces(scaled).unwrap();
+    assert_eq!(found.len(), points.len());
+    for (found, point) in found.iter().zip(points) {
+        let [x, y, moment] = scene.loads(point);
+        let [fx, fy] = found.force;
+        let errors = [fx - x, fy - y, found.moment - moment].map(|error| error.abs() / scene.limit);
+        assert!(errors.iter().all(|error| *error < 1e-8), "{errors:?}");
+        assert_eq!(found.spin, 0.2 * scene.unit);
+    }
+}
+
+/// A cold solve to 1e-8 takes at most 150 products on 64 cells across, whatever the force, and one after a change of one per
+/// cent about half of it.
+#[test]
+fn solves_take_few_products() {
+    let scene = Scene::across(64);
+    for [xi, eta, spin] in [
+        [0.3, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [0.5, 0.5, 0.5],
+    ] {
+        let problem = scene.at([xi, eta, spin]).tolerance(1e-8).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        let mut rolling = solver.new_solution();
+        solver.solve_into(&mut rolling).unwrap();
+        assert!(rolling.report().products() <= 150, "{}", rolling.report());
+        let creepage = [xi, eta].map(|part| RollingControl::Creepage(1.01 * part * scene.unit));
+        solver.set_control(creepage, spin * scene.unit).unwrap();
+        solver.solve_into(&mut rolling).unwrap();
+        assert!(rolling.report().products() <= 70, "{}", rolling.report());
+    }
+    for part in [0.9, 0.99, 0.999] {
+        let force = RollingControl::Force(part * scene.limit);
+        let problem = scene.rolling().control(Axis::X, force).build().unwrap();
+        let rolling = problem.solve().unwrap();
+        assert!(rolling.report().products() <= 150, "{}", rolling.report());
+    }
+}
+
+#[test]
+fn a_solve_that_was_cut_off_can_be_taken_up() {
+    let scene = Scene::across(20);
+    let point = [0.8, 0.2, 0.3];
+    let problem = scene.at(point).max_iterations(12).build().unwrap();
+    let mut solver = problem.into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    let cut = solver.solve_into(&mut rolling);
+    assert!(matches!(cut, Err(Error::NotConverged(_))) && !rolling.report().is_converged());
+    solver
+        .set_settings(Settings::default().tolerance(1e-11))
+        .unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    let [x, y, moment] = scene.loads(point);
+    let found = [
+        rolling.force()[0] - x,
+        rolling.force()[1] - y,
+        rolling.moment() - moment,
+    ];
+    assert!(found.iter().all(|error| error.abs() < 1e-9 * scene.limit));
+}
