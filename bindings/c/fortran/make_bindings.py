@@ -19,7 +19,7 @@ NUMBERS = {
 # Parameters that point to many entries; all others point to one.
 ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
-    "depths", "points", "responses", "values", "heights", "labels", "slip_distance", "centres", "means",
+    "depths", "points", "forces", "responses", "values", "heights", "labels", "slip_distance", "centres", "means",
 }
 # Members of structs whose default is not zero, as ..._default() has them; tests/reach.f90 compares the two.
 INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"
@@ -29,6 +29,7 @@ DEFAULTS = {
     ("stickslip_settings", "max_iterations"): "10000",
     ("stickslip_settings", "time_limit"): INFINITE,
     ("stickslip_tangential_options", "coupling"): "STICKSLIP_ONE_WAY",
+    ("stickslip_rolling_options", "step"): "1",
     ("stickslip_friction", "max_shear_stress"): INFINITE,
     ("stickslip_jump_limits", "largest_depth"): INFINITE,
     ("stickslip_jump_limits", "cycles_left"): INFINITE,

@@ -17,6 +17,7 @@ module stickslip
     use stickslip_normal
     use stickslip_tangential
     use stickslip_coupled
+    use stickslip_rolling
     use stickslip_histories
     use stickslip_cycles
     use stickslip_stresses

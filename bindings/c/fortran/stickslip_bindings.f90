@@ -13,6 +13,7 @@ module stickslip_bindings
     public :: stickslip_adaptive_steps_error
     public :: stickslip_hertz_sphere
     public :: stickslip_cattaneo_mindlin_sphere
+    public :: stickslip_carter_cylinder
     public :: stickslip_history_step_all
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
@@ -98,6 +99,21 @@ module stickslip_bindings
     public :: stickslip_planes_solve_observed
     public :: stickslip_planes_field
     public :: stickslip_planes_measure
+    public :: stickslip_rolling_options_default
+    public :: stickslip_rolling_solver_new
+    public :: stickslip_rolling_solver_free
+    public :: stickslip_rolling_solver_set_load
+    public :: stickslip_rolling_solver_set_settings
+    public :: stickslip_rolling_solver_solve
+    public :: stickslip_rolling_solver_stiffness
+    public :: stickslip_rolling_solver_creep_forces
+    public :: stickslip_rolling_solution_new
+    public :: stickslip_rolling_solution_free
+    public :: stickslip_rolling_solution_field
+    public :: stickslip_rolling_solution_zones
+    public :: stickslip_rolling_solution_dissipation
+    public :: stickslip_rolling_solution_result
+    public :: stickslip_rolling_solution_report
     public :: stickslip_self_affine_default
     public :: stickslip_surface_self_affine
     public :: stickslip_surface_self_affine_observed
@@ -301,6 +317,21 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LENGTH = 384
+    ! A creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
+    integer(c_int32_t), parameter, public :: STICKSLIP_CREEPAGE = 0
+    ! A spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
+    ! length, positive from x to y).
+    integer(c_int32_t), parameter, public :: STICKSLIP_SPIN = 0
+    ! The moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+    integer(c_int32_t), parameter, public :: STICKSLIP_MOMENT = 5
+    ! Particles enter the contact at the largest x (default).
+    integer(c_int32_t), parameter, public :: STICKSLIP_PLUS_X = 0
+    ! At the smallest x.
+    integer(c_int32_t), parameter, public :: STICKSLIP_MINUS_X = 1
+    ! At the largest y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_PLUS_Y = 2
+    ! At the smallest y.
+    integer(c_int32_t), parameter, public :: STICKSLIP_MINUS_Y = 3
     ! Each wave has the amplitude of the spectrum, and only its phase is random (default).
     integer(c_int32_t), parameter, public :: STICKSLIP_EXACT = 0
     ! The amplitudes are random too, as of filtered white noise.
@@ -467,6 +498,17 @@ module stickslip_bindings
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_planes
 
+    ! Traction, slip and creepage of steady rolling. Its fields are read without a copy, and are valid until the next solve
+    ! into it, or until it is freed.
+    type, bind(c), public :: stickslip_rolling_solution
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_rolling_solution
+
+    ! Solves steady rolling for one creepage, force or spin after the other, each from the last answer.
+    type, bind(c), public :: stickslip_rolling_solver
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_rolling_solver
+
     ! A state of a history, to which it may return: gap, friction and settings are part of it.
     type, bind(c), public :: stickslip_state
         type(c_ptr) :: address = c_null_ptr
@@ -562,6 +604,22 @@ module stickslip_bindings
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_cattaneo_mindlin
+
+    ! A cylinder that rolls steadily on a plane with longitudinal creepage, in plane strain, by Carter.
+    type, bind(c), public :: stickslip_carter
+        ! Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+        real(c_double) :: half_width = 0
+        ! Pressure at the centre: p0 = 2 P/(pi a).
+        real(c_double) :: max_pressure = 0
+        ! The creepage from which on the whole contact slips (dimensionless): 2 mu p0/E*.
+        real(c_double) :: sliding_creepage = 0
+        ! Half-width of the strip that sticks, at the leading edge x = a (a length): c = a (1 - |creepage|/sliding_creepage).
+        real(c_double) :: stick_half_width = 0
+        ! Tangential force on body 1 (a force per length), with the sign of the creepage: mu P (1 - c^2/a^2).
+        real(c_double) :: force = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_carter
 
     ! A quantity of all cells: one value, or one for each.
     type, bind(c), public :: stickslip_per_cell
@@ -993,6 +1051,87 @@ module stickslip_bindings
         integer(c_size_t) :: count = 0
     end type stickslip_tractions
 
+    ! Options of a rolling solver; stickslip_rolling_options_default() has the defaults.
+    type, bind(c), public :: stickslip_rolling_options
+        ! STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+        integer(c_int32_t) :: leading_edge = 0
+        ! How cells that enter the contact follow the motion: STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
+        integer(c_int32_t) :: touch_rule = 0
+        ! Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+        integer(c_size_t) :: step = 1
+        ! Method, tolerance and limits.
+        type(stickslip_settings) :: settings
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_options
+
+    ! What is prescribed of rolling bodies along an axis, or of their rotation.
+    type, bind(c), public :: stickslip_rolling_control
+        ! Along an axis STICKSLIP_CREEPAGE or STICKSLIP_FORCE, of the rotation STICKSLIP_SPIN or STICKSLIP_MOMENT.
+        integer(c_int32_t) :: kind = 0
+        ! The creepage or the force that body 2 exerts on body 1, less than friction holds; the spin or the moment.
+        real(c_double) :: value = 0
+    end type stickslip_rolling_control
+
+    ! What is prescribed of rolling bodies. All zero: no creepage and no spin.
+    type, bind(c), public :: stickslip_rolling_load
+        ! Along x.
+        type(stickslip_rolling_control) :: x
+        ! Along y.
+        type(stickslip_rolling_control) :: y
+        ! The spin or the moment.
+        type(stickslip_rolling_control) :: spin
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_load
+
+    ! How forces and moment follow creepages and spin.
+    type, bind(c), public :: stickslip_rolling_stiffness
+        ! Slopes of the forces along x and y and of the moment (rows) by the creepages along x and y and the spin (columns).
+        ! In C slopes[row, column]. Forces; with the spin forces times lengths, in the row of the moment once more times a
+        ! length.
+        real(c_double) :: slopes(3, 3) = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_stiffness
+
+    ! Creepages and spin: a point of a creep curve or a creep surface.
+    type, bind(c), public :: stickslip_creep_point
+        ! The creepages along x and y (dimensionless).
+        real(c_double) :: creepage(2) = 0
+        ! The spin (one over a length).
+        real(c_double) :: spin = 0
+    end type stickslip_creep_point
+
+    ! The loads that creepages and spin cause.
+    type, bind(c), public :: stickslip_creep_force
+        ! Tangential force on body 1 along x and y.
+        real(c_double) :: force(2) = 0
+        ! Moment on body 1 about the origin of the grid (a force times a length).
+        real(c_double) :: moment = 0
+        ! Stick cells over contact cells.
+        real(c_double) :: stick_ratio = 0
+    end type stickslip_creep_force
+
+    ! Numbers of a rolling contact.
+    type, bind(c), public :: stickslip_rolling_result
+        ! The creepages along x and y, prescribed or caused by the forces (dimensionless).
+        real(c_double) :: creepage(2) = 0
+        ! The spin, prescribed or caused by the moment (one over a length).
+        real(c_double) :: spin = 0
+        ! Tangential force that body 2 exerts on body 1.
+        real(c_double) :: force(2) = 0
+        ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
+        real(c_double) :: moment = 0
+        ! Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
+        ! dissipated; between others the pressure does work as well, which is not in it.
+        real(c_double) :: work = 0
+        ! Stick cells over contact cells.
+        real(c_double) :: stick_ratio = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_result
+
     ! A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
     ! lengths. A spectrum constant from the longest wavelength to the roll-off falls with the wave number q as q^(-2 - 2 H) from
     ! there to the cut-off.
@@ -1173,6 +1312,19 @@ module stickslip_bindings
             type(stickslip_cattaneo_mindlin), intent(out), optional :: found
             integer(c_int32_t) :: answer
         end function stickslip_cattaneo_mindlin_sphere
+
+        ! Carter's contact of a cylinder of this radius under this force per length, with a coefficient of friction, at a creepage
+        ! of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs' beta is not zero.
+        function stickslip_carter_cylinder(half_space, radius, force, friction, creepage, found) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            real(c_double), value :: radius
+            real(c_double), value :: force
+            real(c_double), value :: friction
+            real(c_double), value :: creepage
+            type(stickslip_carter), intent(out), optional :: found
+            integer(c_int32_t) :: answer
+        end function stickslip_carter_cylinder
 
         ! Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
         ! Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
@@ -1974,6 +2126,143 @@ module stickslip_bindings
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
         end function stickslip_planes_measure
+
+        ! The options that rolling solvers have by default.
+        function stickslip_rolling_options_default() result(answer) bind(c)
+            import
+            type(stickslip_rolling_options) :: answer
+        end function stickslip_rolling_options_default
+
+        ! Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
+        ! the contact, else STICKSLIP_BELOW. load (no creepage, no spin) and options (the defaults) may be NULL.
+        function stickslip_rolling_solver_new(half_space, normal, friction, load, options, &
+            solver) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            type(stickslip_normal_solution), value :: normal
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_rolling_load), intent(in), optional :: load
+            type(stickslip_rolling_options), intent(in), optional :: options
+            type(stickslip_rolling_solver), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_new
+
+        ! Frees a solver; nothing for NULL.
+        function stickslip_rolling_solver_free(solver) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_free
+
+        ! Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force and STICKSLIP_BELOW for a
+        ! moment that friction does not hold, or holds only by sliding.
+        function stickslip_rolling_solver_set_load(solver, load) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_rolling_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_load
+
+        ! Changes method, tolerance and limits of the next solve.
+        function stickslip_rolling_solver_set_settings(solver, settings) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_settings
+
+        ! Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
+        !
+        ! With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+        ! as it was.
+        function stickslip_rolling_solver_solve(solver, solution, observer) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_rolling_solution), value :: solution
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_solve
+
+        ! The slopes of the loads about the last answer. Cells that stick follow, cells that slip stay at their limits; before the
+        ! first solve all cells stick: these are Kalker's coefficients, times G a b and lengths.
+        function stickslip_rolling_solver_stiffness(solver, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_rolling_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_stiffness
+
+        ! The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
+        ! should be neighbours in the plane. The last point stays prescribed. If one fails forces are as they were, and the points
+        ! before it are solved.
+        function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_creep_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_creep_force), intent(inout), optional :: forces(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_creep_forces
+
+        ! Makes an empty solution of the right size for a solver.
+        function stickslip_rolling_solution_new(solver, solution) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_rolling_solution), intent(out) :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_new
+
+        ! Frees a solution; nothing for NULL.
+        function stickslip_rolling_solution_free(solution) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_free
+
+        ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
+        ! The slip is that for each length rolled (dimensionless), over the step that brought the particles to their cells.
+        function stickslip_rolling_solution_field(solution, which, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_rolling_solution_field
+
+        ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        function stickslip_rolling_solution_zones(solution, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_rolling_solution_zones
+
+        ! Energy that slip dissipates in each cell for each length rolled (a pressure), written to values, which has count
+        ! entries: what wear follows. Between bodies of the same material its integral is less than the work by a part that falls
+        ! with the size of the cells.
+        function stickslip_rolling_solution_dissipation(solution, values, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            real(c_double), intent(inout) :: values(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_dissipation
+
+        ! The numbers of the contact.
+        function stickslip_rolling_solution_result(solution, result) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            type(stickslip_rolling_result), intent(out), optional :: result
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_result
+
+        ! How it was solved.
+        function stickslip_rolling_solution_report(solution, report) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            type(stickslip_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_report
 
         ! The options of a self-affine surface by default; height or slope is to be given.
         function stickslip_self_affine_default() result(answer) bind(c)

@@ -272,6 +272,28 @@
 // Bytes of the message of a warning.
 #define STICKSLIP_WARNING_LENGTH 384
 
+// A creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
+#define STICKSLIP_CREEPAGE 0
+
+// A spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
+// length, positive from x to y).
+#define STICKSLIP_SPIN 0
+
+// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+#define STICKSLIP_MOMENT 5
+
+// Particles enter the contact at the largest x (default).
+#define STICKSLIP_PLUS_X 0
+
+// At the smallest x.
+#define STICKSLIP_MINUS_X 1
+
+// At the largest y.
+#define STICKSLIP_PLUS_Y 2
+
+// At the smallest y.
+#define STICKSLIP_MINUS_Y 3
+
 // Each wave has the amplitude of the spectrum, and only its phase is random (default).
 #define STICKSLIP_EXACT 0
 
@@ -473,6 +495,13 @@ typedef struct stickslip_normal_solver stickslip_normal_solver;
 // valid until the next solve, or until it is freed.
 typedef struct stickslip_planes stickslip_planes;
 
+// Traction, slip and creepage of steady rolling. Its fields are read without a copy, and are valid until the next solve
+// into it, or until it is freed.
+typedef struct stickslip_rolling_solution stickslip_rolling_solution;
+
+// Solves steady rolling for one creepage, force or spin after the other, each from the last answer.
+typedef struct stickslip_rolling_solver stickslip_rolling_solver;
+
 // A state of a history, to which it may return: gap, friction and settings are part of it.
 typedef struct stickslip_state stickslip_state;
 
@@ -565,6 +594,22 @@ typedef struct {
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_cattaneo_mindlin;
+
+// A cylinder that rolls steadily on a plane with longitudinal creepage, in plane strain, by Carter.
+typedef struct {
+    // Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+    double half_width;
+    // Pressure at the centre: p0 = 2 P/(pi a).
+    double max_pressure;
+    // The creepage from which on the whole contact slips (dimensionless): 2 mu p0/E*.
+    double sliding_creepage;
+    // Half-width of the strip that sticks, at the leading edge x = a (a length): c = a (1 - |creepage|/sliding_creepage).
+    double stick_half_width;
+    // Tangential force on body 1 (a force per length), with the sign of the creepage: mu P (1 - c^2/a^2).
+    double force;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_carter;
 
 // A quantity of all cells: one value, or one for each.
 typedef struct {
@@ -1001,6 +1046,87 @@ typedef struct {
     size_t count;
 } stickslip_tractions;
 
+// Options of a rolling solver; stickslip_rolling_options_default() has the defaults.
+typedef struct {
+    // STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    int32_t leading_edge;
+    // How cells that enter the contact follow the motion: STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
+    int32_t touch_rule;
+    // Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+    size_t step;
+    // Method, tolerance and limits.
+    stickslip_settings settings;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_options;
+
+// What is prescribed of rolling bodies along an axis, or of their rotation.
+typedef struct {
+    // Along an axis STICKSLIP_CREEPAGE or STICKSLIP_FORCE, of the rotation STICKSLIP_SPIN or STICKSLIP_MOMENT.
+    int32_t kind;
+    // The creepage or the force that body 2 exerts on body 1, less than friction holds; the spin or the moment.
+    double value;
+} stickslip_rolling_control;
+
+// What is prescribed of rolling bodies. All zero: no creepage and no spin.
+typedef struct {
+    // Along x.
+    stickslip_rolling_control x;
+    // Along y.
+    stickslip_rolling_control y;
+    // The spin or the moment.
+    stickslip_rolling_control spin;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_load;
+
+// How forces and moment follow creepages and spin.
+typedef struct {
+    // Slopes of the forces along x and y and of the moment (rows) by the creepages along x and y and the spin (columns).
+    // In C slopes[row, column]. Forces; with the spin forces times lengths, in the row of the moment once more times a
+    // length.
+    double slopes[3][3];
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_stiffness;
+
+// Creepages and spin: a point of a creep curve or a creep surface.
+typedef struct {
+    // The creepages along x and y (dimensionless).
+    double creepage[2];
+    // The spin (one over a length).
+    double spin;
+} stickslip_creep_point;
+
+// The loads that creepages and spin cause.
+typedef struct {
+    // Tangential force on body 1 along x and y.
+    double force[2];
+    // Moment on body 1 about the origin of the grid (a force times a length).
+    double moment;
+    // Stick cells over contact cells.
+    double stick_ratio;
+} stickslip_creep_force;
+
+// Numbers of a rolling contact.
+typedef struct {
+    // The creepages along x and y, prescribed or caused by the forces (dimensionless).
+    double creepage[2];
+    // The spin, prescribed or caused by the moment (one over a length).
+    double spin;
+    // Tangential force that body 2 exerts on body 1.
+    double force[2];
+    // Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
+    double moment;
+    // Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
+    // dissipated; between others the pressure does work as well, which is not in it.
+    double work;
+    // Stick cells over contact cells.
+    double stick_ratio;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_result;
+
 // A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
 // lengths. A spectrum constant from the longest wavelength to the roll-off falls with the wave number q as q^(-2 - 2 H) from
 // there to the cut-off.
@@ -1159,6 +1285,15 @@ stickslip_status stickslip_cattaneo_mindlin_sphere(const stickslip_half_space *h
                                                    double friction,
                                                    double tangential_force,
                                                    stickslip_cattaneo_mindlin *found);
+
+// Carter's contact of a cylinder of this radius under this force per length, with a coefficient of friction, at a creepage
+// of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs' beta is not zero.
+stickslip_status stickslip_carter_cylinder(const stickslip_half_space *half_space,
+                                           double radius,
+                                           double force,
+                                           double friction,
+                                           double creepage,
+                                           stickslip_carter *found);
 
 // Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
 // Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
@@ -1581,6 +1716,82 @@ const double *stickslip_planes_field(const stickslip_planes *planes, int32_t whi
 // Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
 // values, which has count entries.
 stickslip_status stickslip_planes_measure(const stickslip_planes *planes, int32_t which, double *values, size_t count);
+
+// The options that rolling solvers have by default.
+stickslip_rolling_options stickslip_rolling_options_default(void);
+
+// Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
+// the contact, else STICKSLIP_BELOW. load (no creepage, no spin) and options (the defaults) may be NULL.
+stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_space,
+                                              const stickslip_normal_solution *normal,
+                                              const stickslip_friction *friction,
+                                              const stickslip_rolling_load *load,
+                                              const stickslip_rolling_options *options,
+                                              stickslip_rolling_solver **solver);
+
+// Frees a solver; nothing for NULL.
+stickslip_status stickslip_rolling_solver_free(stickslip_rolling_solver *solver);
+
+// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force and STICKSLIP_BELOW for a
+// moment that friction does not hold, or holds only by sliding.
+stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *solver,
+                                                   const stickslip_rolling_load *load);
+
+// Changes method, tolerance and limits of the next solve.
+stickslip_status stickslip_rolling_solver_set_settings(stickslip_rolling_solver *solver,
+                                                       const stickslip_settings *settings);
+
+// Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
+//
+// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
+// as it was.
+stickslip_status stickslip_rolling_solver_solve(stickslip_rolling_solver *solver,
+                                                stickslip_rolling_solution *solution,
+                                                const stickslip_observer *observer);
+
+// The slopes of the loads about the last answer. Cells that stick follow, cells that slip stay at their limits; before the
+// first solve all cells stick: these are Kalker's coefficients, times G a b and lengths.
+stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *solver,
+                                                    stickslip_rolling_stiffness *stiffness);
+
+// The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
+// should be neighbours in the plane. The last point stays prescribed. If one fails forces are as they were, and the points
+// before it are solved.
+stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver *solver,
+                                                       const stickslip_creep_point *points,
+                                                       size_t count,
+                                                       stickslip_creep_force *forces);
+
+// Makes an empty solution of the right size for a solver.
+stickslip_status stickslip_rolling_solution_new(const stickslip_rolling_solver *solver,
+                                                stickslip_rolling_solution **solution);
+
+// Frees a solution; nothing for NULL.
+stickslip_status stickslip_rolling_solution_free(stickslip_rolling_solution *solution);
+
+// STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
+// The slip is that for each length rolled (dimensionless), over the step that brought the particles to their cells.
+const double *stickslip_rolling_solution_field(const stickslip_rolling_solution *solution,
+                                               int32_t which,
+                                               size_t *count);
+
+// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+const uint8_t *stickslip_rolling_solution_zones(const stickslip_rolling_solution *solution, size_t *count);
+
+// Energy that slip dissipates in each cell for each length rolled (a pressure), written to values, which has count
+// entries: what wear follows. Between bodies of the same material its integral is less than the work by a part that falls
+// with the size of the cells.
+stickslip_status stickslip_rolling_solution_dissipation(const stickslip_rolling_solution *solution,
+                                                        double *values,
+                                                        size_t count);
+
+// The numbers of the contact.
+stickslip_status stickslip_rolling_solution_result(const stickslip_rolling_solution *solution,
+                                                   stickslip_rolling_result *result);
+
+// How it was solved.
+stickslip_status stickslip_rolling_solution_report(const stickslip_rolling_solution *solution,
+                                                   stickslip_report *report);
 
 // The options of a self-affine surface by default; height or slope is to be given.
 stickslip_self_affine stickslip_self_affine_default(void);

@@ -14,6 +14,7 @@
 #include "stickslip/normal.hpp"
 #include "stickslip/tangential.hpp"
 #include "stickslip/coupled.hpp"
+#include "stickslip/rolling.hpp"
 #include "stickslip/history.hpp"
 #include "stickslip/paths.hpp"
 #include "stickslip/stress.hpp"

@@ -43,8 +43,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
         let place = Place::new("steps", steps)?;
         let history = reading(history)?;
         let made = AdaptiveSteps::new(&history, tolerance)?;
-        give(place, made, history.grid().cells());
-        Ok(())
+        give(place, made, history.grid().cells())
     })
 }
 

@@ -1,6 +1,6 @@
 //! Closed forms, to check results by.
 
-use stickslip_rs::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip_rs::analytical::{Carter, CattaneoMindlin, HertzLine, HertzSphere};
 
 use crate::half_space::stickslip_half_space;
 use crate::reading::tell;
@@ -88,6 +88,52 @@ pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
                 stick_radius: own.stick_radius(),
                 shift: own.shift(),
                 dissipated_energy: own.energy_of_first_quarter(),
+                reserved: [0; 8],
+            })
+        })
+    }
+}
+
+/// A cylinder that rolls steadily on a plane with longitudinal creepage, in plane strain, by Carter.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_carter {
+    /// Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+    pub half_width: f64,
+    /// Pressure at the centre: p0 = 2 P/(pi a).
+    pub max_pressure: f64,
+    /// The creepage from which on the whole contact slips (dimensionless): 2 mu p0/E*.
+    pub sliding_creepage: f64,
+    /// Half-width of the strip that sticks, at the leading edge x = a (a length): c = a (1 - |creepage|/sliding_creepage).
+    pub stick_half_width: f64,
+    /// Tangential force on body 1 (a force per length), with the sign of the creepage: mu P (1 - c^2/a^2).
+    pub force: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+/// Carter's contact of a cylinder of this radius under this force per length, with a coefficient of friction, at a creepage
+/// of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs' beta is not zero.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_carter_cylinder(
+    half_space: *const stickslip_half_space,
+    radius: f64,
+    force: f64,
+    friction: f64,
+    creepage: f64,
+    found: *mut stickslip_carter,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(half_space, ("found", found), |of| {
+            let hertz = HertzLine::new(of.pair(), radius, force)?;
+            let own = Carter::new(hertz, friction, creepage)?;
+            Ok(stickslip_carter {
+                half_width: hertz.half_width(),
+                max_pressure: hertz.max_pressure(),
+                sliding_creepage: own.sliding_creepage(),
+                stick_half_width: own.stick_half_width(),
+                force: own.force(),
                 reserved: [0; 8],
             })
         })

@@ -109,8 +109,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells());
-        Ok(())
+        give(place, Solver { own, grid }, grid.cells())
     })
 }
 
@@ -188,7 +187,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe { solver::reset(solver) }
+    unsafe { solver::reset(solver, CoupledSolver::reset) }
 }
 
 /// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With

@@ -78,8 +78,7 @@ pub unsafe extern "C" fn stickslip_cycle_new(
     call_on(history, || unsafe {
         let place = Place::new("cycle", cycle)?;
         let history = reading(history)?;
-        give(place, Cycle::try_new(&history)?, history.grid().cells());
-        Ok(())
+        give(place, Cycle::try_new(&history)?, history.grid().cells())
     })
 }
 

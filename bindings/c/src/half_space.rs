@@ -61,8 +61,7 @@ pub unsafe extern "C" fn stickslip_half_space_new(
         let grid = grid.checked()?;
         let make = || HalfSpace::with_boundary(grid, pair, boundary);
         let bodies = enter(grid.cells(), make)?;
-        give(place, bodies, grid.cells());
-        Ok(())
+        give(place, bodies, grid.cells())
     })
 }
 

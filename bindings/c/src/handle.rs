@@ -4,6 +4,8 @@ use std::cell::UnsafeCell;
 use std::ops::{Deref, DerefMut};
 use std::sync::atomic::{AtomicIsize, Ordering};
 
+use stickslip_rs::Error;
+
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::pointer::{Place, input};
@@ -136,14 +138,22 @@ macro_rules! opaque {
 pub(crate) use opaque;
 
 /// Hands a new object over to C, with the number of cells of its grid.
-pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usize) {
-    let object = Box::new(T::from(Handle {
+pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usize) -> Outcome {
+    let object = T::from(Handle {
         users: AtomicIsize::new(0),
         cells,
         spare: Spare::default(),
         value: UnsafeCell::new(value),
-    }));
-    place.put(Box::into_raw(object));
+    });
+    // A slice of one, since a box aborts where memory runs out; it is freed as a box of the object, whose layout it has.
+    let mut one = Vec::new();
+    one.try_reserve_exact(1).map_err(|_| Error::Memory {
+        quantity: T::NAME,
+        bytes: size_of::<T>() as u128,
+    })?;
+    one.push(object);
+    place.put(Box::into_raw(one.into_boxed_slice()).cast());
+    Ok(())
 }
 
 /// Cells of the grid of an object, whoever uses it; none without one.

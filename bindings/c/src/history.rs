@@ -121,8 +121,7 @@ pub unsafe extern "C" fn stickslip_history_new(
             }
         }
         let made = builder.build()?;
-        give(place, made, grid.cells());
-        Ok(())
+        give(place, made, grid.cells())
     })
 }
 
@@ -134,7 +133,7 @@ fn axis(value: i32) -> Outcome<Axis> {
     }
 }
 
-fn touch_rule(value: i32) -> Outcome<TouchRule> {
+pub(crate) fn touch_rule(value: i32) -> Outcome<TouchRule> {
     match value {
         STICKSLIP_GROWTH => Ok(TouchRule::Growth),
         STICKSLIP_WHOLE_STEP => Ok(TouchRule::WholeStep),
@@ -152,8 +151,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
     call_on(history, || unsafe {
         let place = Place::new("copy", copy)?;
         let history = reading(history)?;
-        give(place, history.try_clone()?, history.grid().cells());
-        Ok(())
+        give(place, history.try_clone()?, history.grid().cells())
     })
 }
 

@@ -31,6 +31,7 @@ mod pointer;
 mod reading;
 mod reserved;
 pub mod results;
+pub mod rolling;
 pub mod roughness;
 mod solver;
 mod spare;

@@ -67,8 +67,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
         }
         let problem = problem.build()?;
         let own = problem.into_solver()?;
-        give(place, Solver { own, grid }, grid.cells());
-        Ok(())
+        give(place, Solver { own, grid }, grid.cells())
     })
 }
 
@@ -121,7 +120,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_reset(
     solver: *mut stickslip_normal_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe { solver::reset(solver) }
+    unsafe { solver::reset(solver, NormalSolver::reset) }
 }
 
 /// Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.

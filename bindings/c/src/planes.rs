@@ -56,8 +56,7 @@ pub unsafe extern "C" fn stickslip_planes_new(
             own = own.with_displacements();
         }
         let last = None;
-        give(place, Solved { own, grid, last }, grid.cells());
-        Ok(())
+        give(place, Solved { own, grid, last }, grid.cells())
     })
 }
 

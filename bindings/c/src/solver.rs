@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use stickslip_rs::cgm::Settings;
+use stickslip_rs::rolling::{RollingSolution, RollingSolver};
 use stickslip_rs::{
     CoupledSolution, CoupledSolver, Field, Friction, Grid, Iteration, NormalSolution, NormalSolver,
     Result, TangentialSolution, TangentialSolver,
@@ -27,7 +28,6 @@ pub(crate) trait Solve {
     type Solution;
 
     fn set_settings(&mut self, settings: Settings) -> Result<()>;
-    fn reset(&mut self);
     fn new_solution(&self) -> Result<Self::Solution>;
     fn solve_observed(
         &mut self,
@@ -43,10 +43,6 @@ macro_rules! solve {
 
             fn set_settings(&mut self, settings: Settings) -> Result<()> {
                 self.set_settings(settings)
-            }
-
-            fn reset(&mut self) {
-                self.reset();
             }
 
             fn new_solution(&self) -> Result<$solution> {
@@ -68,6 +64,7 @@ solve! {
     NormalSolver => NormalSolution,
     TangentialSolver => TangentialSolution,
     CoupledSolver => CoupledSolution,
+    RollingSolver => RollingSolution,
 }
 
 /// Changes a solver by a struct of C, which is checked first.
@@ -141,12 +138,13 @@ pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
 ///
 /// # Safety
 /// The rule for pointers.
-pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S: Solve>(
+pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
+    forget: impl FnOnce(&mut S),
 ) -> stickslip_status {
     // SAFETY: as of this function.
     call_on(solver, || unsafe {
-        changing(solver)?.own.reset();
+        forget(&mut changing(solver)?.own);
         Ok(())
     })
 }
@@ -168,8 +166,7 @@ where
     call_on(solver, || unsafe {
         let place = Place::new("solution", solution)?;
         let solver = reading(solver)?;
-        give(place, solver.own.new_solution()?, solver.grid.cells());
-        Ok(())
+        give(place, solver.own.new_solution()?, solver.grid.cells())
     })
 }
 

@@ -26,8 +26,7 @@ pub unsafe extern "C" fn stickslip_state_new(
     call_on(history, || unsafe {
         let place = Place::new("state", state)?;
         let history = reading(history)?;
-        give(place, history.state().try_clone()?, history.grid().cells());
-        Ok(())
+        give(place, history.state().try_clone()?, history.grid().cells())
     })
 }
 
@@ -106,7 +105,6 @@ pub unsafe extern "C" fn stickslip_history_from_bytes(
         let place = Place::new("history", history)?;
         let (bodies, bytes) = (reading(half_space)?, entries("bytes", bytes, length)?);
         let made = History::from_bytes(&bodies, bytes)?;
-        give(place, made, bodies.grid().cells());
-        Ok(())
+        give(place, made, bodies.grid().cells())
     })
 }

@@ -140,8 +140,7 @@ unsafe fn new(
     }
     let problem = problem.build()?;
     let own = problem.into_solver()?;
-    give(place, Solver { own, grid }, grid.cells());
-    Ok(())
+    give(place, Solver { own, grid }, grid.cells())
 }
 
 /// Frees a solver; nothing for NULL.
@@ -234,7 +233,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
-    unsafe { solver::reset(solver) }
+    unsafe { solver::reset(solver, TangentialSolver::reset) }
 }
 
 /// The largest tangential force that friction holds.

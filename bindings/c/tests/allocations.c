@@ -112,6 +112,15 @@ static void solvers(const stickslip_half_space *bodies) {
     OK(stickslip_tangential_solver_new(bodies, pressed, &friction, &DRAG, NULL, &shearer));
     OK(stickslip_tangential_solution_new(shearer, &sheared));
     EXPECT(0, stickslip_tangential_solver_solve(shearer, sheared, NULL));
+    stickslip_rolling_solver *roller = NULL;
+    stickslip_rolling_solution *rolled = NULL;
+    stickslip_rolling_load creepage = {{STICKSLIP_CREEPAGE, 1e-4}, {0}, {0}};
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, NULL, NULL, &roller));
+    OK(stickslip_rolling_solution_new(roller, &rolled));
+    EXPECT(0, stickslip_rolling_solver_set_load(roller, &creepage));
+    EXPECT(0, stickslip_rolling_solver_solve(roller, rolled, NULL));
+    OK(stickslip_rolling_solver_free(roller));
+    OK(stickslip_rolling_solution_free(rolled));
     size_t count = 0;
     const double *pressure = stickslip_normal_solution_field(pressed, STICKSLIP_PRESSURE, &count);
     EXPECT(0, stickslip_tangential_solver_set_pressure(shearer, pressure, count));

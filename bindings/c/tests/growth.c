@@ -45,6 +45,14 @@ static void sizes_stay(void) {
     SIZE(stickslip_point, 24);
     SIZE(stickslip_response, 104);
     SIZE(stickslip_tangential_options, 176);
+    SIZE(stickslip_rolling_control, 16);
+    SIZE(stickslip_rolling_load, 112);
+    SIZE(stickslip_rolling_options, 176);
+    SIZE(stickslip_rolling_stiffness, 136);
+    SIZE(stickslip_rolling_result, 128);
+    SIZE(stickslip_creep_point, 24);
+    SIZE(stickslip_creep_force, 32);
+    SIZE(stickslip_carter, 104);
     SIZE(stickslip_jump_limits, 88);
     SIZE(stickslip_spot, 136);
 }

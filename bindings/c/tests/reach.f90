@@ -13,6 +13,7 @@ program reach
     call defaults()
     call shapes()
     call contacts()
+    call rolling()
     call dissimilar()
     call histories()
     if (.not. good) error stop 1
@@ -48,6 +49,7 @@ contains
         type(stickslip_settings) :: settings
         type(stickslip_history_options) :: history
         type(stickslip_tangential_options) :: tangential
+        type(stickslip_rolling_options) :: rolling
         type(stickslip_self_affine) :: surface
         type(stickslip_jump_limits) :: limits
         integer(c_int8_t), parameter :: mold(1) = 0
@@ -62,6 +64,10 @@ contains
         end associate
         associate (other => stickslip_tangential_options_default())
             call check(all([tangential%model, tangential%coupling] == [other%model, other%coupling]), 'options')
+        end associate
+        associate (other => stickslip_rolling_options_default())
+            call check(all([rolling%leading_edge, rolling%touch_rule] == [other%leading_edge, other%touch_rule]) .and. &
+                rolling%step == other%step, 'options of rolling')
         end associate
         call check(all(transfer(surface, mold) == transfer(stickslip_self_affine_default(), mold)), 'surface')
         associate (none => stickslip_friction(coefficient=stickslip_per_cell(0.5d0)), other => stickslip_coulomb(0.5d0))
@@ -194,6 +200,76 @@ contains
         if (status == STICKSLIP_OK) call presser%solve(pressed, status=status)
         call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
     end subroutine contacts
+
+    ! A ball that rolls, by creepages and by loads, and Carter's cylinder.
+    subroutine rolling()
+        type(half_space) :: bodies
+        type(normal_solver) :: presser
+        type(normal_solution) :: pressed
+        type(rolling_solver) :: roller
+        type(rolling_solution) :: rolled
+        type(stickslip_hertz) :: hertz
+        type(stickslip_carter) :: carter
+        type(stickslip_report) :: report
+        type(stickslip_rolling_stiffness) :: stiffness
+        type(stickslip_rolling_result) :: by_motion, by_load
+        type(stickslip_creep_point) :: points(3)
+        type(stickslip_creep_force), allocatable :: forces(:)
+        type(c_ptr) :: before
+        real(c_double) :: lost(nx, ny), turned(ny, nx), unit
+        real(c_double), pointer :: traction(:, :)
+        integer(c_int8_t), pointer :: zones(:, :)
+        integer(c_int32_t) :: status
+        call bodies%new(grid, steel, steel)
+        status = stickslip_carter_cylinder(bodies%handle, 10d0, 100d0, 0.3d0, 0d0, carter)
+        unit = carter%sliding_creepage
+        if (status == STICKSLIP_OK) status = stickslip_carter_cylinder(bodies%handle, 10d0, 100d0, 0.3d0, -0.4d0 * unit, &
+            carter)
+        call check(status == STICKSLIP_OK .and. abs(carter%force + 0.64d0 * 30) < 1d-10, 'the force of Carter')
+
+        call presser%new(bodies, ball(), stickslip_normal_load(STICKSLIP_FORCE, 100))
+        call presser%solve(pressed)
+        call roller%new(bodies, pressed, stickslip_coulomb(0.3d0))
+        stiffness = roller%stiffness()
+        status = stickslip_hertz_sphere(bodies%handle, radius, 100d0, hertz)
+        unit = steel%youngs_modulus / (2 + 2 * steel%poisson_ratio) * hertz%contact_radius**2
+        call check(abs(stiffness%slopes(1, 1) / unit / 4.31d0 - 1) < 0.03d0, 'the coefficient C11 of Kalker')
+        ! The row of the lateral force and the column of the spin, and the other way round.
+        call check(stiffness%slopes(3, 2) * stiffness%slopes(2, 3) < 0, 'forces by spin')
+
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3), &
+            spin=stickslip_rolling_control(value=1d-3)))
+        call roller%solve(rolled)
+        by_motion = rolled%result()
+        report = rolled%report()
+        call check(report%status == STICKSLIP_CONVERGED .and. abs(by_motion%spin - 1d-3) <= 0, 'rolling by creepage')
+        call roller%set_load(stickslip_rolling_load(stickslip_rolling_control(STICKSLIP_FORCE, by_motion%force(1)), &
+            spin=stickslip_rolling_control(STICKSLIP_MOMENT, by_motion%moment)))
+        call roller%solve(rolled)
+        by_load = rolled%result()
+        call check(abs(by_load%force(1) / by_motion%force(1) - 1) < 1d-8, 'rolling by force')
+        call check(abs(by_load%creepage(1) / 1d-3 - 1) < 1d-4 .and. abs(by_load%spin / 1d-3 - 1) < 1d-4, 'its motion')
+        zones => rolled%zones()
+        traction => rolled%field(STICKSLIP_TRACTION_X)
+        call rolled%dissipation(lost)
+        call check(all((lost > 0) .eqv. (lost > 0 .and. zones == STICKSLIP_SLIP)) .and. maxval(lost) > 0, 'dissipation')
+        call check(abs(sum(traction) * grid%dx * grid%dy / by_load%force(1) - 1) < 1d-12, 'the traction')
+        call rolled%dissipation(turned, status)
+        call check(status == STICKSLIP_LENGTH, 'a dissipation of shape (ny, nx)')
+
+        points(2)%creepage(1) = 1d-3
+        points(3)%creepage(1) = 1d-1
+        call roller%creep_forces(points, forces)
+        call check(size(forces) == 3 .and. abs(forces(1)%force(1)) <= 0 .and. abs(forces(3)%force(1) / 30 - 1) < 1d-3, &
+            'a creep curve')
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_FORCE, 31)), status)
+        call check(status == STICKSLIP_BEYOND_FRICTION_CAPACITY, 'more than friction holds')
+        before = roller%address()
+        call roller%new(bodies, pressed, stickslip_coulomb(0.3d0), options=stickslip_rolling_options(step=0), status=status)
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(roller%address(), before), 'no other rolling solver')
+        call roller%set_settings(stickslip_settings(method=STICKSLIP_POLONSKY_KEER), status)
+        call check(status == STICKSLIP_METHOD, 'a method of one traction')
+    end subroutine rolling
 
     ! Pressure and traction found together.
     subroutine dissimilar()

@@ -109,6 +109,26 @@ int main() {
     check(std::fabs(found.tangential.loading[0][0] / expected.tangential.loading[0][0] - 1.0) < 1e-6, "along x");
     check(std::fabs(found.normal_by_motion[0] / expected.normal_by_motion[0] - 1.0) < 1e-4, "normal force by shift");
 
+    // Rolling: Carter's force, and a curve of a ball from nothing to sliding.
+    const stickslip_carter carter = ss::carter_cylinder(bodies, 10.0, 100.0, 0.3, 1e-4);
+    const double sticks = 1.0 - 1e-4 / carter.sliding_creepage;
+    check(std::fabs(carter.force / (30.0 * (1.0 - sticks * sticks)) - 1.0) < 1e-12, "Carter");
+    ss::RollingSolver roller(bodies, pressed, law);
+    const double linear = roller.stiffness().slopes[0][0];
+    // Between those of Kalker's table for Poisson's ratios of 1/4 and 1/2.
+    const double unit = 210e3 / 2.6 * hertz.contact_radius * hertz.contact_radius;
+    check(std::fabs(linear / unit / 4.31 - 1.0) < 0.03, "C11");
+    const std::vector<ss::CreepForce> curve = roller.creep_forces({{{0.0, 0.0}, 0.0}, {{0.1, 0.0}, 0.0}});
+    check(curve[0].force[0] == 0.0 && std::fabs(curve[1].force[0] / 30.0 - 1.0) < 1e-3, "a creep curve");
+    roller.set_load(ss::rolling(ss::rolling_force(10.0), ss::creepage(1e-4), ss::spin(1e-3)));
+    const ss::RollingSolution rolled = roller.solve();
+    check(std::fabs(rolled.result().force[0] / 10.0 - 1.0) < 1e-8 && rolled.result().creepage[0] > 10.0 / linear, "force");
+    check(rolled.result().creepage[1] == 1e-4 && rolled.result().spin == 1e-3, "creepage across and spin");
+    const std::vector<double> lost = rolled.dissipation();
+    check(*std::min_element(lost.begin(), lost.end()) == 0.0 && *std::max_element(lost.begin(), lost.end()) > 0.0, "lost");
+    fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { roller.set_load(ss::rolling(ss::rolling_force(31.0))); });
+    fails(STICKSLIP_BELOW, [&] { roller.set_load(ss::rolling(ss::creepage(0.0), ss::creepage(0.0), ss::moment(1e3))); });
+
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;
     check(std::fabs(ss::statistics(grid, ss::self_affine(grid, recipe)).rms_height / 1e-3 - 1.0) < 1e-12, "rms height");

@@ -95,6 +95,9 @@ named! {
     "stickslip" "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
     "stickslip" "CellValue": stickslip::CellValue { "uniform" = Uniform, "centre" = Centre }
     "stickslip.history" "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
+    "stickslip.rolling" "LeadingEdge": stickslip::rolling::LeadingEdge {
+        "plus_x" = PlusX, "minus_x" = MinusX, "plus_y" = PlusY, "minus_y" = MinusY
+    }
     "stickslip" "Method": stickslip::cgm::Method { "active_set" = ActiveSet, "polonsky_keer" = PolonskyKeer }
     "stickslip" "Status": stickslip::Status {
         "unsolved" = Unsolved, "converged" = Converged, "iteration_limit" = IterationLimit,

@@ -37,6 +37,8 @@ macro_rules! due {
 due! {
     /// A force along both axes.
     Force([f64; 2]): "force is a pair (x, y)", "for a force along one axis give force_x= or force_y=";
+    /// Creepages along both axes.
+    Creepages([f64; 2]): "creepage is a pair (x, y)", "for a creepage along one axis give creepage_x= or creepage_y=";
     /// A shift along both axes.
     Shift([f64; 2]): "shift is a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
     /// Springs along both axes.
@@ -105,36 +107,47 @@ where
     })
 }
 
-/// Points below the surface.
-pub(crate) struct Points(pub(crate) Vec<[f64; 3]>);
+/// Declares the class of rows of three numbers: what they are by the name of the argument, and what a single row is.
+macro_rules! triples {
+    ($($(#[$doc:meta])* $name:ident: $due:literal, $single:literal;)+) => {$(
+        $(#[$doc])*
+        pub(crate) struct $name(pub(crate) Vec<[f64; 3]>);
 
-impl FromPyObject<'_, '_> for Points {
-    type Error = PyErr;
+        impl FromPyObject<'_, '_> for $name {
+            type Error = PyErr;
 
-    #[cfg(feature = "stubs")]
-    const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
 
-    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        const DUE: &str = "points is a sequence of (x, y, depth)";
-        is_real(&object, "points")?;
-        if object.len().is_ok_and(|length| length == 0) {
-            return Ok(Self(Vec::new()));
+            fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                triples(&object, $due, concat!(": ", $single)).map(Self)
+            }
         }
-        let refused =
-            |error: &PyErr| refused(&object, error, DUE, ": a single point is [(x, y, depth)]");
-        let points: PyArrayLike2<'_, f64, AllowTypeChange> =
-            object.extract().map_err(|error: PyErr| refused(&error))?;
-        let points = points.as_array();
-        if points.ncols() != 3 {
-            return Err(refused(&PyTypeError::new_err(DUE)));
-        }
-        let rows = points.rows();
-        Ok(Self(
-            rows.into_iter()
-                .map(|row| [row[0], row[1], row[2]])
-                .collect(),
-        ))
+    )+};
+}
+
+triples! {
+    /// Points below the surface.
+    Points: "points is a sequence of (x, y, depth)", "a single point is [(x, y, depth)]";
+    /// Creepages and spins.
+    CreepPoints: "points is a sequence of (creepage_x, creepage_y, spin)",
+        "a single point is [(creepage_x, creepage_y, spin)]";
+}
+
+fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<[f64; 3]>> {
+    is_real(object, named_in(due))?;
+    if object.len().is_ok_and(|length| length == 0) {
+        return Ok(Vec::new());
     }
+    let refused = |error: &PyErr| refused(object, error, due, instead);
+    let rows: PyArrayLike2<'_, f64, AllowTypeChange> =
+        object.extract().map_err(|error: PyErr| refused(&error))?;
+    let rows = rows.as_array();
+    if rows.ncols() != 3 {
+        return Err(refused(&PyTypeError::new_err(due.to_owned())));
+    }
+    let rows = rows.rows().into_iter();
+    Ok(rows.map(|row| [row[0], row[1], row[2]]).collect())
 }
 
 /// The exception that says what is due, or which number of the right form is out of range.

@@ -29,6 +29,7 @@ mod pool;
 mod progress;
 mod real;
 mod report;
+mod rolling;
 mod sequence;
 mod settings;
 mod solver;
@@ -67,10 +68,11 @@ mod _stickslip {
     #[pymodule_export]
     use crate::{
         analytical::{
-            CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone, ConePartialSlip,
-            FlatPunch, HertzEllipse, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz,
-            MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson, PopovLimitingShape, RoughSphere,
-            RoundedPunch, SpencePressing, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
+            Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
+            ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, LubkinTorsion,
+            MindlinDeresiewicz, MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson,
+            PopovLimitingShape, RoughSphere, RoundedPunch, SpencePressing, Westergaard,
+            WestergaardPartialSlip, linear_stick_ratio,
         },
         boundary::Boundary,
         cgm::{Minimum, minimise},
@@ -101,6 +103,7 @@ mod _stickslip {
         pickle::{_from_bytes, _restore},
         pool::{num_threads, set_num_threads},
         report::{Iteration, Report, Warning},
+        rolling::{CreepForce, CreepForces, RollingProblem, RollingSolution, RollingSolver},
         settings::Settings,
         spots::{ContactSpots, Spot},
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},

@@ -34,6 +34,23 @@ pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<No
 /// A force, a shift or a spring along both axes.
 pub(crate) type Both = (Option<due::Force>, Option<due::Shift>, Option<due::Springs>);
 
+/// The one control that is given along an axis, if any; these are the kinds there are.
+pub(crate) fn one_along<T>(
+    axis: usize,
+    given: impl IntoIterator<Item = Option<T>>,
+    kinds: &str,
+) -> PyResult<Option<T>> {
+    let mut given = given.into_iter().flatten();
+    let first = given.next();
+    match given.next() {
+        None => Ok(first),
+        Some(_) => Err(PyTypeError::new_err(format!(
+            "give one of {kinds} along {}",
+            ["x", "y"][axis]
+        ))),
+    }
+}
+
 /// The keywords of the tangential load, as every function that takes one has them.
 pub(crate) struct Keywords {
     both: Both,
@@ -86,15 +103,7 @@ impl Keywords {
                 self.shift[axis].map(TangentialControl::Shift),
                 self.spring[axis].map(spring_to),
             ];
-            let mut given = given.into_iter().flatten();
-            let first = given.next();
-            match given.next() {
-                None => Ok(first),
-                Some(_) => Err(PyTypeError::new_err(format!(
-                    "give one of force, shift and spring along {}",
-                    ["x", "y"][axis]
-                ))),
-            }
+            one_along(axis, given, "force, shift and spring")
         };
         Ok([along(0)?, along(1)?])
     }

@@ -12,7 +12,7 @@ use crate::error::with_iterate;
 use crate::held::{Spare, lock};
 use crate::progress::Progress;
 use crate::report::warn;
-use crate::work::{solve, unobserved_on};
+use crate::work::{Observer, observed_on, solve, unobserved_on};
 
 /// A solver of the crate.
 pub(crate) trait Solver: Send + Sized {
@@ -108,9 +108,18 @@ impl<S: Solver> Reused<S> {
         py: Python<'_>,
         change: impl FnOnce(&mut S) -> Result<()> + Send,
     ) -> PyResult<()> {
-        let mut work = self.lock()?;
-        let solver = &mut work.0;
-        unobserved_on(py, self.grid, || change(solver))
+        self.observed(py, |solver, _| change(solver))
+    }
+
+    /// Long work with the solver that gives no solution.
+    pub(crate) fn observed<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut S, Observer<'_>) -> Result<T> + Send,
+    ) -> PyResult<T> {
+        let mut held = self.lock()?;
+        let solver = &mut held.0;
+        observed_on(py, self.grid, |observer| work(solver, observer))
     }
 
     /// Solves, once what the solve is for is set.
@@ -139,8 +148,21 @@ impl<S: Solver> Reused<S> {
 /// Declares a class of Python as the form of a solver of the crate that is used again, with what all of them have.
 macro_rules! solver {
     ($class:ident: $solution:ident) => {
-        impl crate::solver::Solver for stickslip::$class {
-            type Solution = stickslip::$solution;
+        crate::solver::solver!(
+            stickslip::$class as $class: stickslip::$solution as $solution, |solution| solution.warnings()
+        );
+
+        #[pyo3::pymethods]
+        impl $class {
+            /// Forgets the last answer: the next solve starts as the first did.
+            fn reset(&self) -> pyo3::PyResult<()> {
+                self.0.with(|solver| solver.reset())
+            }
+        }
+    };
+    ($own:ty as $class:ident: $content:ty as $solution:ident, $warnings:expr) => {
+        impl crate::solver::Solver for $own {
+            type Solution = $content;
             type Object = $solution;
 
             fn new_solution(&self) -> Self::Solution {
@@ -156,7 +178,8 @@ macro_rules! solver {
             }
 
             fn warnings(solution: &Self::Solution) -> Vec<stickslip::Warning> {
-                solution.warnings()
+                let warnings: fn(&Self::Solution) -> Vec<stickslip::Warning> = $warnings;
+                warnings(solution)
             }
         }
 
@@ -177,11 +200,6 @@ macro_rules! solver {
             ) -> pyo3::PyResult<()> {
                 let outcome = self.0.with(|solver| solver.set_settings(settings.0))?;
                 crate::error::OrRaise::or_raise(outcome, py)
-            }
-
-            /// Forgets the last answer: the next solve starts as the first did.
-            fn reset(&self) -> pyo3::PyResult<()> {
-                self.0.with(|solver| solver.reset())
             }
 
             fn __repr__(&self) -> String {

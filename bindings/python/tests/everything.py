@@ -69,6 +69,8 @@ class Scene:
         points = [(0.0, 0.0, 1e-5)] * 5
         responses = ss.subsurface.at_points(bodies, "one", normal, points)
         response = responses[0]
+        rolling = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-3)
+        creep_forces = rolling.solver().creep_forces([(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)])
         adaptive = ss.history.AdaptiveSteps(history, 0.05)
         contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
         rectangle = ss.influence.Rectangle(1.0, 2.0)
@@ -96,6 +98,11 @@ class Scene:
             "CoupledSolution": coupled,
             "CoupledReport": coupled.report,
             "ErrorEstimate": coupled.report.error_estimate,
+            "RollingProblem": rolling,
+            "RollingSolver": rolling.solver(),
+            "RollingSolution": rolling.solve(),
+            "CreepForce": creep_forces[0],
+            "CreepForces": creep_forces,
             "History": history,
             "State": history.state(),
             "StepResult": history.last_step.keep(),
@@ -141,8 +148,9 @@ class Scene:
             "amplitudes": (1e-7, 2e-7), "approach": 1e-6, "area_coefficient": 2.0, "axis": "x", "bodies": bodies,
             "body": "one", "body_1": steel, "body_2": steel, "bytes": grid_bytes, "cells": 9, "coefficient": 1e-13,
             "column": 1, "columns": (0, 8), "component": "zz", "cone": ss.analytical.Cone(pair, slope, 100.0),
-            "contact": normal, "contact_radius": 1e-4, "count": 2, "curvatures": (1.0, 0.0, 1.0), "cycle": cycle,
-            "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5], "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
+            "contact": normal, "contact_radius": 1e-4, "count": 2, "creepage": 1e-3,
+            "curvatures": (1.0, 0.0, 1.0), "cycle": cycle, "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5],
+            "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
             "fields": {"gap": ball}, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
             "gap": ball, "grid": grid, "heights": ball, "hertz": hertz, "histories": [history], "history": history,
             "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "limit": 1e10, "linear": -np.ones(cells * cells),
@@ -162,6 +170,7 @@ class Scene:
         self.special = {
             "AdaptiveSteps.error": {"load": load},
             "AdaptiveSteps.step": {"load": load},
+            "Carter": {"hertz": line},
             "CattaneoMindlinEllipse": {"hertz": ellipse},
             "CattaneoMindlinLine": {"hertz": line, "force": 1e3},
             "CattaneoMindlinLine.stress": {"depth": 1e-5},
@@ -194,6 +203,9 @@ class Scene:
             "NormalSolver.set_load": {"force": 100.0},
             "NormalSolver.solve": {"force": 100.0},
             "Planes.write_vti": {"path": f"{self.folder}/planes.vti"},
+            "RollingProblem": {"creepage_x": 1e-3},
+            "RollingSolver.creep_forces": {"points": [(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)]},
+            "RollingSolver.solve": {"creepage_x": 1e-3},
             "RoundedPunch": {"radius": 3.5e-3},
             "SelfAffine": {"rms_height": 1e-7},
             "Series": {"path": f"{self.folder}/series.pvd"},

@@ -26,6 +26,8 @@ ELSEWHERE = {
     "enum tangential::TangentialControl": "TangentialLoad",  # force=, shift=, spring= of each axis
     "enum tangential::PressureSource": "TangentialProblem",  # a solution or a field
     "enum history::wear::Coefficient": "wear.archard",  # a number or an array
+    "enum rolling::RollingControl": "rolling.RollingProblem",  # creepage_x= and force_x=
+    "enum rolling::SpinControl": "rolling.RollingProblem",  # spin= and moment=
     "enum surface::Form": "surface.level",  # 'mean', 'plane' or a degree
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
@@ -51,6 +53,7 @@ WITHOUT = {
     "struct normal::NormalProblemBuilder": "keywords of NormalProblem",
     "struct tangential::TangentialProblemBuilder": "keywords of TangentialProblem",
     "struct coupled::CoupledProblemBuilder": "keywords of CoupledProblem",
+    "struct rolling::RollingProblemBuilder": "keywords of rolling.RollingProblem",
     "type Result": "exceptions",
     "fn avoid_global_pool": "the package does it",
     "struct Layout": "how sums are cut: of operators written in Rust",
@@ -68,16 +71,9 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "enum history::LeadingEdge": "rolling is in Rust alone so far",
-    "enum rolling::RollingControl": "rolling is in Rust alone so far",
-    "struct rolling::RollingProblem": "rolling is in Rust alone so far",
-    "struct rolling::RollingProblemBuilder": "rolling is in Rust alone so far",
-    "struct rolling::RollingSolution": "rolling is in Rust alone so far",
-    "struct rolling::RollingSolver": "rolling is in Rust alone so far",
-    "struct analytical::Carter": "rolling is in Rust alone so far",
-    "struct analytical::KalkerCoefficients": "rolling is in Rust alone so far",
-    "struct analytical::VermeulenJohnson": "rolling is in Rust alone so far",
-    "struct analytical::BentallJohnson": "rolling is in Rust alone so far",
+    "struct analytical::KalkerCoefficients": "in Rust alone so far",
+    "struct analytical::VermeulenJohnson": "in Rust alone so far",
+    "struct analytical::BentallJohnson": "in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
@@ -118,6 +114,7 @@ METHODS = {
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
+    "rolling::RollingSolver": {"set_control": "solve(creepage=)"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
     "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},
@@ -203,7 +200,8 @@ def test_every_variant_of_the_error_has_a_class():
 def test_enumerations_have_the_names_that_the_module_takes():
     from stickslip import _enums
 
-    for name in ("Axis", "TangentialModel", "Coupling", "CellValue", "TouchRule", "Method", "Body", "Amplitudes", "Component"):
+    names = ["Axis", "TangentialModel", "Coupling", "CellValue", "TouchRule", "LeadingEdge", "Method", "Body", "Amplitudes"]
+    for name in [*names, "Component"]:
         assert all(str(member) == member.value for member in getattr(_enums, name))
     assert ss.Settings(method=ss.Method.POLONSKY_KEER) == ss.Settings(method="polonsky_keer")
 

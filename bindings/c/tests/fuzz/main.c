@@ -18,7 +18,7 @@ const char *__asan_default_options(void);
 const char *__asan_default_options(void) { return "allocator_may_return_null=1"; }
 
 static void one_call(struct run *run) {
-    switch (below(run, 16)) {
+    switch (below(run, 17)) {
     case 0:
         rest(run);
         break;
@@ -50,6 +50,9 @@ static void one_call(struct run *run) {
         below_the_surface(run);
         break;
     case 14:
+        roll(run);
+        break;
+    case 15:
         below(run, 2) == 0 ? forms(run) : read_numbers(run);
         break;
     default:

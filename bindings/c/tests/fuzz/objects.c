@@ -36,10 +36,13 @@ RELEASE(state)
 RELEASE(adaptive_steps)
 RELEASE(cycle)
 RELEASE(planes)
+RELEASE(rolling_solver)
+RELEASE(rolling_solution)
 static stickslip_status (*const freed_by[KINDS])(void *) = {
     release_half_space,       release_normal_solver,  release_normal_solution,  release_tangential_solver,
     release_tangential_solution, release_coupled_solver, release_coupled_solution, release_history,
-    release_state,            release_adaptive_steps, release_cycle, release_planes};
+    release_state,            release_adaptive_steps, release_cycle, release_planes,
+    release_rolling_solver,   release_rolling_solution};
 
 stickslip_status release(enum kind kind, void *object) { return freed_by[kind](object); }
 
@@ -97,6 +100,7 @@ uint64_t hash_of(enum kind kind, const void *object) {
                                 : kind == BOTH    ? stickslip_coupled_solution_field(object, which, &count)
                                 : kind == CYCLE   ? stickslip_cycle_field(object, which, &count)
                                 : kind == PLANES  ? stickslip_planes_field(object, which, &count)
+                                : kind == ROLLED  ? stickslip_rolling_solution_field(object, which, &count)
                                                   : NULL;
         if (samples != NULL) {
             hash = mixed(hash, samples, count * sizeof *samples);
@@ -107,7 +111,7 @@ uint64_t hash_of(enum kind kind, const void *object) {
 
 /* Cancelled solves leave their last iterate in the solution, by the header. */
 static bool is_kept(const struct run *run, enum kind kind, const struct slot *slot) {
-    bool is_solution = kind == PRESSED || kind == SHEARED || kind == BOTH;
+    bool is_solution = kind == PRESSED || kind == SHEARED || kind == BOTH || kind == ROLLED;
     return run->failed != STICKSLIP_OK && !slot->may_change &&
            !(is_solution && run->failed == STICKSLIP_NOT_CONVERGED);
 }

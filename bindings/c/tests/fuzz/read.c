@@ -6,8 +6,8 @@
 void field(struct run *run) {
     int32_t which = option(run, 27);
     size_t count = 0;
-    enum kind kinds[] = {PRESSED, SHEARED, BOTH, HISTORY, CYCLE, PLANES};
-    enum kind kind = kinds[below(run, 6)];
+    enum kind kinds[] = {PRESSED, SHEARED, BOTH, HISTORY, CYCLE, PLANES, ROLLED};
+    enum kind kind = kinds[below(run, 7)];
     struct slot *slot = pick(run, kind);
     bool is_shared = slot >= &run->shared->slots[0][0] && slot <= &run->shared->slots[KINDS - 1][SLOTS - 1];
     const void *object = maybe(run, slot->object);
@@ -28,6 +28,10 @@ void field(struct run *run) {
     case HISTORY:
         samples = stickslip_history_field(object, which, maybe_out(run, &count));
         zones = stickslip_history_zones(object, NULL);
+        break;
+    case ROLLED:
+        samples = stickslip_rolling_solution_field(object, which, maybe_out(run, &count));
+        zones = stickslip_rolling_solution_zones(object, NULL);
         break;
     case CYCLE:
         samples = stickslip_cycle_field(object, which, maybe_out(run, &count));

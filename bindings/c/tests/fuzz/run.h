@@ -9,7 +9,10 @@
 
 #include <stickslip.h>
 
-enum kind { BODIES, NORMAL, PRESSED, TANGENTIAL, SHEARED, COUPLED, BOTH, HISTORY, STATE, ADAPTIVE, CYCLE, PLANES, KINDS };
+enum kind {
+    BODIES, NORMAL, PRESSED, TANGENTIAL, SHEARED, COUPLED, BOTH, HISTORY, STATE, ADAPTIVE, CYCLE, PLANES,
+    ROLLING, ROLLED, KINDS
+};
 #define SLOTS 3
 #define CODES 128
 /* More than the cells of any grid here. */
@@ -88,6 +91,7 @@ void change_history(struct run *run);
 void field(struct run *run);
 void read_numbers(struct run *run);
 void below_the_surface(struct run *run);
+void roll(struct run *run);
 void forms(struct run *run);
 void rest(struct run *run);
 

@@ -62,8 +62,9 @@ void forms(struct run *run) {
     double *heights = array(run, &count, 0.1);
     stickslip_hertz hertz;
     stickslip_cattaneo_mindlin found;
+    stickslip_carter carter;
     stickslip_statistics statistics;
-    switch (below(run, 4)) {
+    switch (below(run, 5)) {
     case 0:
         SEEN(stickslip_hertz_sphere(bodies, number(run, 5.0), number(run, 1.0), maybe_out(run, &hertz)));
         break;
@@ -72,6 +73,10 @@ void forms(struct run *run) {
                                                number(run, 0.3), maybe_out(run, &found)));
         break;
     case 2:
+        SEEN(stickslip_carter_cylinder(bodies, number(run, 5.0), number(run, 1.0), number(run, 0.5), number(run, 1e-2),
+                                       maybe_out(run, &carter)));
+        break;
+    case 3:
         SEEN(stickslip_surface_statistics(maybe(run, &grid), maybe(run, heights), count, maybe_out(run, &statistics)));
         break;
     default: {

@@ -23,13 +23,15 @@ next product, and leaves the state of solvers and histories as it was.
 
 A contact is a :class:`Grid`, two :class:`Material` in a :class:`HalfSpace`, and a gap: a shape of
 :mod:`~stickslip.surface` or an array. :class:`NormalProblem` presses, :class:`TangentialProblem` shears once under the
-pressure found, :class:`CoupledProblem` does both at once for different materials, :class:`History` goes step by step.
+pressure found, :class:`CoupledProblem` does both at once for different materials, :class:`History` goes step by step,
+:class:`rolling.RollingProblem <stickslip.rolling.RollingProblem>` rolls steadily.
 ``help`` of each has its parameters, units, defaults and exceptions.
 
 Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
 :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`,
 :mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`,
-:mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
+:mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`,
+:mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
 :mod:`~stickslip.plot` draws with matplotlib.
 """
 
@@ -46,6 +48,7 @@ from . import (
     io,
     normal,
     plot,
+    rolling,
     stiffness,
     subsurface,
     surface,
@@ -143,6 +146,7 @@ __all__ = [
     "io",
     "normal",
     "plot",
+    "rolling",
     "num_threads",
     "set_num_threads",
     "stiffness",

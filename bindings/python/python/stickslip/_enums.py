@@ -64,6 +64,20 @@ class TouchRule(_Name):
     WHOLE_STEP = "whole_step"
 
 
+class LeadingEdge(_Name):
+    """Where particles enter a contact that rolls: at the largest or the smallest x or y."""
+
+    PLUS_X = "plus_x"
+    MINUS_X = "minus_x"
+    PLUS_Y = "plus_y"
+    MINUS_Y = "minus_y"
+
+    @property
+    def axis(self) -> Axis:
+        """The axis that particles move along."""
+        return Axis(self.value[-1])
+
+
 class Method(_Name):
     """The iteration that finds the constrained minimum: active sets by preconditioned conjugate gradients, or the single
     loop of Polonsky and Keer, which solves for pressure or for one traction."""

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 __all__ = [
     "AdaptiveSteps",
     "Boundary",
+    "Carter",
     "CattaneoMindlin",
     "CattaneoMindlinEllipse",
     "CattaneoMindlinLine",
@@ -23,6 +24,8 @@ __all__ = [
     "CoupledReport",
     "CoupledSolution",
     "CoupledSolver",
+    "CreepForce",
+    "CreepForces",
     "Cycle",
     "CycleJump",
     "DenseMinimum",
@@ -72,6 +75,9 @@ __all__ = [
     "Report",
     "Response",
     "Responses",
+    "RollingProblem",
+    "RollingSolution",
+    "RollingSolver",
     "RoughSphere",
     "RoughSurface",
     "RoundedPunch",
@@ -154,7 +160,7 @@ __all__ = [
 ]
 
 from os import PathLike
-from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, Method, Regime, Status, TangentialModel, TouchRule
+from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, LeadingEdge, Method, Regime, Status, TangentialModel, TouchRule
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
@@ -243,6 +249,54 @@ class Boundary:
         """
         The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x from a line
         load at which it moves nothing (a length), at least the length of the grid; approach and shift are relative to it.
+        """
+
+@final
+class Carter:
+    """
+    A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
+
+    The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends there sticks, the rest slips,
+    against the traction; from the creepage xi_s on all slips. For equal bodies, or bodies of which Dundurs' beta is
+    zero. Carter (1926); Johnson (1985), section 8.3.
+
+    Parameters
+    ----------
+    hertz : HertzLine
+        The normal contact.
+    friction : float
+        Coefficient of friction mu (dimensionless), not negative.
+    creepage : float
+        Creepage xi along x (dimensionless), of either sign.
+
+    Raises
+    ------
+    Negative, NotFinite, CoupledMaterials
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, hertz: HertzLine, friction: float, creepage: float) -> Carter: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def force(self, /) -> float:
+        """
+        Tangential force Q on body 1 (a force per length), of the sign of the creepage, of size mu P (1 - c^2/a^2).
+        """
+    @property
+    def sliding_creepage(self, /) -> float:
+        """
+        The creepage from which on the whole contact slips (dimensionless), xi_s = 2 mu p_0 / E*.
+        """
+    @property
+    def stick_half_width(self, /) -> float:
+        """
+        Half-width c of the strip that sticks, at the leading edge (a length).
+        """
+    def traction(self, /, x: ArrayLike) -> Any:
+        """
+        Traction on body 1 along x (a pressure) at x: with the sign of the creepage, mu p_0 sqrt(1 - x^2/a^2), less
+        mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the strip that sticks; zero outside the contact.
         """
 
 @final
@@ -943,6 +997,80 @@ class CoupledSolver:
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
         Solves for the loads, the gap and the friction set; see :meth:`NormalProblem.solve`.
+        """
+
+@final
+class CreepForce:
+    """
+    A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def creepage(self, /) -> tuple[float, float]:
+        """
+        The creepages along x and y (dimensionless).
+        """
+    @property
+    def force(self, /) -> tuple[float, float]:
+        """
+        Tangential force on body 1 along x and y.
+        """
+    @property
+    def moment(self, /) -> float:
+        """
+        Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+        """
+    @property
+    def spin(self, /) -> float:
+        """
+        The spin (one over a length, positive from x to y).
+        """
+    @property
+    def stick_ratio(self, /) -> float:
+        """
+        Cells that stick over cells in contact.
+        """
+
+@final
+class CreepForces:
+    """
+    The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with a number of each
+    point, in their order. Vectors are (x, y).
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __getitem__(self, index: int, /) -> CreepForce: ...
+    def __iter__(self, /) -> Iterator[CreepForce]: ...
+    def __len__(self, /) -> int: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def creepage(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
+        """
+        The creepages along x and y (dimensionless).
+        """
+    @property
+    def force(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
+        """
+        Tangential force on body 1 along x and y.
+        """
+    @property
+    def moment(self, /) -> NDArray[float64]:
+        """
+        Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+        """
+    @property
+    def spin(self, /) -> NDArray[float64]:
+        """
+        The spin (one over a length, positive from x to y).
+        """
+    @property
+    def stick_ratio(self, /) -> NDArray[float64]:
+        """
+        Cells that stick over cells in contact.
         """
 
 @final
@@ -3819,6 +3947,214 @@ class Responses:
     def von_mises(self, /) -> NDArray[float64]:
         """
         Von Mises' equivalent stress (pressures).
+        """
+
+@final
+class RollingProblem:
+    """
+    Bodies, normal contact, friction, and what is prescribed of their steady rolling.
+
+    Along an axis of which nothing is said there is no creepage.
+
+    Parameters
+    ----------
+    bodies : HalfSpace
+        The two bodies and the grid.
+    normal : NormalSolution
+        A solved normal contact of these bodies.
+    friction : Friction, float or array_like of shape (ny, nx)
+        Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+    creepage, creepage_x, creepage_y : pair of float, float, optional
+        The creepages, which body 2 moves over body 1 for each length rolled (dimensionless). A positive creepage causes a
+        positive force.
+    force, force_x, force_y : pair of float, float, optional
+        The tangential force that body 2 exerts on body 1, less than friction holds; the creepage follows.
+    spin : float, default 0
+        Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+        positive from x to y).
+    moment : float, optional
+        In place of the spin, which follows: the moment on body 1 about the origin of the grid (a force times a length,
+        positive from x to y), less than friction holds.
+    leading_edge : LeadingEdge or str, default "plus_x"
+        Where particles enter the contact.
+    step : int, default 1
+        Cells that a particle passes in a step. Longer steps cost less and are less accurate.
+    touch_rule : TouchRule or str, default "growth"
+        How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+    settings : Settings, optional
+        Method, tolerance and limits; those of ``Settings()`` by default.
+    tolerance, method, max_iterations, time_limit : optional
+        As of :class:`Settings`; they take precedence over ``settings``.
+
+    Raises
+    ------
+    NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
+    NotModelled, Below, BeyondFrictionCapacity, Tolerance, IterationLimit, Method
+
+    Examples
+    --------
+    >>> import stickslip
+    >>> grid = stickslip.Grid.square(24, 3.0)
+    >>> body = stickslip.Material.from_shear_modulus(1.0, 0.25)
+    >>> bodies = stickslip.HalfSpace(grid, (body, body))
+    >>> ball = stickslip.surface.sphere(grid, 1.0)
+    >>> normal = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
+    >>> rolling = stickslip.rolling.RollingProblem(bodies, normal, 0.3, creepage_x=1e-5).solve()
+    >>> a = stickslip.analytical.HertzSphere(bodies.pair, 1.0, 1.0).contact_radius
+    >>> abs(rolling.force[0] / (a * a * 1e-5) / 4.12 - 1.0) < 0.02  # Kalker's coefficient C11
+    True
+    """
+    def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
+    def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> RollingProblem: ...
+    def __repr__(self, /) -> str: ...
+    def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> RollingSolution:
+        """
+        Solves once; see :meth:`NormalProblem.solve`.
+        """
+    def solver(self, /) -> RollingSolver:
+        """
+        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        """
+
+@final
+class RollingSolution:
+    """
+    Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of its
+    memory, those of the zones and the dissipation copies.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def creepage(self, /) -> tuple[float, float]:
+        """
+        The creepages along x and y, prescribed or caused by the force (dimensionless).
+        """
+    @property
+    def dissipation(self, /) -> NDArray[float64]:
+        """
+        Energy that slip dissipates in each cell for each length rolled (a pressure): what wear follows. Between bodies of
+        the same material its integral is less than the work by a part that falls with the size of the cells.
+        """
+    @property
+    def force(self, /) -> tuple[float, float]:
+        """
+        Tangential force that body 2 exerts on body 1 along x and y.
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        The grid of its fields.
+        """
+    @property
+    def moment(self, /) -> float:
+        """
+        Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
+        """
+    @property
+    def report(self, /) -> Report:
+        """
+        How the solve ended, what it cost, how large its error can be.
+        """
+    @property
+    def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
+        """
+        Slip of the surface of body 1 over that of body 2 along x and y for each length rolled (dimensionless), over the
+        step that brought the particles here: against the traction in slip cells, zero elsewhere.
+        """
+    @property
+    def spin(self, /) -> float:
+        """
+        The spin, prescribed or caused by the moment (one over a length, positive from x to y).
+        """
+    @property
+    def stick_ratio(self, /) -> float:
+        """
+        Cells that stick over cells in contact; zero without contact.
+        """
+    @property
+    def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
+        """
+        Traction on body 1 along x and y (pressures); zero outside the contact.
+        """
+    @property
+    def work(self, /) -> float:
+        """
+        Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
+        dissipated; between others the pressure does work as well, which is not in it.
+        """
+    @property
+    def zones(self, /) -> NDArray[uint8]:
+        """
+        The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+        """
+
+@final
+class RollingSolver:
+    """
+    Solves for one creepage, force or spin after the other, each from the last answer; made by
+    :meth:`RollingProblem.solver`.
+    """
+    def __repr__(self, /) -> str: ...
+    def creep_forces(self, /, points: ArrayLike) -> CreepForces:
+        """
+        The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
+        row by row. The last point stays prescribed.
+
+        Parameters
+        ----------
+        points : array_like of shape (n, 3)
+            Each ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Neighbours in the
+            order should be neighbours in the plane.
+
+        Returns
+        -------
+        CreepForces
+            Of each point in turn, and arrays of all.
+
+        Raises
+        ------
+        NotFinite, NotModelled, NotConverged
+            At the first point that fails, which stays prescribed if it is one that did not converge.
+        """
+    @property
+    def report(self, /) -> Report:
+        """
+        How the last solve ended.
+        """
+    @property
+    def settings(self, /) -> Settings:
+        """
+        The settings of the next solve; may be assigned.
+        """
+    @settings.setter
+    def settings(self, /, settings: Settings) -> None: ...
+    def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> RollingSolution:
+        """
+        Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+
+        Parameters
+        ----------
+        creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+            As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+        progress, warn : optional
+            As of :meth:`NormalProblem.solve`.
+
+        Returns
+        -------
+        RollingSolution
+
+        Raises
+        ------
+        NotFinite, NotModelled, BeyondFrictionCapacity, Below
+            For what is prescribed, which is then as it was.
+        NotConverged
+            With ``report`` and ``last_iterate``.
+        """
+    def stiffness(self, /) -> list[list[float]]:
+        """
+        How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
+        last answer: forces, with the spin forces times lengths, in the row of the moment once more times a length. Cells
+        that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
+        coefficients, times G a b and lengths.
         """
 
 @final

@@ -7,6 +7,7 @@ references are those of the Rust crate, whose documentation has the derivations.
 """
 
 from ._stickslip import (
+    Carter,
     CattaneoMindlin,
     CattaneoMindlinEllipse,
     CattaneoMindlinLine,
@@ -32,6 +33,7 @@ from ._stickslip import (
 )
 
 __all__ = [
+    "Carter",
     "CattaneoMindlin",
     "CattaneoMindlinEllipse",
     "CattaneoMindlinLine",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import wear
-from ._enums import LoopEnding, Regime, TouchRule
+from ._enums import LeadingEdge, LoopEnding, Regime, TouchRule
 from ._remarks import warn
 from ._stickslip import (
     AdaptiveSteps,
@@ -155,6 +155,7 @@ __all__ = [
     "EnergyBalance",
     "FrettingLoop",
     "History",
+    "LeadingEdge",
     "LoadPath",
     "LoadStep",
     "LoopEnding",

@@ -6,6 +6,7 @@ mod hertz;
 mod no_slip;
 mod partial_slip;
 mod punches;
+mod rolling;
 mod rough;
 mod shear;
 mod wavy;
@@ -17,6 +18,7 @@ pub(crate) use partial_slip::{
     CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, ConePartialSlip,
 };
 pub(crate) use punches::{Cone, FlatPunch, RoundedPunch};
+pub(crate) use rolling::Carter;
 pub(crate) use rough::{Persson, RoughSphere, linear_stick_ratio};
 pub(crate) use shear::{LubkinTorsion, MindlinDeresiewicz, MindlinFullStick};
 pub(crate) use wavy::{Westergaard, WestergaardPartialSlip};

@@ -1,0 +1,194 @@
+! Steady rolling.
+module stickslip_rolling
+    use, intrinsic :: iso_c_binding
+    use stickslip_bindings
+    use stickslip_objects
+    use stickslip_normal, only: normal_solution
+    implicit none
+    private
+
+    public :: rolling_solver, rolling_solution
+
+    ! Solves steady rolling for one creepage, force or spin after the other.
+    type, extends(stickslip_object) :: rolling_solver
+        type(stickslip_rolling_solver) :: handle
+        type(stickslip_grid) :: grid
+    contains
+        procedure :: new => rolling_solver_new
+        procedure :: set_load => rolling_solver_set_load
+        procedure :: set_settings => rolling_solver_set_settings
+        procedure :: solve => rolling_solver_solve
+        procedure :: stiffness => rolling_solver_stiffness
+        procedure :: creep_forces => rolling_solver_creep_forces
+        procedure :: address => rolling_solver_address
+        procedure :: free => rolling_solver_free
+        final :: rolling_solver_final
+    end type rolling_solver
+
+    ! A solved rolling contact; made by the first solve into it.
+    type, extends(stickslip_object) :: rolling_solution
+        type(stickslip_rolling_solution) :: handle
+        type(stickslip_grid) :: grid
+    contains
+        procedure :: field => rolling_solution_field
+        procedure :: zones => rolling_solution_zones
+        procedure :: dissipation => rolling_solution_dissipation
+        procedure :: result => rolling_solution_result
+        procedure :: report => rolling_solution_report
+        procedure :: address => rolling_solution_address
+        procedure :: free => rolling_solution_free
+        final :: rolling_solution_final
+    end type rolling_solution
+
+contains
+
+    ! Under the pressure of a solved normal contact; without a load no creepage and no spin.
+    subroutine rolling_solver_new(this, bodies, normal, friction, load, options, status)
+        class(rolling_solver), intent(inout) :: this
+        class(half_space), intent(in) :: bodies
+        class(normal_solution), intent(in) :: normal
+        type(stickslip_friction), intent(in) :: friction
+        type(stickslip_rolling_load), intent(in), optional :: load
+        type(stickslip_rolling_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_rolling_solver) :: made
+        integer(c_int32_t) :: code, given_up
+        code = stickslip_rolling_solver_new(bodies%handle, normal%handle, friction, load, options, made)
+        if (code == STICKSLIP_OK) code = stickslip_rolling_solver_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+            this%grid = bodies%grid
+        else
+            given_up = stickslip_rolling_solver_free(made)
+        end if
+        call report_status(code, status)
+    end subroutine rolling_solver_new
+
+    subroutine rolling_solver_set_load(this, load, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_rolling_load), intent(in) :: load
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_load(this%handle, load), status)
+    end subroutine rolling_solver_set_load
+
+    subroutine rolling_solver_set_settings(this, settings, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_settings), intent(in) :: settings
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_settings(this%handle, settings), status)
+    end subroutine rolling_solver_set_settings
+
+    subroutine rolling_solver_solve(this, solution, observer, status)
+        class(rolling_solver), intent(in) :: this
+        class(rolling_solution), intent(inout) :: solution
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = STICKSLIP_OK
+        if (.not. c_associated(solution%address())) then
+            code = stickslip_rolling_solution_new(this%handle, solution%handle)
+            solution%grid = this%grid
+        end if
+        if (code == STICKSLIP_OK) code = stickslip_rolling_solver_solve(this%handle, solution%handle, observer)
+        call report_status(code, status)
+    end subroutine rolling_solver_solve
+
+    ! Forces and moment by creepages and spin about the last answer, slopes(column, row): the loads are the rows.
+    function rolling_solver_stiffness(this, status) result(stiffness)
+        class(rolling_solver), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_rolling_stiffness) :: stiffness
+        call report_status(stickslip_rolling_solver_stiffness(this%handle, stiffness), status)
+    end function rolling_solver_stiffness
+
+    ! A creep curve or a creep surface, the loads of each point; the last point stays prescribed.
+    subroutine rolling_solver_creep_forces(this, points, forces, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_creep_point), intent(in), contiguous :: points(:)
+        type(stickslip_creep_force), allocatable, intent(out) :: forces(:)
+        integer(c_int32_t), intent(out), optional :: status
+        allocate (forces(size(points)))
+        call report_status(stickslip_rolling_solver_creep_forces(this%handle, points, size(points, kind=c_size_t), &
+            forces), status)
+    end subroutine rolling_solver_creep_forces
+
+    ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.
+    function rolling_solution_field(this, which, status) result(samples)
+        class(rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(in) :: which
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double), pointer :: samples(:, :)
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
+        first = stickslip_rolling_solution_field(this%handle, which, count)
+        samples => plane(first, count, this%grid, status)
+    end function rolling_solution_field
+
+    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    function rolling_solution_zones(this, status) result(zones)
+        class(rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int8_t), pointer :: zones(:, :)
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
+        first = stickslip_rolling_solution_zones(this%handle, count)
+        zones => map_of_zones(first, count, this%grid, status)
+    end function rolling_solution_zones
+
+    ! Energy that slip dissipates in each cell for each length rolled.
+    subroutine rolling_solution_dissipation(this, values, status)
+        class(rolling_solution), intent(in) :: this
+        real(c_double), intent(inout), contiguous :: values(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('values', shape(values), this%grid, status)) return
+        call report_status(stickslip_rolling_solution_dissipation(this%handle, values, size(values, kind=c_size_t)), status)
+    end subroutine rolling_solution_dissipation
+
+    function rolling_solution_result(this, status) result(found)
+        class(rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_rolling_result) :: found
+        call report_status(stickslip_rolling_solution_result(this%handle, found), status)
+    end function rolling_solution_result
+
+    function rolling_solution_report(this, status) result(report)
+        class(rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_report) :: report
+        call report_status(stickslip_rolling_solution_report(this%handle, report), status)
+    end function rolling_solution_report
+
+    function rolling_solver_address(this) result(address)
+        class(rolling_solver), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function rolling_solver_address
+
+    ! One in use by another thread stays.
+    subroutine rolling_solver_free(this)
+        class(rolling_solver), intent(inout) :: this
+        if (stickslip_rolling_solver_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_rolling_solver()
+    end subroutine rolling_solver_free
+
+    subroutine rolling_solver_final(this)
+        type(rolling_solver), intent(inout) :: this
+        call this%free()
+    end subroutine rolling_solver_final
+
+    function rolling_solution_address(this) result(address)
+        class(rolling_solution), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function rolling_solution_address
+
+    ! One in use by another thread stays.
+    subroutine rolling_solution_free(this)
+        class(rolling_solution), intent(inout) :: this
+        if (stickslip_rolling_solution_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_rolling_solution()
+    end subroutine rolling_solution_free
+
+    subroutine rolling_solution_final(this)
+        type(rolling_solution), intent(inout) :: this
+        call this%free()
+    end subroutine rolling_solution_final
+end module stickslip_rolling

@@ -1,0 +1,122 @@
+// Steady rolling.
+
+#ifndef STICKSLIP_ROLLING_HPP
+#define STICKSLIP_ROLLING_HPP
+
+#include <utility>
+#include <vector>
+
+#include "normal.hpp"
+
+namespace stickslip {
+
+using RollingControl = stickslip_rolling_control;
+using CreepPoint = stickslip_creep_point;
+using CreepForce = stickslip_creep_force;
+
+inline RollingControl creepage(double value) { return {STICKSLIP_CREEPAGE, value}; }
+inline RollingControl rolling_force(double value) { return {STICKSLIP_FORCE, value}; }
+inline RollingControl spin(double value) { return {STICKSLIP_SPIN, value}; }
+inline RollingControl moment(double value) { return {STICKSLIP_MOMENT, value}; }
+
+/// What is prescribed of rolling bodies: along x and y a creepage or a force, and a spin or a moment.
+inline stickslip_rolling_load rolling(RollingControl x, RollingControl y = creepage(0.0),
+                                      RollingControl about = spin(0.0)) {
+    return {x, y, about, {}};
+}
+
+/// A solved rolling contact.
+class RollingSolution {
+  public:
+    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    /// For each length rolled.
+    Field slip_x() const { return field(STICKSLIP_SLIP_X); }
+    Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
+    Zones zones() const {
+        return detail::viewed<std::uint8_t>(
+            [&](std::size_t *size) { return stickslip_rolling_solution_zones(get(), size); });
+    }
+    /// Energy dissipated in each cell for each length rolled.
+    std::vector<double> dissipation() const {
+        std::vector<double> values(traction_x().size());
+        check(stickslip_rolling_solution_dissipation(get(), values.data(), values.size()));
+        return values;
+    }
+    stickslip_rolling_result result() const {
+        return detail::asked<stickslip_rolling_result>(
+            [&](auto *out) { return stickslip_rolling_solution_result(get(), out); });
+    }
+    Report report() const {
+        return detail::asked<Report>([&](auto *out) { return stickslip_rolling_solution_report(get(), out); });
+    }
+    stickslip_rolling_solution *get() const { return own_.get(); }
+
+  private:
+    friend class RollingSolver;
+    using Own = detail::Owned<stickslip_rolling_solution, stickslip_rolling_solution_free>;
+    explicit RollingSolution(Own own) : own_(std::move(own)) {}
+
+    Field field(std::int32_t which) const {
+        return detail::viewed<double>(
+            [&](std::size_t *size) { return stickslip_rolling_solution_field(get(), which, size); });
+    }
+
+    Own own_;
+};
+
+/// Solves steady rolling for one creepage, force or spin after the other.
+class RollingSolver {
+  public:
+    RollingSolver(const HalfSpace &bodies, const NormalSolution &normal, const stickslip_friction &friction,
+                  const stickslip_rolling_load &load = {}, const stickslip_rolling_options *options = nullptr)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_rolling_solver_new(bodies.get(), normal.get(), &friction, &load, options, out);
+          })) {}
+
+    void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
+    void set_settings(const Settings &settings) { check(stickslip_rolling_solver_set_settings(get(), &settings)); }
+
+    RollingSolution solve(const Observe &observe = nullptr) {
+        RollingSolution solution = new_solution();
+        solve_into(solution, observe);
+        return solution;
+    }
+    RollingSolution new_solution() const {
+        return RollingSolution(detail::made<RollingSolution::Own>(
+            [&](auto **out) { return stickslip_rolling_solution_new(get(), out); }));
+    }
+    void solve_into(RollingSolution &solution, const Observe &observe = nullptr) {
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_rolling_solver_solve(get(), solution.get(), observer);
+        });
+    }
+    /// About the last answer.
+    stickslip_rolling_stiffness stiffness() {
+        return detail::asked<stickslip_rolling_stiffness>(
+            [&](auto *out) { return stickslip_rolling_solver_stiffness(get(), out); });
+    }
+    /// A creep curve or a creep surface; the last point stays prescribed.
+    std::vector<CreepForce> creep_forces(const std::vector<CreepPoint> &points) {
+        std::vector<CreepForce> forces(points.size());
+        check(stickslip_rolling_solver_creep_forces(get(), points.data(), points.size(), forces.data()));
+        return forces;
+    }
+    stickslip_rolling_solver *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_rolling_solver, stickslip_rolling_solver_free>;
+    Own own_;
+};
+
+/// Carter's contact of a cylinder under a force per length, with a creepage.
+inline stickslip_carter carter_cylinder(const HalfSpace &bodies, double radius, double force, double friction,
+                                        double creepage) {
+    return detail::asked<stickslip_carter>([&](auto *out) {
+        return stickslip_carter_cylinder(bodies.get(), radius, force, friction, creepage, out);
+    });
+}
+
+} // namespace stickslip
+
+#endif // STICKSLIP_ROLLING_HPP

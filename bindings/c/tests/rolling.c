@@ -1,0 +1,221 @@
+/* Steady rolling against Carter and Kalker, by creepages, forces and moments. */
+
+#include <math.h>
+
+#include "check.h"
+
+#define N 24
+#define CELLS (N * N)
+#define FRICTION 0.3
+
+/* A ball of radius one on a plane of the same material, of shear modulus one, under a force of one. */
+static const stickslip_material BODY = {2.5, 0.25, 0.0};
+static double gap[CELLS], dissipation[CELLS];
+
+static stickslip_normal_solution *press(const stickslip_half_space *bodies, const double *of, size_t cells, double force) {
+    stickslip_normal_load load = {STICKSLIP_FORCE, force};
+    stickslip_normal_solver *solver = NULL;
+    stickslip_normal_solution *solution = NULL;
+    OK(stickslip_normal_solver_new(bodies, of, cells, &load, NULL, NULL, &solver));
+    OK(stickslip_normal_solution_new(solver, &solution));
+    OK(stickslip_normal_solver_solve(solver, solution, NULL));
+    OK(stickslip_normal_solver_free(solver));
+    return solution;
+}
+
+static stickslip_rolling_load by_creepage(double x, double y, double spin) {
+    stickslip_rolling_load load = {{STICKSLIP_CREEPAGE, x}, {STICKSLIP_CREEPAGE, y}, {STICKSLIP_SPIN, spin}};
+    return load;
+}
+
+static stickslip_rolling_result solve(stickslip_rolling_solver *solver, stickslip_rolling_solution *solution) {
+    stickslip_rolling_result result;
+    OK(stickslip_rolling_solver_solve(solver, solution, NULL));
+    OK(stickslip_rolling_solution_result(solution, &result));
+    return result;
+}
+
+static void a_cylinder_is_carter(void) {
+    enum { CUT = 128 };
+    const double radius = 10.0, force = 100.0;
+    stickslip_material steel = {210e3, 0.3, 0.0};
+    stickslip_half_space *bodies = NULL;
+    stickslip_carter carter;
+    double side = 1.0, line[CUT];
+    stickslip_grid grid = {CUT, 1, side / CUT, 1.0};
+    stickslip_boundary along_y = {STICKSLIP_PERIODIC_ALONG_Y, side};
+    OK(stickslip_half_space_new(&grid, &steel, &steel, &along_y, &bodies));
+    OK(stickslip_carter_cylinder(bodies, radius, force, FRICTION, 0.0, &carter));
+    CHECK(carter.force == 0.0 && carter.stick_half_width == carter.half_width);
+    OK(stickslip_half_space_free(bodies));
+
+    grid.dx = 2.5 * carter.half_width / CUT;
+    OK(stickslip_half_space_new(&grid, &steel, &steel, &along_y, &bodies));
+    double creepage = 0.4 * carter.sliding_creepage;
+    OK(stickslip_carter_cylinder(bodies, radius, force, FRICTION, creepage, &carter));
+    CLOSE(carter.force, 0.64 * FRICTION * force, 1e-12);
+    OK(stickslip_surface_cylinder(&grid, radius, line, CUT));
+    stickslip_normal_solution *pressed = press(bodies, line, CUT, force);
+    stickslip_friction friction = stickslip_coulomb(FRICTION);
+    stickslip_rolling_load load = by_creepage(creepage, 0.0, 0.0);
+    stickslip_rolling_solver *solver = NULL;
+    stickslip_rolling_solution *solution = NULL;
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, NULL, &solver));
+    OK(stickslip_rolling_solution_new(solver, &solution));
+    stickslip_rolling_result result = solve(solver, solution);
+    CHECK(fabs(result.force[0] - carter.force) < 1e-4 * FRICTION * force);
+    CHECK(fabs(result.stick_ratio - carter.stick_half_width / carter.half_width) < 0.02);
+    OK(stickslip_rolling_solution_free(solution));
+    OK(stickslip_rolling_solver_free(solver));
+    OK(stickslip_normal_solution_free(pressed));
+    OK(stickslip_half_space_free(bodies));
+}
+
+static void small_creepages_have_the_coefficients_of_kalker(stickslip_rolling_solver *solver,
+                                                            stickslip_rolling_solution *solution, double radius) {
+    stickslip_rolling_stiffness stiffness;
+    OK(stickslip_rolling_solver_stiffness(solver, &stiffness));
+    CLOSE(stiffness.slopes[0][0], 4.12 * radius * radius, 0.02);
+    CLOSE(stiffness.slopes[1][1], 3.67 * radius * radius, 0.02);
+    CLOSE(stiffness.slopes[1][2], 1.47 * pow(radius, 3), 0.02);
+    stickslip_rolling_load load = by_creepage(0.0, 0.0, 1e-6);
+    OK(stickslip_rolling_solver_set_load(solver, &load));
+    stickslip_rolling_result result = solve(solver, solution);
+    CLOSE(result.force[1], 1e-6 * stiffness.slopes[1][2], 1e-3);
+    CLOSE(result.moment, 1e-6 * stiffness.slopes[2][2], 1e-3);
+}
+
+static void loads_have_the_motions_that_cause_them(stickslip_rolling_solver *solver, stickslip_rolling_solution *solution) {
+    stickslip_rolling_load load = by_creepage(0.1, 0.0, 0.1);
+    OK(stickslip_rolling_solver_set_load(solver, &load));
+    stickslip_rolling_result by_motion = solve(solver, solution);
+    load.x.kind = load.y.kind = STICKSLIP_FORCE, load.spin.kind = STICKSLIP_MOMENT;
+    load.x.value = by_motion.force[0], load.y.value = by_motion.force[1], load.spin.value = by_motion.moment;
+    OK(stickslip_rolling_solver_set_load(solver, &load));
+    stickslip_rolling_result by_load = solve(solver, solution);
+    CLOSE(by_load.force[0], by_motion.force[0], 1e-8);
+    CLOSE(by_load.creepage[0], 0.1, 1e-4);
+    CLOSE(by_load.spin, 0.1, 1e-4);
+
+    /* Of what is worked most is dissipated where the cells slip. */
+    size_t count = 0;
+    OK(stickslip_rolling_solution_dissipation(solution, dissipation, CELLS));
+    const uint8_t *zones = stickslip_rolling_solution_zones(solution, &count);
+    const double *traction = stickslip_rolling_solution_field(solution, STICKSLIP_TRACTION_X, NULL);
+    const double *slip = stickslip_rolling_solution_field(solution, STICKSLIP_SLIP_X, NULL);
+    CHECK(count == CELLS && zones != NULL && traction != NULL && slip != NULL);
+    double sum = 0.0, force = 0.0, area = 9.0 / CELLS;
+    for (int i = 0; i < CELLS; i++) {
+        sum += dissipation[i] * area, force += traction[i] * area;
+        CHECK(zones[i] == STICKSLIP_SLIP ? dissipation[i] >= 0.0 : dissipation[i] == 0.0 && slip[i] == 0.0);
+    }
+    CHECK(sum > 0.8 * by_load.work && sum < by_load.work);
+    CLOSE(force, by_load.force[0], 1e-12);
+    CHECK(stickslip_rolling_solution_dissipation(solution, dissipation, 1) == STICKSLIP_LENGTH);
+    CHECK(stickslip_rolling_solution_field(solution, STICKSLIP_PRESSURE, NULL) == NULL);
+    stickslip_report report;
+    OK(stickslip_rolling_solution_report(solution, &report));
+    CHECK(report.status == STICKSLIP_CONVERGED);
+}
+
+static void a_creep_curve_goes_from_nothing_to_sliding(stickslip_rolling_solver *solver) {
+    stickslip_creep_point points[11] = {0};
+    stickslip_creep_force forces[11];
+    for (int i = 0; i < 11; i++) {
+        points[i].creepage[0] = 0.03 * i;
+    }
+    OK(stickslip_rolling_solver_creep_forces(solver, points, 11, forces));
+    CHECK(forces[0].force[0] == 0.0 && forces[0].stick_ratio == 1.0);
+    /* Where all slips, not quite along x. */
+    CHECK(forces[10].stick_ratio == 0.0 && forces[10].force[0] > 0.999 * FRICTION && forces[10].force[0] < FRICTION);
+    for (int i = 1; i < 10; i++) {
+        CHECK(forces[i + 1].force[0] - forces[i].force[0] <= forces[i].force[0] - forces[i - 1].force[0] + 1e-9);
+    }
+    OK(stickslip_rolling_solver_creep_forces(solver, NULL, 0, NULL));
+    CHECK(stickslip_rolling_solver_creep_forces(solver, points, 11, NULL) == STICKSLIP_BAD_POINTER);
+}
+
+static void what_is_refused_leaves_the_solver(stickslip_rolling_solver *solver, stickslip_rolling_solution *solution) {
+    stickslip_rolling_load load = by_creepage(0.05, 0.0, 0.0);
+    OK(stickslip_rolling_solver_set_load(solver, &load));
+    stickslip_rolling_result before = solve(solver, solution);
+    load.x.kind = STICKSLIP_FORCE, load.x.value = 0.31;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_BEYOND_FRICTION_CAPACITY);
+    stickslip_error numbers;
+    OK(stickslip_last_error(&numbers));
+    CHECK(numbers.value == 0.31);
+    CLOSE(numbers.limit, FRICTION, 1e-9);
+    load = by_creepage(0.0, NAN, 0.0);
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NOT_FINITE);
+    load = by_creepage(0.0, 0.0, 1.0);
+    load.spin.kind = STICKSLIP_MOMENT;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_BELOW);
+    load.spin.kind = STICKSLIP_FORCE;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NO_SUCH_OPTION);
+    load = by_creepage(0.0, 0.0, 0.0);
+    load.reserved[7] = 1;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NO_SUCH_OPTION);
+    stickslip_settings settings = stickslip_settings_default();
+    settings.method = STICKSLIP_POLONSKY_KEER;
+    CHECK(stickslip_rolling_solver_set_settings(solver, &settings) == STICKSLIP_METHOD);
+    CHECK(stickslip_rolling_solver_set_load(solver, NULL) == STICKSLIP_BAD_POINTER);
+    stickslip_rolling_result after = solve(solver, solution);
+    CLOSE(after.creepage[0], 0.05, 0.0);
+    CLOSE(after.force[0], before.force[0], 1e-7);
+}
+
+static void options_are_chosen(const stickslip_half_space *bodies, const stickslip_normal_solution *pressed) {
+    stickslip_friction friction = stickslip_coulomb(FRICTION);
+    stickslip_rolling_load load = by_creepage(0.1, 0.0, 0.0), across = by_creepage(0.0, 0.1, 0.0);
+    stickslip_rolling_options options = stickslip_rolling_options_default(), whole = options;
+    stickslip_rolling_solver *solver = NULL, *turned = NULL, *none = NULL;
+    stickslip_rolling_solution *solution = NULL;
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &options, &solver));
+    OK(stickslip_rolling_solution_new(solver, &solution));
+    double force = solve(solver, solution).force[0];
+    options.leading_edge = STICKSLIP_PLUS_Y;
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &across, &options, &turned));
+    CLOSE(solve(turned, solution).force[1], force, 1e-7);
+    OK(stickslip_rolling_solver_free(turned));
+    whole.touch_rule = STICKSLIP_WHOLE_STEP;
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &turned));
+    CHECK(solve(turned, solution).force[0] > 1.001 * force);
+    options.leading_edge = 4;
+    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &options, &none) == STICKSLIP_NO_SUCH_OPTION);
+    whole.step = 0;
+    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_NOT_POSITIVE);
+    whole.step = N;
+    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_BELOW);
+    whole.step = 1, whole.reserved[0] = 1;
+    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(none == NULL);
+    OK(stickslip_rolling_solution_free(solution));
+    OK(stickslip_rolling_solver_free(solver));
+    OK(stickslip_rolling_solver_free(turned));
+}
+
+int main(void) {
+    a_cylinder_is_carter();
+    stickslip_grid grid = {N, N, 3.0 / N, 3.0 / N};
+    stickslip_half_space *bodies = NULL;
+    stickslip_hertz hertz;
+    OK(stickslip_surface_sphere(&grid, 1.0, gap, CELLS));
+    OK(stickslip_half_space_new(&grid, &BODY, &BODY, NULL, &bodies));
+    OK(stickslip_hertz_sphere(bodies, 1.0, 1.0, &hertz));
+    stickslip_normal_solution *pressed = press(bodies, gap, CELLS, 1.0);
+    stickslip_friction friction = stickslip_coulomb(FRICTION);
+    stickslip_rolling_solver *solver = NULL;
+    stickslip_rolling_solution *solution = NULL;
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, NULL, NULL, &solver));
+    OK(stickslip_rolling_solution_new(solver, &solution));
+    small_creepages_have_the_coefficients_of_kalker(solver, solution, hertz.contact_radius);
+    loads_have_the_motions_that_cause_them(solver, solution);
+    a_creep_curve_goes_from_nothing_to_sliding(solver);
+    what_is_refused_leaves_the_solver(solver, solution);
+    options_are_chosen(bodies, pressed);
+    OK(stickslip_rolling_solution_free(solution));
+    OK(stickslip_rolling_solver_free(solver));
+    OK(stickslip_normal_solution_free(pressed));
+    OK(stickslip_half_space_free(bodies));
+    return report("steady rolling");
+}

@@ -1,0 +1,137 @@
+//! Creep curves and creep surfaces.
+
+use pyo3::prelude::*;
+use stickslip::rolling;
+
+use crate::array::Array;
+use crate::digits::{counted, short, tuple};
+use crate::pickle::picklable;
+use crate::sequence::{Entries, entry, pair};
+
+/// A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
+#[pyclass(frozen, eq, module = "stickslip.rolling")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct CreepForce(rolling::CreepForce);
+
+#[pymethods]
+impl CreepForce {
+    /// The creepages along x and y (dimensionless).
+    #[getter]
+    fn creepage(&self) -> (f64, f64) {
+        pair(self.0.creepage)
+    }
+
+    /// The spin (one over a length, positive from x to y).
+    #[getter]
+    fn spin(&self) -> f64 {
+        self.0.spin
+    }
+
+    /// Tangential force on body 1 along x and y.
+    #[getter]
+    fn force(&self) -> (f64, f64) {
+        pair(self.0.force)
+    }
+
+    /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+    #[getter]
+    fn moment(&self) -> f64 {
+        self.0.moment
+    }
+
+    /// Cells that stick over cells in contact.
+    #[getter]
+    fn stick_ratio(&self) -> f64 {
+        self.0.stick_ratio
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "CreepForce(creepage={}, spin={}, force={})",
+            tuple(&self.0.creepage),
+            short(self.0.spin),
+            tuple(&self.0.force)
+        )
+    }
+}
+
+picklable!(CreepForce: rolling::CreepForce);
+
+/// The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with a number of each
+/// point, in their order. Vectors are (x, y).
+#[pyclass(frozen, eq, module = "stickslip.rolling", sequence)]
+#[derive(Clone, PartialEq)]
+pub(crate) struct CreepForces(Vec<rolling::CreepForce>);
+
+impl From<Vec<rolling::CreepForce>> for CreepForces {
+    fn from(points: Vec<rolling::CreepForce>) -> Self {
+        Self(points)
+    }
+}
+
+impl CreepForces {
+    fn numbers<'py>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&rolling::CreepForce) -> f64,
+    ) -> Array<'py> {
+        Array::new(py, self.0.iter().map(of))
+    }
+}
+
+#[pymethods]
+impl CreepForces {
+    /// The creepages along x and y (dimensionless).
+    #[getter]
+    fn creepage<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>) {
+        (
+            self.numbers(py, |point| point.creepage[0]),
+            self.numbers(py, |point| point.creepage[1]),
+        )
+    }
+
+    /// The spin (one over a length, positive from x to y).
+    #[getter]
+    fn spin<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.numbers(py, |point| point.spin)
+    }
+
+    /// Tangential force on body 1 along x and y.
+    #[getter]
+    fn force<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>) {
+        (
+            self.numbers(py, |point| point.force[0]),
+            self.numbers(py, |point| point.force[1]),
+        )
+    }
+
+    /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+    #[getter]
+    fn moment<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.numbers(py, |point| point.moment)
+    }
+
+    /// Cells that stick over cells in contact.
+    #[getter]
+    fn stick_ratio<'py>(&self, py: Python<'py>) -> Array<'py> {
+        self.numbers(py, |point| point.stick_ratio)
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+
+    fn __iter__(&self) -> Entries<CreepForce> {
+        Entries::of(&self.0, CreepForce)
+    }
+
+    fn __getitem__(&self, index: isize) -> PyResult<CreepForce> {
+        entry(&self.0, index, "point").copied().map(CreepForce)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("CreepForces({})", counted(self.0.len(), "point"))
+    }
+}
+
+picklable!(CreepForces: Vec<rolling::CreepForce>);

@@ -1,0 +1,12 @@
+//! Steady rolling.
+
+mod control;
+mod creep;
+mod problem;
+mod solution;
+mod solver;
+
+pub(crate) use creep::{CreepForce, CreepForces};
+pub(crate) use problem::RollingProblem;
+pub(crate) use solution::RollingSolution;
+pub(crate) use solver::RollingSolver;

@@ -1,0 +1,170 @@
+//! A rolling contact to be solved.
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use stickslip::cgm;
+use stickslip::history::TouchRule;
+use stickslip::rolling::{self, LeadingEdge};
+
+use crate::choice::Choice;
+use crate::due;
+use crate::friction::{AnyFriction, Friction};
+use crate::grid::size;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::pickle::Recipe;
+use crate::real::Real;
+use crate::rolling::control::Keywords;
+use crate::rolling::{RollingSolution, RollingSolver};
+use crate::settings::{Settings, chosen};
+use crate::solver::solve_once;
+use crate::work::unobserved_on;
+
+/// Bodies, normal contact, friction, and what is prescribed of their steady rolling.
+///
+/// Along an axis of which nothing is said there is no creepage.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// normal : NormalSolution
+///     A solved normal contact of these bodies.
+/// friction : Friction, float or array_like of shape (ny, nx)
+///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+/// creepage, creepage_x, creepage_y : pair of float, float, optional
+///     The creepages, which body 2 moves over body 1 for each length rolled (dimensionless). A positive creepage causes a
+///     positive force.
+/// force, force_x, force_y : pair of float, float, optional
+///     The tangential force that body 2 exerts on body 1, less than friction holds; the creepage follows.
+/// spin : float, default 0
+///     Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+///     positive from x to y).
+/// moment : float, optional
+///     In place of the spin, which follows: the moment on body 1 about the origin of the grid (a force times a length,
+///     positive from x to y), less than friction holds.
+/// leading_edge : LeadingEdge or str, default "plus_x"
+///     Where particles enter the contact.
+/// step : int, default 1
+///     Cells that a particle passes in a step. Longer steps cost less and are less accurate.
+/// touch_rule : TouchRule or str, default "growth"
+///     How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
+///
+/// Raises
+/// ------
+/// NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
+/// NotModelled, Below, BeyondFrictionCapacity, Tolerance, IterationLimit, Method
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(24, 3.0)
+/// >>> body = stickslip.Material.from_shear_modulus(1.0, 0.25)
+/// >>> bodies = stickslip.HalfSpace(grid, (body, body))
+/// >>> ball = stickslip.surface.sphere(grid, 1.0)
+/// >>> normal = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
+/// >>> rolling = stickslip.rolling.RollingProblem(bodies, normal, 0.3, creepage_x=1e-5).solve()
+/// >>> a = stickslip.analytical.HertzSphere(bodies.pair, 1.0, 1.0).contact_radius
+/// >>> abs(rolling.force[0] / (a * a * 1e-5) / 4.12 - 1.0) < 0.02  # Kalker's coefficient C11
+/// True
+#[pyclass(frozen, module = "stickslip.rolling")]
+pub(crate) struct RollingProblem(rolling::RollingProblem, stickslip::Grid, Recipe);
+
+#[pymethods]
+impl RollingProblem {
+    #[new]
+    #[pyo3(signature = (bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None,
+        force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, touch_rule=None, settings=None,
+        tolerance=None, method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        normal: Bound<'_, NormalSolution>,
+        friction: AnyFriction<'_>,
+        creepage: Option<due::Creepages>,
+        creepage_x: Option<Real>,
+        creepage_y: Option<Real>,
+        force: Option<due::Force>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        spin: Option<Real>,
+        moment: Option<Real>,
+        leading_edge: Option<Choice<LeadingEdge>>,
+        step: Option<usize>,
+        touch_rule: Option<Choice<TouchRule>>,
+        settings: Option<Settings>,
+        tolerance: Option<Real>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<Real>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let keywords = Keywords::new(
+            (creepage, force),
+            [creepage_x, creepage_y],
+            [force_x, force_y],
+            (spin, moment),
+        )?;
+        let grid = bodies.0.grid();
+        let friction = friction.on(py, grid)?;
+        let given = (bodies.clone(), normal.clone(), Friction(friction.clone()));
+        let recipe = Recipe::new(py, given)?
+            .with(py, "leading_edge", leading_edge)?
+            .with(py, "step", step)?
+            .with(py, "touch_rule", touch_rule)?
+            .with(py, "settings", Some(Settings(settings)))?;
+        let recipe = keywords.recorded(py, recipe)?;
+        let normal = normal.get().get();
+        let built = unobserved_on(py, grid, || {
+            let [x, y] = keywords.controls();
+            let mut builder = rolling::RollingProblem::builder(&bodies.0, normal, friction)
+                .control(stickslip::Axis::X, x)
+                .control(stickslip::Axis::Y, y)
+                .spin(keywords.spin())
+                .settings(settings);
+            if let Some(edge) = leading_edge {
+                builder = builder.leading_edge(edge.0);
+            }
+            if let Some(cells) = step {
+                builder = builder.step(cells);
+            }
+            if let Some(rule) = touch_rule {
+                builder = builder.touch_rule(rule.0);
+            }
+            builder.build()
+        })?;
+        Ok(Self(built, grid, recipe))
+    }
+
+    /// Solves once; see :meth:`NormalProblem.solve`.
+    #[pyo3(signature = (*, progress=None, warn=true))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, RollingSolution>> {
+        let solver = || self.0.clone().into_solver();
+        solve_once(py, self.1.cells(), solver, progress, warn)
+    }
+
+    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    fn solver(&self, py: Python<'_>) -> PyResult<RollingSolver> {
+        RollingSolver::of(py, self.1, || self.0.clone().into_solver())
+    }
+
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        self.2.parts(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("RollingProblem({})", size(self.1))
+    }
+}

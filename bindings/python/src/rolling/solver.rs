@@ -1,0 +1,128 @@
+//! Rolling contacts solved again and again.
+
+use pyo3::prelude::*;
+use stickslip::rolling;
+
+use crate::due;
+use crate::error::OrRaise;
+use crate::real::Real;
+use crate::report::Report;
+use crate::rolling::control::Keywords;
+use crate::rolling::{CreepForces, RollingSolution};
+use crate::solver::{Reused, solver};
+use crate::work::unless_broken_off;
+
+/// Solves for one creepage, force or spin after the other, each from the last answer; made by
+/// :meth:`RollingProblem.solver`.
+#[pyclass(frozen, module = "stickslip.rolling")]
+pub(crate) struct RollingSolver(Reused<rolling::RollingSolver>);
+
+impl RollingSolver {
+    pub(super) fn of(
+        py: Python<'_>,
+        grid: stickslip::Grid,
+        solver: impl FnOnce() -> stickslip::Result<rolling::RollingSolver> + Send,
+    ) -> PyResult<Self> {
+        Reused::new(py, grid, solver).map(Self)
+    }
+}
+
+solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as RollingSolution, |_| Vec::new());
+
+#[pymethods]
+impl RollingSolver {
+    /// Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+    ///
+    /// Parameters
+    /// ----------
+    /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+    ///     As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+    /// progress, warn : optional
+    ///     As of :meth:`NormalProblem.solve`.
+    ///
+    /// Returns
+    /// -------
+    /// RollingSolution
+    ///
+    /// Raises
+    /// ------
+    /// NotFinite, NotModelled, BeyondFrictionCapacity, Below
+    ///     For what is prescribed, which is then as it was.
+    /// NotConverged
+    ///     With ``report`` and ``last_iterate``.
+    #[pyo3(signature = (*, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None,
+        spin=None, moment=None, progress=None, warn=true))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        creepage: Option<due::Creepages>,
+        creepage_x: Option<Real>,
+        creepage_y: Option<Real>,
+        force: Option<due::Force>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        spin: Option<Real>,
+        moment: Option<Real>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, RollingSolution>> {
+        let keywords = Keywords::new(
+            (creepage, force),
+            [creepage_x, creepage_y],
+            [force_x, force_y],
+            (spin, moment),
+        )?;
+        let set = |solver: &mut rolling::RollingSolver| {
+            if keywords.is_empty() {
+                return Ok(());
+            }
+            let outcome = solver.set_control(keywords.controls(), keywords.spin());
+            outcome.or_raise(py)
+        };
+        self.0.solve(py, set, progress, warn)
+    }
+
+    /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
+    /// last answer: forces, with the spin forces times lengths, in the row of the moment once more times a length. Cells
+    /// that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
+    /// coefficients, times G a b and lengths.
+    fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
+        self.0.observed(py, |solver, _| solver.stiffness())
+    }
+
+    /// The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
+    /// row by row. The last point stays prescribed.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array_like of shape (n, 3)
+    ///     Each ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Neighbours in the
+    ///     order should be neighbours in the plane.
+    ///
+    /// Returns
+    /// -------
+    /// CreepForces
+    ///     Of each point in turn, and arrays of all.
+    ///
+    /// Raises
+    /// ------
+    /// NotFinite, NotModelled, NotConverged
+    ///     At the first point that fails, which stays prescribed if it is one that did not converge.
+    fn creep_forces(&self, py: Python<'_>, points: due::CreepPoints) -> PyResult<CreepForces> {
+        let found = self.0.observed(py, |solver, observer| {
+            let mut found = Vec::with_capacity(points.0.len());
+            for point in points.0 {
+                unless_broken_off(observer)?;
+                found.extend(solver.creep_forces([point])?);
+            }
+            Ok(found)
+        });
+        found.map(CreepForces::from)
+    }
+
+    /// How the last solve ended.
+    #[getter]
+    fn report(&self) -> PyResult<Report> {
+        self.0.with(|solver| Report::of(solver.report()))
+    }
+}

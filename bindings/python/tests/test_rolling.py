@@ -1,0 +1,174 @@
+"""Steady rolling against Carter and Kalker, by creepages, forces and moments."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+from stickslip.rolling import CreepForces, RollingProblem
+
+FRICTION = 0.3
+
+
+class Ball:
+    """A ball that rolls on a plane of the same material, of shear modulus and load one."""
+
+    def __init__(self, cells=24):
+        body = ss.Material.from_shear_modulus(1.0, 0.25)
+        self.bodies = ss.HalfSpace(ss.Grid.square(cells, 3.0), (body, body))
+        gap = ss.surface.sphere(self.bodies.grid, 1.0)
+        self.normal = ss.NormalProblem(self.bodies, gap, force=1.0).solve()
+        self.radius = ss.analytical.HertzSphere(self.bodies.pair, 1.0, 1.0).contact_radius
+
+    def problem(self, **options):
+        return RollingProblem(self.bodies, self.normal, FRICTION, **options)
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return Ball()
+
+
+def test_a_cylinder_is_carter():
+    steel = ss.Material(210e3, 0.3)
+    hertz = ss.analytical.HertzLine(ss.ElasticPair(steel, steel), 10.0, 100.0)
+    side = 2.5 * hertz.half_width
+    grid = ss.Grid(128, 1, side / 128, 1.0)
+    bodies = ss.HalfSpace(grid, (steel, steel), boundary=ss.Boundary.periodic_along_y(side))
+    normal = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 10.0), force=100.0).solve()
+    slides_at = ss.analytical.Carter(hertz, FRICTION, 0.0).sliding_creepage
+    exact = ss.analytical.Carter(hertz, FRICTION, 0.4 * slides_at)
+    assert exact.force == pytest.approx(0.64 * FRICTION * 100.0)
+    assert exact.stick_half_width == pytest.approx(0.6 * hertz.half_width)
+    rolling = RollingProblem(bodies, normal, FRICTION, creepage_x=0.4 * slides_at).solve()
+    assert rolling.force[0] == pytest.approx(exact.force, abs=1e-4 * FRICTION * 100.0)
+    assert rolling.stick_ratio == pytest.approx(0.6, abs=0.02)
+    difference = np.abs(rolling.traction[0][0] - exact.traction(grid.x)).sum()
+    assert difference < 0.02 * np.abs(rolling.traction[0]).sum()
+
+
+def test_small_creepages_have_the_coefficients_of_kalker(ball):
+    solver = ball.problem().solver()
+    stiffness = np.array(solver.stiffness())
+    unit = ball.radius**2
+    assert stiffness[0, 0] / unit == pytest.approx(4.12, rel=0.02)
+    assert stiffness[1, 1] / unit == pytest.approx(3.67, rel=0.02)
+    assert stiffness[1, 2] / ball.radius**3 == pytest.approx(1.47, rel=0.02)
+    small = 1e-6 * np.array([1.0, -2.0, 0.5])
+    rolling = solver.solve(creepage=small[:2], spin=small[2])
+    found = np.array([*rolling.force, rolling.moment])
+    assert found == pytest.approx(stiffness @ small, abs=1e-3 * np.abs(found).max())
+
+
+def test_a_force_has_the_creepage_that_causes_it(ball):
+    solver = ball.problem(force=(0.1, 0.05)).solver()
+    rolling = solver.solve()
+    assert rolling.force == pytest.approx((0.1, 0.05), rel=1e-8)
+    by_creepage = solver.solve(creepage=rolling.creepage)
+    assert by_creepage.force == pytest.approx(rolling.force, rel=1e-6)
+    assert solver.report.is_converged and rolling.report.is_converged
+    mixed = solver.solve(force_x=0.1, creepage_y=0.02)
+    assert mixed.force[0] == pytest.approx(0.1, rel=1e-8) and mixed.creepage[1] == 0.02
+
+
+def test_a_moment_has_the_spin_that_causes_it(ball):
+    by_spin = ball.problem(spin=0.1).solve()
+    by_moment = ball.problem(moment=by_spin.moment).solve()
+    assert by_moment.moment == pytest.approx(by_spin.moment, rel=1e-6)
+    assert by_moment.spin == pytest.approx(0.1, rel=1e-5)
+
+
+def test_what_is_worked_is_dissipated(ball):
+    def missing(rolling):
+        motion = (*rolling.creepage, rolling.spin)
+        assert rolling.work == pytest.approx(np.dot(motion, (*rolling.force, rolling.moment)))
+        return 1.0 - rolling.dissipation.sum() * rolling.grid.cell_area / rolling.work
+
+    given = {"creepage": (0.1, 0.05), "spin": 0.02}
+    rolling = ball.problem(**given).solve()
+    # A part that falls with the size of the cells.
+    assert 0.0 < missing(Ball(48).problem(**given).solve()) < 0.6 * missing(rolling) < 0.12
+    against = -sum(q * s for q, s in zip(rolling.traction, rolling.slip, strict=True))
+    assert rolling.dissipation == pytest.approx(against) and (against >= 0.0).all()
+    assert (against[rolling.zones != ss.Zone.SLIP] == 0.0).all()
+
+
+def test_the_leading_edge_and_the_step_are_chosen(ball):
+    along_x = ball.problem(creepage_x=0.1).solve()
+    along_y = ball.problem(creepage_y=0.1, leading_edge="plus_y").solve()
+    assert along_y.traction[1].T == pytest.approx(along_x.traction[0], abs=1e-6)
+    back = ball.problem(creepage_x=0.1, leading_edge=ss.rolling.LeadingEdge.MINUS_X).solve()
+    assert back.traction[0][:, ::-1] == pytest.approx(along_x.traction[0], abs=1e-6)
+    coarse = ball.problem(creepage_x=0.1, step=2).solve()
+    plain = ball.problem(creepage_x=0.1, touch_rule="whole_step").solve()
+    assert len({along_x.force[0], coarse.force[0], plain.force[0]}) == 3
+    assert plain.force[0] > along_x.force[0]
+    assert [edge.axis for edge in ss.rolling.LeadingEdge] == ["x", "x", "y", "y"]
+
+
+def test_a_creep_curve_goes_from_nothing_to_sliding(ball):
+    points = np.zeros((11, 3))
+    points[:, 0] = 0.03 * np.arange(11)
+    solver = ball.problem().solver()
+    curve = solver.creep_forces(points)
+    force_x, force_y = curve.force
+    assert force_x[0] == 0.0 and curve.stick_ratio[-1] == 0.0
+    # Where all slips, not quite along x.
+    assert 0.999 * FRICTION < force_x[-1] < FRICTION
+    assert (np.diff(force_x, 2) <= 1e-9).all() and np.abs(force_y).max() < 1e-8
+    assert (np.diff(curve.stick_ratio) <= 0.0).all() and (curve.creepage[0] == points[:, 0]).all()
+    assert len(curve) == 11 and [point.force[0] for point in curve] == list(force_x)
+    assert (curve[3].spin, curve[3].moment) == (curve.spin[3], curve.moment[3])
+    assert pickle.loads(pickle.dumps(curve)) == curve and pickle.loads(pickle.dumps(curve[3])) == curve[3]
+    # The last point stays prescribed.
+    assert solver.solve().creepage == (points[-1, 0], 0.0)
+    assert isinstance(solver.creep_forces([]), CreepForces) and len(solver.creep_forces(np.empty((0, 3)))) == 0
+
+
+def test_a_problem_comes_back_from_a_pickle(ball):
+    problem = ball.problem(force_x=0.1, creepage_y=0.01, moment=0.01, leading_edge="minus_x", step=2, tolerance=1e-6)
+    again = pickle.loads(pickle.dumps(problem)).solve()
+    solution = problem.solve()
+    assert (again.traction[0] == solution.traction[0]).all() and again.spin == solution.spin != 0.0
+
+
+def test_what_is_refused_leaves_the_solver_as_it_was(ball):
+    solver = ball.problem(creepage_x=0.05).solver()
+    before = solver.solve()
+    with pytest.raises(ss.BeyondFrictionCapacity) as caught:
+        solver.solve(force_x=0.31)
+    assert (caught.value.force, caught.value.limit) == pytest.approx((0.31, 0.3))
+    with pytest.raises(ss.errors.NotFinite, match="creepage"):
+        solver.solve(creepage=(0.0, np.nan))
+    with pytest.raises(ss.errors.Below, match="moment that friction holds"):
+        solver.solve(moment=1.0)
+    with pytest.raises(ss.errors.NotFinite):
+        solver.creep_forces([(np.inf, 0.0, 0.0)])
+    with pytest.raises(TypeError, match="one of creepage and force along x"):
+        solver.solve(creepage_x=0.1, force_x=0.1)
+    with pytest.raises(TypeError, match="a spin or a moment"):
+        solver.solve(spin=0.1, moment=0.1)
+    with pytest.raises(TypeError, match="creepage is a pair"):
+        solver.solve(creepage=0.1)
+    with pytest.raises(TypeError, match=r"\(creepage_x, creepage_y, spin\)"):
+        solver.creep_forces([(0.1, 0.0)])
+    after = solver.solve()
+    assert after.creepage == before.creepage == (0.05, 0.0)
+    assert after.force == pytest.approx(before.force, rel=1e-7)
+
+
+def test_what_cannot_roll_is_refused(ball):
+    with pytest.raises(ss.errors.NotPositive, match="step"):
+        ball.problem(step=0)
+    with pytest.raises(ValueError, match="LeadingEdge is one of 'plus_x'"):
+        ball.problem(leading_edge="x")
+    with pytest.raises(ss.errors.Method):
+        ball.problem(method="polonsky_keer")
+    with pytest.raises(ss.NotConverged) as caught:
+        ball.problem(creepage_x=0.1, max_iterations=1).solve()
+    assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
+    # The contact reaches the edge of the grid, where particles would enter.
+    flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
+    with pytest.raises(ss.errors.Below, match="cells ahead of the contact"):
+        RollingProblem(ball.bodies, flat, FRICTION)
