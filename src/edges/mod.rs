@@ -69,8 +69,10 @@
 //! [`Boundary::Periodic`]: crate::Boundary::Periodic
 
 mod fit;
+mod history;
 mod outline;
 mod search;
+mod spots;
 mod states;
 mod stencil;
 mod tangential;
@@ -83,17 +85,19 @@ use crate::grid::Grid;
 use crate::normal::NormalSolution;
 use crate::shown::shown;
 
-use search::Search;
+use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
 
 /// The edge of a set of cells, the contact or its stick zone, found inside the cells. Obtained from
-/// [`NormalSolution::edges`] and [`TangentialSolution::edges`](crate::TangentialSolution::edges).
+/// [`NormalSolution::edges`], [`TangentialSolution::edges`](crate::TangentialSolution::edges) and
+/// [`History::edges`](crate::History::edges).
 #[derive(Clone, PartialEq)]
 pub struct Edges {
     cells: Vec<EdgeCell>,
     centres: Field,
     means: Field,
     outline: Vec<[[f64; 2]; 2]>,
+    repeats: [bool; 2],
     area: f64,
 }
 
@@ -188,6 +192,7 @@ impl NormalSolution {
             is_outside_known: &|_| true,
             modulus: &|_, _| modulus,
             excess: excess(self.boundary(), self.cell_value()),
+            largest_miss: LARGEST_MISS,
         }
         .edges()
     }
