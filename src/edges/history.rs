@@ -41,7 +41,7 @@ impl History {
     ///
     /// ```
     /// use stickslip::*;
-    /// let grid = Grid::square(64, 3.0)?;
+    /// let grid = Grid::square(96, 3.0)?;
     /// let body = Material::new(2.0, 0.0)?;
     /// let pair = ElasticPair::new(body, body)?;
     /// let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
@@ -49,14 +49,15 @@ impl History {
     /// let ball = surface::sphere(grid, 1.0)?;
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
     /// history.step(&LoadStep::hold().normal(NormalControl::Force(4.0 / 3.0)))?;
-    /// let path = [0.4, 0.0];
+    /// let path = [0.45, 0.0];
     /// for force in path {
     ///     history.step(&LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force)))?;
     /// }
     /// let exact = analytical::MindlinDeresiewicz::new(hertz, 0.5, &path)?;
     /// let area = std::f64::consts::PI * exact.stick_radius().powi(2);
-    /// assert!((history.edges()?.stick_area() / area - 1.0).abs() < 4e-3);
-    /// assert!((history.last_step().stick_ratio() * hertz.contact_area() / area - 1.0).abs() > 6e-3);
+    /// let counted = history.last_step().stick_ratio() * history.normal().contact_area();
+    /// assert!((counted / area - 1.0).abs() > 1e-2);
+    /// assert!((history.edges()?.stick_area() / area - 1.0).abs() < 1e-3);
     /// # Ok::<(), Error>(())
     /// ```
     ///

@@ -16,7 +16,8 @@
 //!
 //! The stick zone has the same edge, with what friction could still bear, $`\mu p - |q|`$, in place of the pressure, the slip
 //! in place of the gap, and the modulus $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ in place of $`E^*`$, $`\theta`$ between
-//! the traction and the normal of the edge, $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ of both bodies.
+//! the traction and the normal of the edge, $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ of both bodies. That of a
+//! history, which may have turned, is told at [`History::edges`](crate::History::edges).
 //!
 //! # Where it holds
 //!
@@ -39,6 +40,10 @@
 //! cell values), a periodic plane (likewise), and a free plane with 50 cells in contact (area, both).
 //!
 //! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
+//!
+//! The largest traction is that of the cell nearest the edge of the stick zone, where $`\mu p`$ falls by up to a fifteenth
+//! from a cell to the next: on a sphere at 40 % of the sliding force, 128 x 128 cells, it is right to 3e-4 on the mean of
+//! eight places and to 9e-4 at the worst.
 //!
 //! ```
 //! use stickslip::*;
