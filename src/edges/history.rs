@@ -95,10 +95,11 @@ impl History {
         let is_held = step
             .normal_report()
             .is_none_or(|report| report.products() == 0);
-        is_held
-            && step.shift() == self.shift()
-            && step.twist() == self.twist()
-            && step.tangential_force() == self.tangential_force()
+        let bits = |[x, y]: [f64; 2], twist: f64, [force_x, force_y]: [f64; 2]| {
+            [x, y, twist, force_x, force_y].map(f64::to_bits)
+        };
+        let of_state = bits(self.shift(), self.twist(), self.tangential_force());
+        is_held && of_state == bits(step.shift(), step.twist(), step.tangential_force())
     }
 
     /// Directions of the traction in cells that slip, and in those that stick of the nearest that slips; zero in contacts
@@ -119,7 +120,8 @@ impl History {
         while let Some(&i) = reached.get(done) {
             done += 1;
             for next in neighbours(i, size, repeats).into_iter().flatten() {
-                if zones[next] == Zone::Stick && directions[next] == [0.0; 2] {
+                let is_new = directions[next].iter().all(|part| *part == 0.0);
+                if zones[next] == Zone::Stick && is_new {
                     directions[next] = directions[i];
                     buffer::push(&mut reached, next)?;
                 }

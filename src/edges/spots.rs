@@ -59,7 +59,9 @@ impl Edges {
                 areas[spot] += cell.covered / count as f64;
             }
         }
-        areas.iter_mut().for_each(|area| *area *= grid.cell_area());
+        for area in &mut areas {
+            *area *= grid.cell_area();
+        }
         Ok(areas)
     }
 
