@@ -68,7 +68,7 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "enum rolling::LeadingEdge": "rolling is in Rust alone so far",
+    "enum history::LeadingEdge": "rolling is in Rust alone so far",
     "enum rolling::RollingControl": "rolling is in Rust alone so far",
     "struct rolling::RollingProblem": "rolling is in Rust alone so far",
     "struct rolling::RollingProblemBuilder": "rolling is in Rust alone so far",
