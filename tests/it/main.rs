@@ -107,6 +107,7 @@ mod states_are_kept_and_returned_to;
 mod statistics_agree_with_an_independent_evaluation;
 mod statistics_obey_their_laws;
 mod steady_rolling;
+mod stick_zones_of_histories_have_edges;
 mod stiffness_is_the_slope_of_solves;
 mod stresses_below_the_surface;
 mod superposition_is_exact;
