@@ -6,10 +6,11 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
+use crate::history::rolling_entry::compliance;
 use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
-use crate::tangential::{Increment, Motion, Start};
+use crate::tangential::{Increment, Motion, OwnCompliance, Start};
 use crate::watch::Observer;
 use crate::window::Window;
 
@@ -85,15 +86,20 @@ impl History {
 
     /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
     fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
-        let (grid, demand) = (self.bodies.grid(), load.demand(self.state.motion.twist));
+        let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let State { axes, motion, .. } = self.state;
         let candidate = self.candidate.held();
         let pressed = candidate.unwrap_or(&self.state.normal);
         let memory = &mut self.state.contact;
         let present = memory.as_ref().map(|memory| memory.window);
-        let Some(window) = window_of(&self.bodies, pressed.pressure(), present) else {
+        let Some(mut window) = window_of(&self.bodies, pressed.pressure(), present) else {
             return demand.without_contact(axes, motion);
         };
+        if let Some(travel) = &travel {
+            let pressures = [self.state.normal.pressure(), pressed.pressure()];
+            window = travel.reach(&self.bodies, window, pressures)?;
+        }
         let kind = (axes, self.state.coupling);
         let increment = self.increments.take(&self.bodies, kind, window)?;
         let increment = self.increment.insert(increment);
@@ -107,28 +113,46 @@ impl History {
         }
         increment.set_offset(&memory.offset);
         let state = &self.state;
+        if let Some(travel) = &travel {
+            let passage = travel.through(window.size);
+            let turned = travel.turned(0.5 * (motion.twist + demand.twist));
+            increment.carry_offset(|part| passage.carry(part), turned);
+        }
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
         if let Some(change) = state.displaced_by(load) {
             increment.displace(change);
         }
-        if candidate.is_some() {
-            increment.draw_from(state.pressure().as_slice());
+        let (before, control) = (state.pressure().as_slice(), load.normal_control());
+        match &travel {
+            Some(travel) => {
+                let came = |i: usize| travel.before(i).map_or(0.0, |before_it| before[before_it]);
+                increment.draw_from(came);
+            }
+            None if candidate.is_some() => increment.draw_from(|i| before[i]),
+            None => {}
         }
-        let control = load.normal_control();
-        match candidate.and_then(|_| state.closing(&self.bodies, control)) {
-            Some(gap) => increment.enter(gap)?,
-            None => increment.enter_nowhere(),
+        let has_entered = travel.is_some() || candidate.is_some();
+        let closing = state.closing(&self.bodies, control, travel.is_some());
+        match (closing.filter(|_| has_entered), &travel) {
+            (Some(gap), Some(travel)) => increment.roll_in(|i, pressure| {
+                let entered = |before| compliance(&state.normal, before, gap(before), pressure);
+                travel.before(i).map_or(OwnCompliance::NONE, entered)
+            })?,
+            (Some(gap), None) => increment.enter(gap)?,
+            (None, _) => increment.enter_nowhere(),
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions::new(&state.settings, observer);
-        let memory = state.contact.as_ref().filter(|_| !is_widened);
+        let is_known = !is_widened && travel.is_none();
+        let memory = state.contact.as_ref().filter(|_| is_known);
         let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
         let start = match ahead {
             Some((memory, parts)) => {
                 increment.extrapolate(&memory.trend, parts);
                 Start::Near
             }
+            None if travel.is_some() => Start::Near,
             None => Start::Present(state.shift()),
         };
         increment.solve(&demand, motion, start, &mut conditions)?;

@@ -224,8 +224,9 @@ impl History {
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&StepResult> {
-        let demand = load.demand(self.twist());
-        let checked = demand.check(self.state.axes, self.boundary());
+        let demand = self.state.demand(load, &self.bodies);
+        let checked = self.state.check_rolling(load, &self.bodies);
+        let checked = checked.and_then(|()| demand.check(self.state.axes, self.boundary()));
         let checked = checked.and_then(|()| self.state.check_relative(load));
         self.bodies.agreed_alike(checked, &[("load", load)])?;
         let outcome = parallel::enter_with(self.grid().cells(), || {
@@ -304,7 +305,18 @@ impl History {
         let (answer, report) = solved.unzip();
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
-        commit(answer.as_ref(), motion, state, step, &mut self.written);
+        let moved = motion.since(state.motion).shift;
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        commit(
+            answer.as_ref(),
+            motion,
+            travel.as_ref(),
+            state,
+            step,
+            &mut self.written,
+        );
+        let rolled = load.rolling().zip(travel);
+        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
         match (joint, increment) {
             (Some(joint), _) => joint.write_entered(&mut self.entered),
             (None, Some(increment)) => increment.write_entered(&mut self.entered),
@@ -320,7 +332,8 @@ impl History {
         }
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
-        narrow(&self.bodies, state, before, press_window);
+        let margins = travel.map_or([0; 2], |travel| travel.margins());
+        narrow(&self.bodies, state, before, press_window, margins);
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not

@@ -75,7 +75,6 @@
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
 
-mod entering;
 mod inverse;
 mod operator;
 mod problem;
@@ -84,6 +83,7 @@ mod solver;
 mod step;
 
 pub use crate::history::LeadingEdge;
+use crate::history::rolling_entry as entering;
 pub use problem::{RollingControl, RollingProblem, RollingProblemBuilder};
 pub use solution::RollingSolution;
 pub use solver::RollingSolver;
