@@ -144,9 +144,13 @@ impl History {
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions::new(&state.settings, observer);
-        let is_known = !is_widened && travel.is_none();
-        let memory = state.contact.as_ref().filter(|_| is_known);
-        let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
+        let memory = state.contact.as_ref().filter(|_| !is_widened);
+        let ahead = memory.and_then(|memory| {
+            Some((
+                memory,
+                memory.parts_ahead(state, &demand, travel.is_some())?,
+            ))
+        });
         let start = match ahead {
             Some((memory, parts)) => {
                 increment.extrapolate(&memory.trend, parts);

@@ -32,6 +32,8 @@ pub(super) fn commit(
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
     if let Some(travel) = travel {
+        // In the cells, as those that roll on have it.
+        state.keep_traction();
         state.carry(travel, motion);
     }
     let back = travel.map_or([0.0; 2], |travel| travel.back);
@@ -43,11 +45,7 @@ pub(super) fn commit(
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
         answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
         let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
-        // The next step finds other particles in the cells.
-        memory.trend.by = [0, 1].map(|axis| match travel {
-            Some(_) => [0.0; 2],
-            None => [by[axis], change.shift[axis]],
-        });
+        memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
     state.contact = contact;
     let shifted: f64 = (0..2)
@@ -79,6 +77,7 @@ fn enter(
         motion: state.motion,
         change: state.motion.since(before),
         middle: back.map(|back| 0.5 * back),
+        is_rolled: back != [0.0; 2],
         displacement: slices(&memory.displacement),
     };
     let [qx, qy] = &mut state.traction;
@@ -108,7 +107,12 @@ fn enter(
             let q = traction.each_ref().map(|part| part.items[i]);
             let cell = taken.cell(row * columns.len() + own, q, at(&offsets, own));
             write(&mut offset, own, cell.offset);
-            write(&mut trend, own, minus(cell.traction, q));
+            let last = if taken.is_rolled {
+                at(&trend.each_ref().map(|part| &*part.items), own)
+            } else {
+                q
+            };
+            write(&mut trend, own, minus(cell.traction, last));
             for axis in 0..2 {
                 traction[axis].items[i] = cell.traction[axis];
                 accumulated[axis].items[i] += cell.slip[axis];
@@ -162,6 +166,8 @@ struct Taken<'a> {
     change: Motion,
     /// From where a particle is to the middle of its way.
     middle: [f64; 2],
+    /// Whether the trend of a cell holds the traction that it had before.
+    is_rolled: bool,
     /// Displacement before the step.
     displacement: [&'a [f64]; 2],
 }

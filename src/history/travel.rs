@@ -160,6 +160,19 @@ fn contact_of(bodies: &HalfSpace, pressure: &Field) -> Option<Window> {
 }
 
 impl State {
+    /// Writes the tractions of the cells to where the trend of a step is to be.
+    pub(super) fn keep_traction(&mut self) {
+        let grid = self.grid();
+        if let Some(memory) = &mut self.contact {
+            let held = memory.window.held(grid);
+            for (kept, traction) in memory.trend.change.iter_mut().zip(&self.traction) {
+                if !kept.is_empty() {
+                    held.gather(traction.as_slice(), kept);
+                }
+            }
+        }
+    }
+
     /// Carries what the particles have to where they are after a step that ended with this motion; they come without any of
     /// it from beyond the grid.
     pub(super) fn carry(&mut self, travel: &Travel, end: Motion) {
