@@ -7,10 +7,11 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
 use crate::history::rolling_entry::compliance;
+use crate::history::travel::Travel;
 use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
-use crate::tangential::{Increment, Motion, OwnCompliance, Start};
+use crate::tangential::{Demand, Increment, Motion, OwnCompliance, Start};
 use crate::watch::Observer;
 use crate::window::Window;
 
@@ -112,51 +113,29 @@ impl History {
             memory.widen(grid, increment, self.state.traction.each_ref(), motion)?;
         }
         increment.set_offset(&memory.offset);
-        let state = &self.state;
-        if let Some(travel) = &travel {
-            let passage = travel.through(window.size);
-            let turned = travel.turned(0.5 * (motion.twist + demand.twist));
-            increment.carry_offset(|part| passage.carry(part), turned);
-        }
+        let (state, is_pressed) = (&self.state, candidate.is_some());
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
         if let Some(change) = state.displaced_by(load) {
             increment.displace(change);
         }
-        let (before, control) = (state.pressure().as_slice(), load.normal_control());
+        let control = load.normal_control();
         match &travel {
-            Some(travel) => {
-                let came = |i: usize| travel.before(i).map_or(0.0, |before_it| before[before_it]);
-                increment.draw_from(came);
-            }
-            None if candidate.is_some() => increment.draw_from(|i| before[i]),
-            None => {}
-        }
-        let has_entered = travel.is_some() || candidate.is_some();
-        let closing = state.closing(&self.bodies, control, travel.is_some());
-        match (closing.filter(|_| has_entered), &travel) {
-            (Some(gap), Some(travel)) => increment.roll_in(|i, pressure| {
-                let entered = |before| compliance(&state.normal, before, gap(before), pressure);
-                travel.before(i).map_or(OwnCompliance::NONE, entered)
-            })?,
-            (Some(gap), None) => increment.enter(gap)?,
-            (None, _) => increment.enter_nowhere(),
+            Some(travel) => roll(increment, state, (&self.bodies, control), travel, &demand)?,
+            None => press(increment, state, (&self.bodies, control), is_pressed)?,
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
-        let ahead = memory.and_then(|memory| {
-            Some((
-                memory,
-                memory.parts_ahead(state, &demand, travel.is_some())?,
-            ))
-        });
+        let is_rolled = travel.is_some();
+        let ahead = memory
+            .and_then(|memory| Some((memory, memory.parts_ahead(state, &demand, is_rolled)?)));
         let start = match ahead {
             Some((memory, parts)) => {
                 increment.extrapolate(&memory.trend, parts);
                 Start::Near
             }
-            None if travel.is_some() => Start::Near,
+            None if is_rolled => Start::Near,
             None => Start::Present(state.shift()),
         };
         increment.solve(&demand, motion, start, &mut conditions)?;
@@ -196,6 +175,51 @@ impl Drop for Attempt<'_> {
             (*increment, *joint) = (None, None);
         }
     }
+}
+
+/// Poses a step in which the pressure of the cells changes, if it does.
+fn press(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    is_pressed: bool,
+) -> Result<()> {
+    if !is_pressed {
+        increment.enter_nowhere();
+        return Ok(());
+    }
+    let before = state.pressure().as_slice();
+    increment.draw_from(|i| before[i]);
+    match state.closing(bodies, control, false) {
+        Some(gap) => increment.enter(gap),
+        None => {
+            increment.enter_nowhere();
+            Ok(())
+        }
+    }
+}
+
+/// Poses a step in which other particles come to the cells.
+fn roll(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    travel: &Travel,
+    demand: &Demand,
+) -> Result<()> {
+    let passage = travel.through(increment.pressed.window().size);
+    let turned = travel.turned(0.5 * (state.twist() + demand.twist));
+    increment.carry_offset(|part| passage.carry(part), turned);
+    let pressure = state.pressure().as_slice();
+    increment.draw_from(|i| travel.before(i).map_or(0.0, |before| pressure[before]));
+    let Some(gap) = state.closing(bodies, control, true) else {
+        increment.enter_nowhere();
+        return Ok(());
+    };
+    increment.roll_in(|i, pressure| {
+        let entered = |before| compliance(&state.normal, before, gap(before), pressure);
+        travel.before(i).map_or(OwnCompliance::NONE, entered)
+    })
 }
 
 /// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a

@@ -32,7 +32,7 @@ pub(super) fn commit(
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
     if let Some(travel) = travel {
-        // In the cells, as those that roll on have it.
+        // The next step starts from how the tractions of the cells change, whichever particles are there.
         state.keep_traction();
         state.carry(travel, motion);
     }

@@ -25,8 +25,8 @@ pub enum TouchRule {
 
 impl State {
     /// The gap that a cell closes as it comes into contact in a step under this load, zero of one that was in contact;
-    /// `None` where cells follow the whole step. Where the bodies roll the gap that was set is that of other particles: what
-    /// is new of it counts only before the first step.
+    /// `None` where cells follow the whole step. Where the bodies roll the gap that was set is that of other particles:
+    /// what is new of it counts only before the first step.
     pub(super) fn closing(
         &self,
         bodies: &HalfSpace,

@@ -61,19 +61,19 @@
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y in the middle of the
-//! way of the particle. Signs and the law B of cells that enter are those of steady [`rolling`](crate::rolling), in which a
-//! history ends that rolls on under one load; [`TouchRule::WholeStep`] leaves the law out, as CONTACT does. Shift and twist
-//! of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. Along an axis of which a step names the force, the creepage
-//! follows ([`StepResult::creepage`]).
+//! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y in the middle
+//! of the way of the particle. Signs and the law B of cells that enter are those of steady [`rolling`](crate::rolling),
+//! in which a history ends that rolls on under one load; [`TouchRule::WholeStep`] leaves the law out, as CONTACT does.
+//! Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. Along an axis of which a step names the
+//! force, the creepage follows ([`StepResult::creepage`]).
 //!
 //! With the particles move their sums: slip, accumulated slip and dissipated energy of the [`State`]. They leave the grid
-//! behind the contact, and come without any ahead of it. The fields of a [`StepResult`], and of a [`Cycle`], are those of the
-//! cells, at the end of the step.
+//! behind the contact, and come without any ahead of it. The fields of a [`StepResult`], and of a [`Cycle`], are those of
+//! the cells, at the end of the step.
 //!
-//! The gap is that of the step, in the frame of the contact: a form stays, and a texture moves with the particles, so that a
-//! rough surface is given anew for every step, by [`History::set_gap`]. A cell that enters has closed the gap under load that
-//! its particle had in the step before.
+//! The gap is that of the step, in the frame of the contact: a form stays, and a texture moves with the particles, so
+//! that a rough surface is given anew for every step, by [`History::set_gap`]. A cell that enters has closed the gap
+//! under load that its particle had in the step before.
 //!
 //! In the [`EnergyBalance`] traction, displacement and elastic energy before the step are those of the particles; it closes
 //! to round-off. The [stiffness](History::stiffness) after such a step takes the compliance B of a cell as the mean of its
@@ -84,9 +84,9 @@
 //! ranks share.
 //!
 //! Of Carter's cylinder at 0.8 of the sliding force the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
-//! 30 half-widths, without the law within 3e-3. On the cells of CONTACT and without the law, tractions agree to 1e-11 of the
-//! largest limit. A step costs about as much as one of the same contact that does not roll: 18, 19 and 20 products on 32, 64
-//! and 128 cells over the contact of a sphere, where a growing shift takes 18, 19 and 18.
+//! 30 half-widths, without the law within 2e-3. On the cells of CONTACT and without the law, tractions agree to 2e-10 of
+//! the largest limit. A step costs about as much as one of the same contact that does not roll: 18, 19 and 20 products on
+//! 32, 64 and 128 cells over the contact of a sphere, where a growing shift takes 18, 19 and 18.
 //!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all

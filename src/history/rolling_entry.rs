@@ -15,8 +15,8 @@ use crate::tangential::{Pressed, own_compliance};
 /// ```
 ///
 /// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
-/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it. Of rough surfaces
-/// n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
+/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it. Of rough
+/// surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
 pub(crate) fn compliance(
     normal: &NormalSolution,
     before: usize,

@@ -350,7 +350,8 @@ impl State {
         self.slip.each_ref()
     }
 
-    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative), of the particles where those roll.
+    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative), of the particles where those
+    /// roll.
     #[must_use]
     pub fn accumulated_slip(&self) -> &Field {
         &self.accumulated_slip

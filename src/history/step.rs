@@ -212,8 +212,8 @@ impl StepResult {
         self.twist
     }
 
-    /// The creepages $`[\xi, \eta]`$ of a step that rolled, what body 2 has moved over body 1 for each length rolled, given or
-    /// caused by the force (dimensionless); `None` where the step did not roll.
+    /// The creepages $`[\xi, \eta]`$ of a step that rolled, what body 2 has moved over body 1 for each length rolled,
+    /// given or caused by the force (dimensionless); `None` where the step did not roll.
     #[must_use]
     pub fn creepage(&self) -> Option<[f64; 2]> {
         self.creepage

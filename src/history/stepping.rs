@@ -206,11 +206,9 @@ impl History {
     /// [`Error::NotFinite`], [`Error::Negative`],
     /// [`Error::NotPositive`],
     /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::NotModelled`] for the load; [`Error::Below`] if the grid ends less than a rolled step ahead of the contact or
-    /// behind it;
-    /// [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
-    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as
-    /// it was, bit for bit.
+    /// [`Error::NotModelled`] for the load; [`Error::Below`] if the grid ends less than a rolled step ahead of the
+    /// contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
@@ -338,10 +336,9 @@ impl History {
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
-    /// hold it: give the normal load in the next step again. Before a step that [rolls](crate::history#rolling) it is the gap of that step,
-    /// with a texture moved on. What has [yielded](State::yielded) is added to it. One that
-    /// holds it carries
-    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
+    /// hold it: give the normal load in the next step again. Before a step that [rolls](crate::history#rolling) it is the
+    /// gap of that step, with a texture moved on. What has [yielded](State::yielded) is added to it. One that holds it
+    /// carries [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::Sample`];

@@ -37,8 +37,8 @@ pub(crate) struct Increment {
     pub(super) linear: PlaneVector,
     /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
     pub(super) diagonal: Vec<f64>,
-    /// What it is less along one axis, and more along the other, and what couples the two; empty where it is the same in all
-    /// directions.
+    /// `[a, b]` of what they have beside it in the plane, the rows `[a, b]` and `[b, -a]`; empty where it is the same in
+    /// all directions.
     pub(super) deviator: Vec<[f64; 2]>,
     /// Whether a cell does, of any rank.
     pub(super) has_entered: bool,

@@ -1,5 +1,5 @@
-//! A step of a history that rolls moves what the particles remember: it has the digits of CONTACT without the law of entering
-//! cells, those of a gap that moves, the steady state at its end, and a closed balance of energy.
+//! A step of a history that rolls moves what the particles remember: it has the digits of CONTACT without the law of
+//! entering cells, those of a gap that moves, the steady state at its end, and a closed balance of energy.
 
 use std::ops::ControlFlow;
 
@@ -39,8 +39,8 @@ fn small_sphere(poisson: f64) -> (HalfSpace, Field, f64) {
     (bodies, surface::sphere(grid, 1.0).unwrap(), load)
 }
 
-/// CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells: forces on the other body, and cells that stick,
-/// after so many steps of one cell from rest.
+/// CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells: forces on the other body, and cells that
+/// stick, after so many steps of one cell from rest.
 #[test]
 fn another_code_has_the_same_digits_without_the_law() {
     let sphere = Grid::new(41, 37, 0.0116, 0.0116).unwrap();
