@@ -184,19 +184,16 @@ fn press(
     (bodies, control): (&HalfSpace, NormalControl),
     is_pressed: bool,
 ) -> Result<()> {
-    if !is_pressed {
+    if is_pressed {
+        let before = state.pressure().as_slice();
+        increment.draw_from(|i| before[i]);
+    }
+    let closing = is_pressed.then(|| state.closing(bodies, control, false));
+    let Some(gap) = closing.flatten() else {
         increment.enter_nowhere();
         return Ok(());
-    }
-    let before = state.pressure().as_slice();
-    increment.draw_from(|i| before[i]);
-    match state.closing(bodies, control, false) {
-        Some(gap) => increment.enter(gap),
-        None => {
-            increment.enter_nowhere();
-            Ok(())
-        }
-    }
+    };
+    increment.enter(gap)
 }
 
 /// Poses a step in which other particles come to the cells.

@@ -77,7 +77,7 @@ fn enter(
         motion: state.motion,
         change: state.motion.since(before),
         middle: back.map(|back| 0.5 * back),
-        is_rolled: back != [0.0; 2],
+        is_rolled: back.iter().any(|part| *part != 0.0),
         displacement: slices(&memory.displacement),
     };
     let [qx, qy] = &mut state.traction;

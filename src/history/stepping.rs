@@ -337,8 +337,8 @@ impl History {
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
     /// hold it: give the normal load in the next step again. Before a step that [rolls](crate::history#rolling) it is the
-    /// gap of that step, with a texture moved on. What has [yielded](State::yielded) is added to it. One that holds it
-    /// carries [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
+    /// gap of that step, with a texture moved on. What has [yielded](State::yielded) is added to it. A step that holds the
+    /// pressure carries [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::Sample`];
