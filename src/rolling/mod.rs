@@ -86,7 +86,6 @@
 
 mod control;
 mod creep;
-mod entering;
 mod inverse;
 mod operator;
 mod problem;

@@ -4,10 +4,10 @@ use crate::buffer::{TryClone, filled, try_clone, try_each, zeros};
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
 use crate::half_space::HalfSpace;
+use crate::history::Passage;
 use crate::history::TouchRule;
+use crate::history::rolling_entry::{Compliance, entering};
 use crate::normal::NormalSolution;
-use crate::rolling::entering::{Compliance, entering};
-use crate::rolling::step::Step;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{
@@ -21,7 +21,7 @@ use crate::window::Window;
 pub struct RollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) pressed: Pressed,
-    pub(super) step: Step,
+    pub(super) step: Passage,
     /// Length of a step.
     pub(super) length: f64,
     /// Compliance of its own of each cell of the window.
@@ -247,7 +247,7 @@ impl RollingProblemBuilder<'_> {
         let samples = PressureSource::from(self.normal).checked(bodies)?;
         let contact = contact_window(bodies, samples)?;
         let window = self.reach_ahead(contact)?;
-        let step = Step {
+        let step = Passage {
             size: window.size,
             edge: self.edge,
             cells: self.cells,
@@ -300,7 +300,7 @@ impl RollingProblemBuilder<'_> {
 }
 
 /// What the pressure of bodies of different materials adds to the slip of each cell.
-fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Step) -> Result<[Vec<f64>; 2]> {
+fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f64>; 2]> {
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
     if bodies.pair().is_coupled() {
         let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;

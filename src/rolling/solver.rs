@@ -8,13 +8,13 @@ use crate::cgm::{self, Disc, Magnitude, Problem, Settings, Total, WorkspaceOf, s
 use crate::contact::{Conditions, has_iterate, with_counts_of, with_memory};
 use crate::error::{Error, Result};
 use crate::half_space::Compliance;
+use crate::history::Passage;
 use crate::influence::Direction;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
 use crate::rolling::spin_search::SpinSearch;
-use crate::rolling::step::Step;
 use crate::rolling::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
@@ -310,7 +310,7 @@ impl RollingSolver {
 }
 
 /// What a cell slips over a step by a traction of its own.
-fn self_compliance(compliance: &impl Operator<2>, step: Step) -> Result<f64> {
+fn self_compliance(compliance: &impl Operator<2>, step: Passage) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
         (try_each(|_| zeros(cells))?, try_each(|_| zeros(cells))?);

@@ -120,7 +120,7 @@ impl RollingSolver {
             operator: &*self.operator,
             preconditioner: &*self.inverse,
             layout,
-            own: &[],
+            own: Own::default(),
         };
         let mut observer = |_: &_| ControlFlow::Continue(());
         held.respond(right, unknowns, linear, TOLERANCE, &mut observer)?;

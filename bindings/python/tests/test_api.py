@@ -74,6 +74,7 @@ WITHOUT = {
     "struct analytical::KalkerCoefficients": "in Rust alone so far",
     "struct analytical::VermeulenJohnson": "in Rust alone so far",
     "struct analytical::BentallJohnson": "in Rust alone so far",
+    "struct history::Rolling": "rolling steps of histories are in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
@@ -108,8 +109,14 @@ METHODS = {
     "dense::DenseOperator": {"from_rows": "the class"},
     "history::History": {"stiffness_with": "stiffness"},
     "history::LoadPath": {"table": "the class"},
-    "history::LoadStep": {"hold": "LoadStep()", "normal": "normal_force= and approach=", "tangential": "force_x= and others"},
+    "history::LoadStep": {
+        "hold": "LoadStep()",
+        "normal": "normal_force= and approach=",
+        "roll": "rolling is in Rust alone so far",
+        "tangential": "force_x= and others",
+    },
     "history::State": {"of_slabs": "as ranks::Threads"},
+    "history::StepResult": {"creepage": "rolling is in Rust alone so far"},
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
