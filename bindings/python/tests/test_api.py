@@ -71,9 +71,6 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "struct analytical::KalkerCoefficients": "in Rust alone so far",
-    "struct analytical::VermeulenJohnson": "in Rust alone so far",
-    "struct analytical::BentallJohnson": "in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
