@@ -76,7 +76,7 @@ LAYERS = [
         | {"contact_map", "coupling", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
-        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "neighbours", "normal", "parallel", "shown", "tangential"},
+        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "history", "neighbours", "normal", "parallel", "shown", "spots", "tangential"},
         "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "rolling": ENGINE | {"contact", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},

@@ -72,7 +72,7 @@
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | begin, with no experience of the crate | the page of [first steps](guide::first_steps) |
 //! | assess the accuracy of a solution | its [`Report`], its [`discretisation_estimate`](NormalSolution::discretisation_estimate) and its [`Warning`]s |
-//! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`]; [`edges`] |
+//! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`], [`History::edges`]; [`edges`] |
 //! | find out why a number looks wrong | the page [why is my answer wrong](guide::why_is_my_answer_wrong) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |

@@ -72,7 +72,8 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
 pub struct Spot {
     /// Number of its cells.
     pub cells: usize,
-    /// Area, by counting cells (a length squared).
+    /// Area, by counting cells (a length squared); that with the parts of the cells at the edge is among the
+    /// [areas of its edges](crate::edges::Edges::areas_of).
     pub area: f64,
     /// Normal force that it carries (a force).
     pub load: f64,

@@ -108,6 +108,7 @@ mod monitor;
 mod motion;
 mod moving;
 mod newton;
+mod own;
 mod polonsky_keer;
 mod problem;
 mod progress;
@@ -130,6 +131,7 @@ pub use interval::Interval;
 pub(crate) use linear::{Held, LinearWorkspace};
 pub(crate) use look::Known;
 pub(crate) use motion::{Linearised, Motion, Row};
+pub(crate) use own::Own;
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 #[cfg(feature = "dense")]

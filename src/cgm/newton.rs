@@ -298,7 +298,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let set = problem.constraint.of(cell);
                 let measured = set.measured(motions.items[kept], g);
                 motions.items[kept] = if weighed {
-                    measured.weighed(self_compliance, problem.diagonal_of(cell))
+                    measured.weighed(self_compliance, problem.own.mean(cell))
                 } else {
                     measured
                 };
@@ -327,7 +327,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 let g = minus(at(&gradient, cell), multiplier);
                 let was = motions.items[kept];
                 let set = problem.constraint.of(cell);
-                let weighing = [self_compliance, problem.diagonal_of(cell)];
+                let weighing = [self_compliance, problem.own.mean(cell)];
                 let (next, value) = set.next(was, held(&x, place), g, noise, weighing);
                 let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
                 changed += usize::from(!is_same);

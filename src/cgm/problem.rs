@@ -6,6 +6,7 @@ use crate::buffer::or_abort;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::newton::newton;
+use crate::cgm::own::Own;
 use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
@@ -24,8 +25,8 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
-    /// Compliance that cells have of their own; of no cells where none has.
-    pub(super) diagonal: &'a [f64],
+    /// Compliance that cells have of their own.
+    pub(super) own: Own<'a>,
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -41,7 +42,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             layout: operator.layout(),
             operator,
             preconditioner,
-            diagonal: &[],
+            own: Own::default(),
             linear,
             datum: [0.0; N],
             constraint,
@@ -74,8 +75,13 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     #[must_use]
-    pub fn diagonal(mut self, diagonal: &'a [f64]) -> Self {
-        self.diagonal = diagonal;
+    pub fn diagonal(self, diagonal: &'a [f64]) -> Self {
+        self.own(Own::isotropic(diagonal))
+    }
+
+    /// With a symmetric tensor added to each cell that is not negative in any direction.
+    pub(crate) fn own(mut self, own: Own<'a>) -> Self {
+        self.own = own;
         self
     }
 
@@ -99,7 +105,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             operator: self.operator,
             preconditioner,
             layout: self.layout,
-            diagonal: self.diagonal,
+            own: self.own,
             linear: self.linear,
             datum: self.datum,
             constraint: self.constraint,
@@ -119,16 +125,6 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// [`Error::Memory`].
     pub fn try_workspace(&self) -> Result<Workspace<C, P, MotionOf<K, N>, N>> {
         Workspace::new(&self.operator, &self.preconditioner)
-    }
-
-    /// Whether cells have a compliance of their own.
-    pub(super) fn has_diagonal(&self) -> bool {
-        !self.diagonal.is_empty()
-    }
-
-    /// The compliance that a cell has of its own.
-    pub(super) fn diagonal_of(&self, cell: usize) -> f64 {
-        self.diagonal.get(cell).copied().unwrap_or(0.0)
     }
 
     /// The linear term of a cell.
@@ -161,9 +157,14 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
         let cells = self.operator.cells();
         length("preconditioner", cells, self.preconditioner.cells())?;
-        if self.has_diagonal() {
-            length("diagonal", cells, self.diagonal.len())?;
-            all_non_negative("diagonal", self.diagonal)?;
+        let (diagonal, deviator) = self.own.parts();
+        if !diagonal.is_empty() {
+            length("diagonal", cells, diagonal.len())?;
+            all_non_negative("diagonal", diagonal)?;
+        }
+        if !deviator.is_empty() {
+            length("diagonal", cells, deviator.len())?;
+            all_finite("diagonal", deviator.as_flattened())?;
         }
         for linear in self.linear {
             length("linear term", cells, linear.len())?;

@@ -20,7 +20,7 @@ use crate::cgm::newton::newton;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, dot, slices, update_cells};
 use crate::cgm::{Constraint, reduce};
-use crate::operator::Operator;
+use crate::operator::{Operator, SELF_COMPLIANCE};
 use crate::report::Status;
 
 /// Ratio of the stiffnesses of two stages, at most.
@@ -151,7 +151,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.restraint = stiffness;
         let operator = &self.problem.operator;
         self.lower_bound = operator.lower_bound().max(0.0) + stiffness;
-        self.self_compliance = operator.self_compliance().max(0.0) + stiffness;
+        self.self_compliance = operator.self_compliance().max(0.0) + SELF_COMPLIANCE * stiffness;
         self.monitor.begin((stiffness > 0.0).then_some(SOLVED));
     }
 }

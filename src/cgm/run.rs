@@ -193,7 +193,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             operator: &self.problem.operator,
             preconditioner: &self.problem.preconditioner,
             layout: &self.problem.layout,
-            diagonal: self.problem.diagonal,
+            own: self.problem.own,
             self_compliance: self.self_compliance,
             restraint: self.restraint,
             stiff: self.stiff,
@@ -240,9 +240,9 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// Adds a multiple of what the cells displace themselves to the product.
     pub(super) fn add_diagonal(&mut self, part: f64) {
         let (x, problem) = (slices(&self.x), self.problem);
-        if problem.has_diagonal() {
+        if !problem.own.is_none() {
             update_cells(&mut self.workspace.product, |i, u| {
-                plus(u, part * problem.diagonal_of(i), at(&x, i))
+                problem.own.added(u, part, i, at(&x, i))
             });
         }
     }

@@ -16,7 +16,8 @@
 //!
 //! The stick zone has the same edge, with what friction could still bear, $`\mu p - |q|`$, in place of the pressure, the slip
 //! in place of the gap, and the modulus $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ in place of $`E^*`$, $`\theta`$ between
-//! the traction and the normal of the edge, $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ of both bodies.
+//! the traction and the normal of the edge, $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ of both bodies. That of a
+//! history, which may have turned, is told at [`History::edges`](crate::History::edges).
 //!
 //! # Where it holds
 //!
@@ -39,6 +40,10 @@
 //! cell values), a periodic plane (likewise), and a free plane with 50 cells in contact (area, both).
 //!
 //! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
+//!
+//! The largest traction is that of the cell nearest the edge of the stick zone, where $`\mu p`$ falls by up to a fifteenth
+//! from a cell to the next: on a sphere at 40 % of the sliding force, 128 x 128 cells, it is right to 3e-4 on the mean of
+//! eight places and to 9e-4 at the worst.
 //!
 //! ```
 //! use stickslip::*;
@@ -69,8 +74,10 @@
 //! [`Boundary::Periodic`]: crate::Boundary::Periodic
 
 mod fit;
+mod history;
 mod outline;
 mod search;
+mod spots;
 mod states;
 mod stencil;
 mod tangential;
@@ -83,17 +90,19 @@ use crate::grid::Grid;
 use crate::normal::NormalSolution;
 use crate::shown::shown;
 
-use search::Search;
+use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
 
 /// The edge of a set of cells, the contact or its stick zone, found inside the cells. Obtained from
-/// [`NormalSolution::edges`] and [`TangentialSolution::edges`](crate::TangentialSolution::edges).
+/// [`NormalSolution::edges`], [`TangentialSolution::edges`](crate::TangentialSolution::edges) and
+/// [`History::edges`](crate::History::edges).
 #[derive(Clone, PartialEq)]
 pub struct Edges {
     cells: Vec<EdgeCell>,
     centres: Field,
     means: Field,
     outline: Vec<[[f64; 2]; 2]>,
+    repeats: [bool; 2],
     area: f64,
 }
 
@@ -188,6 +197,7 @@ impl NormalSolution {
             is_outside_known: &|_| true,
             modulus: &|_, _| modulus,
             excess: excess(self.boundary(), self.cell_value()),
+            largest_miss: LARGEST_MISS,
         }
         .edges()
     }

@@ -12,8 +12,8 @@ use crate::grid::Grid;
 use crate::neighbours::neighbours;
 use crate::parallel::{self, Blocks};
 
-/// Largest root mean square by which a fit may miss the values, in cells.
-const LARGEST_MISS: f64 = 0.05;
+/// Largest root mean square by which a fit may miss the values, in cells, of a contact and of a zone of a first loading.
+pub(super) const LARGEST_MISS: f64 = 0.05;
 /// Fewest values of a fit.
 const FEWEST: usize = 10;
 /// Distances of a centre from the edge, in cells, that contradict the state of the cell, and from which on its own value is
@@ -39,6 +39,8 @@ pub(super) struct Search<'a> {
     pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
     /// Part of a cell that a count takes too much for each side at the edge.
     pub(super) excess: f64,
+    /// Largest root mean square by which a fit may miss the values, in cells.
+    pub(super) largest_miss: f64,
 }
 
 /// A cell at the edge, and the distances of its corners from it if it has been fitted.
@@ -106,6 +108,7 @@ impl Search<'_> {
             cells: buffer::collected(found.len(), found.iter().map(|found| found.cell))?,
             centres,
             means,
+            repeats: self.repeats,
             area: covered * self.grid.cell_area(),
         })
     }
@@ -132,7 +135,7 @@ impl Search<'_> {
             };
             // A strip of two cells has two edges in one.
             let is_wide = values.is_core.as_flattened().contains(&true);
-            agrees && is_wide && fit.missed <= LARGEST_MISS && fit.count >= FEWEST
+            agrees && is_wide && fit.missed <= self.largest_miss && fit.count >= FEWEST
         });
         let Some(fit) = fit else {
             return self.refused(index);

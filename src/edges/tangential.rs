@@ -1,6 +1,6 @@
 //! The edges of a contact in partial slip: of the contact, and of its stick zone.
 
-use crate::edges::search::Search;
+use crate::edges::search::{LARGEST_MISS, Search};
 use crate::edges::{Edges, check_whole, excess};
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -11,7 +11,7 @@ use crate::shown::shown;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
 /// The edges of the contact and of the stick zone inside the cells, and the traction there. Obtained from
-/// [`TangentialSolution::edges`].
+/// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges).
 #[derive(Clone, PartialEq)]
 pub struct TangentialEdges {
     contact: Edges,
@@ -55,7 +55,8 @@ impl TangentialEdges {
         &self.mean_traction
     }
 
-    /// The largest traction at the centre of a cell (a pressure), usually of one beside the edge of the stick zone.
+    /// The largest traction at the centre of a cell (a pressure), usually of one beside the edge of the stick zone. After a
+    /// reversal it may lie at the old edge, where the tractions are those of the cells.
     #[must_use]
     pub fn peak_traction(&self) -> f64 {
         self.traction.max()
@@ -86,8 +87,8 @@ impl TangentialEdges {
 
 impl TangentialSolution {
     /// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem;
-    /// the page of [`edges`](crate::edges) tells how. They are those of a contact loaded once: the slip of a step of a
-    /// history, which begins with tractions, opens differently.
+    /// the page of [`edges`](crate::edges) tells how. They are those of a contact loaded once; after the steps of a
+    /// history [`History::edges`](crate::History::edges) finds them.
     ///
     /// ```
     /// use stickslip::*;
@@ -121,14 +122,54 @@ impl TangentialSolution {
             return Err(Error::CellValueMismatch { quantity });
         }
         friction.check(grid)?;
+        let [qx, qy] = self.traction().map(Field::as_slice);
+        let [slip_x, slip_y] = self.slip().map(Field::as_slice);
+        Sheared {
+            normal,
+            friction,
+            zones: self.zones(),
+            traction: [qx, qy],
+            parts: &|i| [qx[i].hypot(qy[i]), 0.0],
+            slip: &|i| Some(slip_x[i].hypot(slip_y[i])),
+            largest_miss: LARGEST_MISS,
+        }
+        .edges()
+    }
+}
+
+/// A contact in partial slip, whose edges are sought.
+pub(super) struct Sheared<'a> {
+    pub(super) normal: &'a NormalSolution,
+    pub(super) friction: &'a Friction,
+    pub(super) zones: &'a [Zone],
+    pub(super) traction: [&'a [f64]; 2],
+    /// The part of the traction of a cell in the direction in which it would slip next, and the size of the rest.
+    pub(super) parts: &'a (dyn Fn(usize) -> [f64; 2] + Sync),
+    /// How far a cell that slips has slipped since it stuck; `None` where that is not known.
+    pub(super) slip: &'a (dyn Fn(usize) -> Option<f64> + Sync),
+    /// As in [`Search`], of the stick zone.
+    pub(super) largest_miss: f64,
+}
+
+impl Sheared<'_> {
+    pub(super) fn edges(&self) -> Result<TangentialEdges> {
+        let grid = self.normal.grid();
         check_whole(grid)?;
-        let contact = normal.edges()?;
-        let stick = self.stick_edges(normal, friction)?;
-        let rest = |limits: &Field, spare: &Field| -> Result<Field> {
+        let (contact, stick) = (self.normal.edges()?, self.stick_edges()?);
+        let magnitude = |limits: &Field, spare: &Field| -> Result<Field> {
             let mut traction = Field::try_zeros(grid)?;
             let pairs = limits.iter().zip(spare.iter()).enumerate();
             for (out, (i, (pressure, spare))) in traction.as_mut_slice().iter_mut().zip(pairs) {
-                *out = (friction.limit(i, *pressure) - spare).max(0.0);
+                let [along, across] = (self.parts)(i);
+                let found = self.friction.limit(i, *pressure) - spare;
+                // Where all of it is spare the two fits differ by their errors alone.
+                let is_free = along == 0.0 && *spare > 0.0;
+                let found = if along < 0.0 { -found } else { found };
+                *out = if is_free {
+                    across
+                } else {
+                    found.max(0.0).hypot(across)
+                };
             }
             Ok(traction)
         };
@@ -145,29 +186,28 @@ impl TangentialSolution {
             })
             .sum();
         Ok(TangentialEdges {
-            traction: rest(contact.centres(), stick.centres())?,
-            mean_traction: rest(contact.means(), stick.means())?,
+            traction: magnitude(contact.centres(), stick.centres())?,
+            mean_traction: magnitude(contact.means(), stick.means())?,
             stick_area: stick.area() - beyond * grid.cell_area(),
             contact,
             stick,
         })
     }
 
-    fn stick_edges(&self, normal: &NormalSolution, friction: &Friction) -> Result<Edges> {
-        let (grid, repeats) = (self.grid(), self.boundary().repeats());
-        let [qx, qy] = self.traction().map(Field::as_slice);
-        let [slip_x, slip_y] = self.slip().map(Field::as_slice);
-        let (zones, pressure) = (self.zones(), normal.pressure().as_slice());
+    fn stick_edges(&self) -> Result<Edges> {
+        let (normal, zones, [qx, qy]) = (self.normal, self.zones, self.traction);
+        let (grid, repeats) = (normal.grid(), normal.boundary().repeats());
+        let pressure = normal.pressure().as_slice();
         let mut spare = Field::try_zeros(grid)?;
         let mut slip = Field::try_zeros(grid)?;
         let fields = spare.as_mut_slice().iter_mut().zip(slip.as_mut_slice());
         for (i, (spare, slip)) in fields.enumerate() {
             match zones[i] {
                 Zone::Stick => {
-                    let limit = friction.limit(i, pressure[i]);
-                    *spare = (limit - qx[i].hypot(qy[i])).max(0.0);
+                    let [along, _] = (self.parts)(i);
+                    *spare = (self.friction.limit(i, pressure[i]) - along).max(0.0);
                 }
-                Zone::Slip => *slip = slip_x[i].hypot(slip_y[i]),
+                Zone::Slip => *slip = (self.slip)(i).unwrap_or(0.0),
                 Zone::Separated => {}
             }
         }
@@ -184,6 +224,7 @@ impl TangentialSolution {
                 })
             };
             is_in_contact(i)
+                && (self.slip)(i).is_some()
                 && around(i).into_iter().all(touches)
                 && has_row(below)
                 && has_row(above)
@@ -206,7 +247,8 @@ impl TangentialSolution {
             outside: slip.as_slice(),
             is_outside_known: &is_outside_known,
             modulus: &modulus,
-            excess: excess(self.boundary(), self.cell_value()),
+            excess: excess(normal.boundary(), normal.cell_value()),
+            largest_miss: self.largest_miss,
         }
         .edges()
     }

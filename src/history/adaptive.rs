@@ -121,8 +121,8 @@ impl AdaptiveSteps {
     ///
     /// # Errors
     /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
-    /// 1/4096 of the load are not short enough. The state is then as it was; the [last step](History::last_step) is
-    /// that of the last attempt.
+    /// 1/4096 of the load are not short enough; [`Error::NotModelled`] for a load that rolls. The state is then as it
+    /// was; the [last step](History::last_step) is that of the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }
@@ -148,6 +148,7 @@ impl AdaptiveSteps {
 
     fn begin(&mut self, history: &History, load: &LoadStep) -> Result<()> {
         let checked = self.whole[0].check("buffers of adaptive steps", history.grid());
+        let checked = checked.and_then(|()| load.check_still());
         history.bodies.agreed_alike(
             checked,
             &[

@@ -6,10 +6,12 @@ use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
+use crate::history::rolling_entry::compliance;
+use crate::history::travel::Travel;
 use crate::history::{History, LoadStep, State};
 use crate::normal::{NormalControl, Pressing};
 use crate::parallel;
-use crate::tangential::{Increment, Motion, Start};
+use crate::tangential::{Demand, Increment, Motion, OwnCompliance, Start};
 use crate::watch::Observer;
 use crate::window::Window;
 
@@ -85,15 +87,20 @@ impl History {
 
     /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
     fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
-        let (grid, demand) = (self.bodies.grid(), load.demand(self.state.motion.twist));
+        let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let State { axes, motion, .. } = self.state;
         let candidate = self.candidate.held();
         let pressed = candidate.unwrap_or(&self.state.normal);
         let memory = &mut self.state.contact;
         let present = memory.as_ref().map(|memory| memory.window);
-        let Some(window) = window_of(&self.bodies, pressed.pressure(), present) else {
+        let Some(mut window) = window_of(&self.bodies, pressed.pressure(), present) else {
             return demand.without_contact(axes, motion);
         };
+        if let Some(travel) = &travel {
+            let pressures = [self.state.normal.pressure(), pressed.pressure()];
+            window = travel.reach(&self.bodies, window, pressures)?;
+        }
         let kind = (axes, self.state.coupling);
         let increment = self.increments.take(&self.bodies, kind, window)?;
         let increment = self.increment.insert(increment);
@@ -106,29 +113,29 @@ impl History {
             memory.widen(grid, increment, self.state.traction.each_ref(), motion)?;
         }
         increment.set_offset(&memory.offset);
-        let state = &self.state;
+        let (state, is_pressed) = (&self.state, candidate.is_some());
         let pressure = pressed.pressure().as_slice();
         increment.pressed.set(pressure, &state.friction);
         if let Some(change) = state.displaced_by(load) {
             increment.displace(change);
         }
-        if candidate.is_some() {
-            increment.draw_from(state.pressure().as_slice());
-        }
         let control = load.normal_control();
-        match candidate.and_then(|_| state.closing(&self.bodies, control)) {
-            Some(gap) => increment.enter(gap)?,
-            None => increment.enter_nowhere(),
+        match &travel {
+            Some(travel) => roll(increment, state, (&self.bodies, control), travel, &demand)?,
+            None => press(increment, state, (&self.bodies, control), is_pressed)?,
         }
         increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
-        let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, &demand)?)));
+        let is_rolled = travel.is_some();
+        let ahead = memory
+            .and_then(|memory| Some((memory, memory.parts_ahead(state, &demand, is_rolled)?)));
         let start = match ahead {
             Some((memory, parts)) => {
                 increment.extrapolate(&memory.trend, parts);
                 Start::Near
             }
+            None if is_rolled => Start::Near,
             None => Start::Present(state.shift()),
         };
         increment.solve(&demand, motion, start, &mut conditions)?;
@@ -168,6 +175,48 @@ impl Drop for Attempt<'_> {
             (*increment, *joint) = (None, None);
         }
     }
+}
+
+/// Poses a step in which the pressure of the cells changes, if it does.
+fn press(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    is_pressed: bool,
+) -> Result<()> {
+    if is_pressed {
+        let before = state.pressure().as_slice();
+        increment.draw_from(|i| before[i]);
+    }
+    let closing = is_pressed.then(|| state.closing(bodies, control, false));
+    let Some(gap) = closing.flatten() else {
+        increment.enter_nowhere();
+        return Ok(());
+    };
+    increment.enter(gap)
+}
+
+/// Poses a step in which other particles come to the cells.
+fn roll(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    travel: &Travel,
+    demand: &Demand,
+) -> Result<()> {
+    let passage = travel.through(increment.pressed.window().size);
+    let turned = travel.turned(0.5 * (state.twist() + demand.twist));
+    increment.carry_offset(|part| passage.carry(part), turned);
+    let pressure = state.pressure().as_slice();
+    increment.draw_from(|i| travel.before(i).map_or(0.0, |before| pressure[before]));
+    let Some(gap) = state.closing(bodies, control, true) else {
+        increment.enter_nowhere();
+        return Ok(());
+    };
+    increment.roll_in(|i, pressure| {
+        let entered = |before| compliance(&state.normal, before, gap(before), pressure);
+        travel.before(i).map_or(OwnCompliance::NONE, entered)
+    })
 }
 
 /// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a

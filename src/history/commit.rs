@@ -1,22 +1,24 @@
 //! A solved step enters state and account.
 
 use crate::cgm::reduce::Tally;
-use crate::cgm::vector::{dot, minus, slices};
+use crate::cgm::vector::{dot, minus, plus, slices};
 use crate::grid::Grid;
 use crate::history::EnergyBalance;
 use crate::history::memory::Memory;
 use crate::history::state::State;
 use crate::history::step::StepResult;
+use crate::history::travel::Travel;
 use crate::parallel::Blocks;
 use crate::ranks::Words;
 use crate::tangential::{Answer, Motion, Zone, at, centre};
 use crate::window::Window;
 
-/// Makes a step that ended with the motion part of the state, and writes down what it did; `written` is the window that
-/// its fields were last written in.
+/// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled along
+/// `travel`; `written` is the window that its fields were last written in.
 pub(super) fn commit(
     answer: Option<&Answer<'_>>,
     motion: Motion,
+    travel: Option<&Travel>,
     state: &mut State,
     step: &mut StepResult,
     written: &mut Option<Window>,
@@ -29,13 +31,19 @@ pub(super) fn commit(
     }
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
+    if let Some(travel) = travel {
+        // The next step starts from how the tractions of the cells change, whichever particles are there.
+        state.keep_traction();
+        state.carry(travel, motion);
+    }
+    let back = travel.map_or([0.0; 2], |travel| travel.back);
     (step.stick_cells, step.slip_cells) = (0, 0);
     step.energy = EnergyBalance::default();
     state.motion = motion;
     // Out of the state and back, so that both can be written.
     let mut contact = state.contact.take();
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
-        answer.with_held(|answer| enter(answer, before, memory, state, step));
+        answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
         let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
         memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
@@ -43,16 +51,20 @@ pub(super) fn commit(
     let shifted: f64 = (0..2)
         .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
         .sum();
-    step.energy.work += shifted + 0.5 * (moment + state.moment) * change.twist;
+    // About the middle of the way of each particle.
+    let [x, y] = [0, 1].map(|axis| state.force[axis] - force[axis]);
+    let turned = 0.5 * (moment + state.moment) + 0.25 * (back[0] * y - back[1] * x);
+    step.energy.work += shifted + turned * change.twist;
     (step.force, step.moment) = (state.force, state.moment);
     (step.shift, step.twist) = (motion.shift, motion.twist);
     state.steps += 1;
 }
 
-/// Enters the cells held here of the window, whose step led from the motion `before` to that of the state.
+/// Enters the cells held here of the window, whose step led from the motion `before` to that of the state, and their
+/// particles from `back` to where they are.
 fn enter(
     answer: &Answer<'_>,
-    before: Motion,
+    (before, back): (Motion, [f64; 2]),
     memory: &mut Memory,
     state: &mut State,
     step: &mut StepResult,
@@ -64,6 +76,8 @@ fn enter(
         held,
         motion: state.motion,
         change: state.motion.since(before),
+        middle: back.map(|back| 0.5 * back),
+        is_rolled: back.iter().any(|part| *part != 0.0),
         displacement: slices(&memory.displacement),
     };
     let [qx, qy] = &mut state.traction;
@@ -93,7 +107,12 @@ fn enter(
             let q = traction.each_ref().map(|part| part.items[i]);
             let cell = taken.cell(row * columns.len() + own, q, at(&offsets, own));
             write(&mut offset, own, cell.offset);
-            write(&mut trend, own, minus(cell.traction, q));
+            let last = if taken.is_rolled {
+                at(&trend.each_ref().map(|part| &*part.items), own)
+            } else {
+                q
+            };
+            write(&mut trend, own, minus(cell.traction, last));
             for axis in 0..2 {
                 traction[axis].items[i] = cell.traction[axis];
                 accumulated[axis].items[i] += cell.slip[axis];
@@ -145,6 +164,10 @@ struct Taken<'a> {
     /// Of body 2 at the end of the step, and in it.
     motion: Motion,
     change: Motion,
+    /// From where a particle is to the middle of its way.
+    middle: [f64; 2],
+    /// Whether the trend of a cell holds the traction that it had before.
+    is_rolled: bool,
     /// Displacement before the step.
     displacement: [&'a [f64]; 2],
 }
@@ -168,7 +191,8 @@ impl Taken<'_> {
         let slip = found.unwrap_or([0.0; 2]);
         let is_loose = found.is_some() || !is_contact;
 
-        let followed = minus(self.change.at(centre), lag);
+        let middle = plus(centre, 1.0, self.middle);
+        let followed = minus(self.change.at(middle), lag);
         let stretched = minus(minus(u, u_before), followed);
         let rest = 0.0 - cell_area * dot(mean, minus(stretched, slip));
         let (residual, released) = if is_contact { (rest, 0.0) } else { (0.0, rest) };

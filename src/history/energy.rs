@@ -29,6 +29,9 @@ use crate::ranks::Words;
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
 /// body 2.
 ///
+/// In a step that [rolls](crate::history#rolling) $`q_n`$ and $`u_n`$ are those that a particle brings along, and
+/// $`\Delta\delta`$ is what body 2 moves along its way.
+///
 /// Bodies alike, and a history that neglects the coupling or takes it one way: pressing is left out, all energies are those
 /// of shear. Dissimilar bodies whose pressure and traction are found together: work, `elastic_before` and `elastic_after` are
 /// those of pressure and traction together, with $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$ in addition;

@@ -5,6 +5,7 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::normal::NormalControl;
+use crate::report::Status;
 
 /// How far a cell that comes into contact within a step follows the motion of the step.
 ///
@@ -24,18 +25,28 @@ pub enum TouchRule {
 
 impl State {
     /// The gap that a cell closes as it comes into contact in a step under this load, zero of one that was in contact;
-    /// `None` where cells follow the whole step.
+    /// `None` where cells follow the whole step. Where the bodies roll the gap that was set is that of other particles:
+    /// what is new of it counts only before the first step.
     pub(super) fn closing(
         &self,
         bodies: &HalfSpace,
         control: NormalControl,
+        is_rolled: bool,
     ) -> Option<impl Fn(usize) -> f64 + use<'_>> {
         if self.touch_rule == TouchRule::WholeStep {
             return None;
         }
         let [gap, pressed_gap] = [&self.gap, &self.pressed_gap].map(Field::as_slice);
         let (apart, pressure) = (self.normal.gap().as_slice(), self.pressure().as_slice());
-        let worn = move |i: usize| apart[i] + (gap[i] - pressed_gap[i]);
+        let is_first = self.normal.report().status == Status::Unsolved;
+        let keeps_gap = is_rolled && !is_first;
+        let worn = move |i: usize| {
+            if keeps_gap {
+                apart[i]
+            } else {
+                apart[i] + (gap[i] - pressed_gap[i])
+            }
+        };
         // Bodies that a force brings together move freely until they touch.
         let until_touch = match control {
             NormalControl::Force(_) => {

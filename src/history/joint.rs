@@ -64,7 +64,7 @@ impl History {
         if let Some(change) = state.displaced_by(load) {
             joint.displace(change);
         }
-        joint.enter(state.closing(&self.bodies, normal))?;
+        joint.enter(state.closing(&self.bodies, normal, false))?;
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions::new(&state.settings, observer);

@@ -1,11 +1,11 @@
 //! What a step of a history does to the bodies.
 
-use crate::history::State;
+use crate::history::{Rolling, State};
 use crate::normal::NormalControl;
 use crate::tangential::{Axis, Demand, TangentialControl, TangentialLoad};
 
-/// What a step does: normal load, tangential load along each axis, twist, relative displacement. Whatever is not named is
-/// held.
+/// What a step does: normal load, tangential load along each axis, twist, relative displacement, rolling. Whatever is not
+/// named is held.
 ///
 /// ```
 /// use stickslip::{Axis, LoadStep, NormalControl, TangentialControl};
@@ -29,6 +29,8 @@ pub struct LoadStep {
     twist: Option<f64>,
     /// `None` leaves it as it is.
     relative_displacement: Option<f64>,
+    /// `None` stays where it is.
+    rolling: Option<Rolling>,
 }
 
 impl LoadStep {
@@ -39,6 +41,7 @@ impl LoadStep {
             tangential: [TangentialControl::Hold; 2],
             twist: None,
             relative_displacement: None,
+            rolling: None,
         }
     }
 
@@ -128,6 +131,14 @@ impl LoadStep {
         self
     }
 
+    /// With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way, as
+    /// [`Rolling`] says. Along an axis on which the step names a force the creepage follows; it names no shift, no spring
+    /// and no twist. Normal load, gap and friction may change in the same step.
+    pub fn roll(mut self, rolling: Rolling) -> Self {
+        self.rolling = Some(rolling);
+        self
+    }
+
     /// The step to a part of this one, in `[0, 1]`: what is prescribed has come that part of its way from the state.
     pub(super) fn part(&self, state: &State, part: f64) -> Self {
         let between = |start: f64, end: f64| {
@@ -171,6 +182,7 @@ impl LoadStep {
                     .map_or(0.0, |relative| relative.amount);
                 between(reached, end)
             }),
+            rolling: self.rolling,
         }
     }
 
@@ -182,6 +194,16 @@ impl LoadStep {
     /// How much of the relative displacement is prescribed, if it is.
     pub(super) fn relative_amount(&self) -> Option<f64> {
         self.relative_displacement
+    }
+
+    /// How the bodies roll, if they do.
+    pub(super) fn rolling(&self) -> Option<&Rolling> {
+        self.rolling.as_ref()
+    }
+
+    /// Whether a twist is prescribed.
+    pub(super) fn names_twist(&self) -> bool {
+        self.twist.is_some()
     }
 
     /// What the step asks of the tangential contact, with the twist from the `last`.

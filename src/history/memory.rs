@@ -112,10 +112,16 @@ impl Memory {
         ]
     }
 
-    /// How many times the last step the load continues in the same direction; `None` where it does not.
-    pub(super) fn parts_ahead(&self, state: &State, demand: &Demand) -> Option<f64> {
+    /// How many times the last step the load continues in the same direction; `None` where it does not, or turns without
+    /// rolling.
+    pub(super) fn parts_ahead(
+        &self,
+        state: &State,
+        demand: &Demand,
+        is_rolled: bool,
+    ) -> Option<f64> {
         let ahead = demand.ahead(state.force, state.motion.shift);
-        let turns = demand.twist.to_bits() != state.motion.twist.to_bits();
+        let turns = !is_rolled && demand.twist.to_bits() != state.motion.twist.to_bits();
         let parts = self.trend.parts(ahead);
         parts.filter(|parts| *parts > 0.0 && !turns)
     }

@@ -51,6 +51,43 @@
 //! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best. Approach and
 //! peak pressure hardly depend on them.
 //!
+//! # Rolling
+//! In a step with [`LoadStep::roll`] the bodies roll by a length d, a number of whole cells, and the particles of both
+//! surfaces move through the contact from its [leading edge](LeadingEdge) on. With $`T f(x) = f(x + d)`$, the value where a
+//! particle was before the step, and the displacement $`u_n`$ of before, inside and outside the contact,
+//!
+//! ```math
+//! s = C q + B q - T u_n - w, \qquad
+//! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
+//! ```
+//!
+//! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y in the middle
+//! of the way of the particle. Signs and the law B of cells that enter are those of steady [`rolling`](crate::rolling),
+//! in which a history ends that rolls on under one load; [`TouchRule::WholeStep`] leaves the law out, as CONTACT does.
+//! Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. Along an axis of which a step names the
+//! force, the creepage follows ([`StepResult::creepage`]).
+//!
+//! With the particles move their sums: slip, accumulated slip and dissipated energy of the [`State`]. They leave the grid
+//! behind the contact, and come without any ahead of it. The fields of a [`StepResult`], and of a [`Cycle`], are those of
+//! the cells, at the end of the step.
+//!
+//! The gap is that of the step, in the frame of the contact: a form stays, and a texture moves with the particles, so
+//! that a rough surface is given anew for every step, by [`History::set_gap`]. A cell that enters has closed the gap
+//! under load that its particle had in the step before.
+//!
+//! In the [`EnergyBalance`] traction, displacement and elastic energy before the step are those of the particles; it closes
+//! to round-off. The [stiffness](History::stiffness) after such a step takes the compliance B of a cell as the mean of its
+//! directions.
+//!
+//! A step that rolls is not modelled along an axis on which the grid repeats, with a relative displacement, a spring or a
+//! permanent set, with pressure and traction that are found together, in [adaptive steps](AdaptiveSteps), or on bodies that
+//! ranks share.
+//!
+//! Of Carter's cylinder at 0.8 of the sliding force the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
+//! 30 half-widths, without the law within 2e-3. On the cells of CONTACT and without the law, tractions agree to 2e-10 of
+//! the largest limit. A step costs about as much as one of the same contact that does not roll: 18, 19 and 20 products on
+//! 32, 64 and 128 cells over the contact of a sphere, where a growing shift takes 18, 19 and 18.
+//!
 //! # All or nothing
 //! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all
 //! that the next step starts from: its [`State`]. A step that succeeded is taken back by [`History::set_state`].
@@ -93,10 +130,13 @@ mod reading;
 mod regime;
 mod relative;
 mod remarks;
+mod rolling;
+pub(crate) mod rolling_entry;
 mod snapshot;
 mod state;
 mod step;
 mod stepping;
+mod travel;
 pub mod wear;
 mod whole;
 mod yielding;
@@ -112,6 +152,8 @@ pub use leading_edge::LeadingEdge;
 pub use load::LoadStep;
 pub use path::LoadPath;
 pub use regime::Regime;
+pub use rolling::Rolling;
 pub use state::State;
 pub use step::StepResult;
 pub use stepping::History;
+pub(crate) use travel::Passage;

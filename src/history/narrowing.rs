@@ -12,7 +12,8 @@ const WASTE: f64 = 2.0;
 const OVERSHOOT: f64 = 1.5;
 
 /// Makes windows smaller that are much too large for the contact before the last step and after it. `before` is the
-/// pressure that the step has changed, if it has, and `press_window` where that was found.
+/// pressure that the step has changed, if it has, and `press_window` where that was found; `margins` is what rolling needs
+/// beside the contact.
 ///
 /// Nothing is lost: outside both contacts there is neither traction nor a memory of slip, and what a cell apart would
 /// touch at follows from the tractions. The solvers of the next step follow the state.
@@ -21,6 +22,7 @@ pub(super) fn narrow(
     state: &mut State,
     before: Option<&Field>,
     press_window: Option<Window>,
+    margins: [usize; 2],
 ) {
     let (grid, is_joint) = (state.grid(), state.is_joint());
     let after = state.pressure().as_slice();
@@ -30,7 +32,8 @@ pub(super) fn narrow(
     };
     // Along an axis that repeats a grid is never cut.
     let repeats = state.boundary().repeats();
-    let needed = contact.widened(grid).spanning(grid, repeats);
+    let needed = contact.widened(grid).with_margins(grid, margins);
+    let needed = needed.spanning(grid, repeats);
     let smaller = |window: Window, waste: f64| {
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)

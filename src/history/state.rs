@@ -344,13 +344,14 @@ impl State {
         self.traction.each_ref()
     }
 
-    /// Sum of the slips of all steps, with their signs (lengths).
+    /// Sum of the slips of all steps, with their signs (lengths), of the particles where those roll.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative).
+    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative), of the particles where those
+    /// roll.
     #[must_use]
     pub fn accumulated_slip(&self) -> &Field {
         &self.accumulated_slip

@@ -32,6 +32,7 @@ pub struct StepResult {
     pub(super) moment: f64,
     pub(super) shift: [f64; 2],
     pub(super) twist: f64,
+    pub(super) creepage: Option<[f64; 2]>,
     pub(super) stick_cells: usize,
     pub(super) slip_cells: usize,
     pub(super) remarks: Remarks,
@@ -42,8 +43,8 @@ pub struct StepResult {
 shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
 
 try_clone!(StepResult { slip, slip_distance, dissipated_energy, mid_step_dissipated_energy } {
-    energy, normal_force, approach, force, moment, shift, twist, stick_cells, slip_cells, remarks, normal_report,
-    tangential_report,
+    energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks,
+    normal_report, tangential_report,
 });
 
 /// What is read, before it is checked.
@@ -62,6 +63,8 @@ struct Unchecked {
     moment: f64,
     shift: [f64; 2],
     twist: f64,
+    #[serde(default)]
+    creepage: Option<[f64; 2]>,
     stick_cells: usize,
     slip_cells: usize,
     remarks: Remarks,
@@ -87,6 +90,7 @@ impl<'de> serde::Deserialize<'de> for StepResult {
             finite("moment", read.moment)?;
             all_finite("shift", &read.shift)?;
             finite("twist", read.twist)?;
+            all_finite("creepage", &read.creepage.unwrap_or_default())?;
             for counted in [read.stick_cells, read.slip_cells] {
                 let (counted, cells) = (counted as f64, grid.cells() as f64);
                 at_least(
@@ -117,6 +121,7 @@ impl StepResult {
             moment: 0.0,
             shift: [0.0; 2],
             twist: 0.0,
+            creepage: None,
             stick_cells: 0,
             slip_cells: 0,
             remarks: Remarks::default(),
@@ -205,6 +210,13 @@ impl StepResult {
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
+    }
+
+    /// The creepages $`[\xi, \eta]`$ of a step that rolled, what body 2 has moved over body 1 for each length rolled,
+    /// given or caused by the force (dimensionless); `None` where the step did not roll.
+    #[must_use]
+    pub fn creepage(&self) -> Option<[f64; 2]> {
+        self.creepage
     }
 
     /// Stick cells over contact cells at the end of the step; zero without contact.

@@ -206,10 +206,9 @@ impl History {
     /// [`Error::NotFinite`], [`Error::Negative`],
     /// [`Error::NotPositive`],
     /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::NotModelled`] for the load;
-    /// [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
-    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as
-    /// it was, bit for bit.
+    /// [`Error::NotModelled`] for the load; [`Error::Below`] if the grid ends less than a rolled step ahead of the
+    /// contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
@@ -224,8 +223,9 @@ impl History {
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&StepResult> {
-        let demand = load.demand(self.twist());
-        let checked = demand.check(self.state.axes, self.boundary());
+        let demand = self.state.demand(load, &self.bodies);
+        let checked = self.state.check_rolling(load, &self.bodies);
+        let checked = checked.and_then(|()| demand.check(self.state.axes, self.boundary()));
         let checked = checked.and_then(|()| self.state.check_relative(load));
         self.bodies.agreed_alike(checked, &[("load", load)])?;
         let outcome = parallel::enter_with(self.grid().cells(), || {
@@ -304,7 +304,18 @@ impl History {
         let (answer, report) = solved.unzip();
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
-        commit(answer.as_ref(), motion, state, step, &mut self.written);
+        let moved = motion.since(state.motion).shift;
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        commit(
+            answer.as_ref(),
+            motion,
+            travel.as_ref(),
+            state,
+            step,
+            &mut self.written,
+        );
+        let rolled = load.rolling().zip(travel);
+        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
         match (joint, increment) {
             (Some(joint), _) => joint.write_entered(&mut self.entered),
             (None, Some(increment)) => increment.write_entered(&mut self.entered),
@@ -320,13 +331,14 @@ impl History {
         }
         step.energy = step.energy.plus(&pressing);
         let before = self.candidate.held().map(NormalSolution::pressure);
-        narrow(&self.bodies, state, before, press_window);
+        let margins = travel.map_or([0; 2], |travel| travel.margins());
+        narrow(&self.bodies, state, before, press_window, margins);
     }
 
     /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
-    /// hold it: give the normal load in the next step again. What has [yielded](State::yielded) is added to it. One that
-    /// holds it carries
-    /// [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
+    /// hold it: give the normal load in the next step again. Before a step that [rolls](crate::history#rolling) it is the
+    /// gap of that step, with a texture moved on. What has [yielded](State::yielded) is added to it. A step that holds the
+    /// pressure carries [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
     ///
     /// # Errors
     /// [`Error::GridMismatch`] or [`Error::Sample`];

@@ -33,6 +33,12 @@ impl NormalSolution {
     ///
     /// The error at the centres of the cells is half to nine tenths of that of the means.
     ///
+    /// Approach, shift and energy have no such estimate. Their errors are 1e-3 to 1e-6 on 32 to 128 cells over three contact
+    /// radii, and of either sign, by where the edge falls between the cells. The difference from a solve on half the cells
+    /// tells that of the approach of uniform cells only: a third of it is 0.4 to 1.2 times the error on 64 and 128 cells
+    /// (a sphere and an ellipse 2:1 at 8 places each). Of the approach of centre values, of energies, of the shift in
+    /// partial slip and of rough surfaces the quotient lies anywhere between -100 and 60, also for other orders.
+    ///
     /// ```
     /// use stickslip::*;
     /// let grid = Grid::square(64, 3.0)?;

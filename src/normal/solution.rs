@@ -38,7 +38,7 @@ pub struct NormalSolution {
     pub(super) whole: Option<Box<Whole>>,
 }
 
-shown!(NormalSolution: grid(), approach(), force(), contact_cells(), report);
+shown!(NormalSolution: grid(), approach(), force(), contact_cells(), discretisation_estimate(), report);
 
 clone_in_place!(NormalSolution {
     pressure,

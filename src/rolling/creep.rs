@@ -21,8 +21,8 @@ pub struct CreepForce {
 
 impl RollingSolver {
     /// The loads at each of these $`[\xi, \eta, \varphi]`$, each solved from the answer of the one before: a creep curve,
-    /// or the points of a creep surface, row by row. Neighbours in the order should be neighbours in the plane. The last
-    /// point stays prescribed.
+    /// or the points of a creep surface, row by row. Neighbours in the order should be neighbours in the plane. The point
+    /// that was solved last stays prescribed.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -42,16 +42,21 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// As [`set_control`](Self::set_control) and [`solve_into`](Self::solve_into), at the first point that fails;
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// As [`set_control`](Self::set_control), for any of the points before the first is solved; as
+    /// [`solve_into`](Self::solve_into), at the first that fails.
     pub fn creep_forces(
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,
     ) -> Result<Vec<CreepForce>> {
+        let points: Vec<[f64; 3]> = points.into_iter().collect();
+        let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
+        for &[xi, eta, spin] in &points {
+            self.problem.check(creepages(xi, eta), spin.into())?;
+        }
         let mut solution = self.try_new_solution()?;
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(points.len());
         for [xi, eta, spin] in points {
-            self.set_control([xi, eta].map(RollingControl::Creepage), spin)?;
+            self.set_control(creepages(xi, eta), spin)?;
             self.solve_into(&mut solution)?;
             found.push(CreepForce {
                 creepage: [xi, eta],

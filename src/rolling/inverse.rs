@@ -7,15 +7,15 @@ use crate::cgm::Weight;
 use crate::cgm::vector::{at, slices, update_cells};
 use crate::error::Result;
 use crate::fft::CirculantInverse;
+use crate::history::Passage;
+use crate::history::rolling_entry::Compliance;
 use crate::operator::Operator;
-use crate::rolling::entering::Compliance;
-use crate::rolling::step::Step;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyInverse {
     inverse: Arc<CirculantInverse<2>>,
-    step: Step,
+    step: Passage,
     /// The part of its slip that a cell hands on; the rest its own compliance takes.
     weights: Vec<Weight>,
 }
@@ -24,7 +24,7 @@ impl SteadyInverse {
     /// Of cells that have `own` compliance beside that of their displacement over a step, `self_compliance`.
     pub(super) fn new(
         inverse: Arc<CirculantInverse<2>>,
-        step: Step,
+        step: Passage,
         self_compliance: f64,
         own: &[Compliance],
     ) -> Self {

@@ -86,12 +86,12 @@
 
 mod control;
 mod creep;
-mod entering;
 mod inverse;
 mod operator;
 mod problem;
 mod solution;
 mod solver;
+mod spin_search;
 mod step;
 mod stiffness;
 

@@ -6,15 +6,15 @@ use crate::buffer::or_abort;
 use crate::cgm::vector::{at, plus, update_cells};
 use crate::error::Result;
 use crate::fft::{Convolution, ConvolutionWorkspace};
+use crate::history::Passage;
+use crate::history::rolling_entry::Compliance;
 use crate::operator::Operator;
-use crate::rolling::entering::Compliance;
-use crate::rolling::step::Step;
 
 /// $`(1 - T)\,C + B`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyOperator {
     compliance: Arc<Convolution<2>>,
-    step: Step,
+    step: Passage,
     /// The compliance B of its own of each cell.
     own: Vec<Compliance>,
     lower_bound: f64,
@@ -26,7 +26,7 @@ impl SteadyOperator {
     /// `self_compliance` over a step by a traction of its own.
     pub(super) fn new(
         compliance: Arc<Convolution<2>>,
-        step: Step,
+        step: Passage,
         own: Vec<Compliance>,
         chain: usize,
         self_compliance: f64,

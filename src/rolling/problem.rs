@@ -4,10 +4,10 @@ use crate::buffer::{TryClone, filled, try_clone, try_each, zeros};
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
 use crate::half_space::HalfSpace;
+use crate::history::Passage;
 use crate::history::TouchRule;
+use crate::history::rolling_entry::{Compliance, entering};
 use crate::normal::NormalSolution;
-use crate::rolling::entering::{Compliance, entering};
-use crate::rolling::step::Step;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{
@@ -21,7 +21,7 @@ use crate::window::Window;
 pub struct RollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) pressed: Pressed,
-    pub(super) step: Step,
+    pub(super) step: Passage,
     /// Length of a step.
     pub(super) length: f64,
     /// Compliance of its own of each cell of the window.
@@ -136,7 +136,7 @@ impl RollingProblem {
             return Err(Error::BeyondFrictionCapacity { force: size, limit });
         }
         if let SpinControl::Moment(moment) = spin {
-            let capacity = self.moment_capacity();
+            let capacity = finite("moment that friction holds", self.moment_capacity())?;
             if is_at_limit(moment.abs(), capacity) {
                 return Err(Error::Below {
                     quantity: "moment that friction holds",
@@ -158,12 +158,14 @@ impl RollingProblem {
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
-    /// The largest moment about the origin of the grid that friction holds.
+    /// The moment about the origin of the grid that a large spin causes: tractions at their limits along its motion.
     pub(super) fn moment_capacity(&self) -> f64 {
         let (grid, limits) = (self.bodies.grid(), &self.pressed.limits.cells);
         let levers = self.pressed.window().indices().map(|index| {
-            let [x, y] = centre(grid, index);
-            x.hypot(y)
+            let ([x, y], [_, _, turned]) = (centre(grid, index), self.motions(index));
+            let size = turned[0].hypot(turned[1]);
+            let lever = (x * turned[1] - y * turned[0]) / size;
+            if size > 0.0 { lever } else { 0.0 }
         });
         let parts = limits
             .iter()
@@ -245,7 +247,7 @@ impl RollingProblemBuilder<'_> {
         let samples = PressureSource::from(self.normal).checked(bodies)?;
         let contact = contact_window(bodies, samples)?;
         let window = self.reach_ahead(contact)?;
-        let step = Step {
+        let step = Passage {
             size: window.size,
             edge: self.edge,
             cells: self.cells,
@@ -298,7 +300,7 @@ impl RollingProblemBuilder<'_> {
 }
 
 /// What the pressure of bodies of different materials adds to the slip of each cell.
-fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Step) -> Result<[Vec<f64>; 2]> {
+fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f64>; 2]> {
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
     if bodies.pair().is_coupled() {
         let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;

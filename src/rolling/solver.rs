@@ -4,16 +4,17 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::buffer::{collected, or_abort, try_each, zeros};
-use crate::cgm::{self, Disc, Magnitude, Problem, Total, WorkspaceOf, solver_settings};
-use crate::contact::{has_iterate, with_counts_of};
+use crate::cgm::{self, Disc, Magnitude, Problem, Settings, Total, WorkspaceOf, solver_settings};
+use crate::contact::{Conditions, has_iterate, with_counts_of, with_memory};
 use crate::error::{Error, Result};
 use crate::half_space::Compliance;
+use crate::history::Passage;
 use crate::influence::Direction;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
-use crate::rolling::step::Step;
+use crate::rolling::spin_search::SpinSearch;
 use crate::rolling::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
@@ -21,7 +22,9 @@ use crate::tangential::TangentialModel;
 use crate::watch::Observer;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
-const SPINS: usize = 40;
+const SPINS: usize = 60;
+/// Their tolerance over that of the moment.
+const SHARPER: f64 = 0.1;
 
 /// Solves for one creepage, force or spin after the other, each from the answer of the last.
 ///
@@ -130,12 +133,13 @@ impl RollingSolver {
         RollingSolution::empty(self.problem.bodies.grid())
     }
 
-    /// Solves into `solution`, whose last content does not matter. The spin of a moment is found by several solves, whose
-    /// report adds up their work; each of them has the limits of the [settings](Self::settings).
+    /// Solves into `solution`, whose last content does not matter. The spin of a moment is found by several solves, each
+    /// to a tenth of the tolerance; their report adds up the work, and the limits hold for all of them together.
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch), nothing changed;
-    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible iterate in `solution`.
+    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible iterate in `solution`, also where no spin
+    /// has the moment; [`Error::Memory`](crate::Error::Memory).
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
@@ -156,7 +160,8 @@ impl RollingSolver {
         match self.problem.spin {
             SpinControl::Spin(spin) => {
                 self.spin = spin;
-                let outcome = self.solve_at_spin(solution, &mut observer);
+                let settings = self.problem.settings;
+                let outcome = self.solve_at_spin(&settings, solution, &mut observer);
                 self.report.clone_from(self.workspace.report());
                 outcome?;
             }
@@ -170,6 +175,7 @@ impl RollingSolver {
     /// Solves at the spin as it is.
     fn solve_at_spin(
         &mut self,
+        settings: &Settings,
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
@@ -180,7 +186,7 @@ impl RollingSolver {
             .preconditioner(Arc::clone(&self.inverse))
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
-        let (settings, workspace) = (&problem.settings, &mut self.workspace);
+        let workspace = &mut self.workspace;
         let outcome = cgm::minimise_with(&task, settings, traction, workspace, observer);
         if has_iterate(&outcome) {
             let unit = self.unit;
@@ -200,54 +206,77 @@ impl RollingSolver {
         outcome
     }
 
-    /// Finds the spin of a moment, which grows with it: by Newton's method on solves at given spins, within the spins
-    /// between which it is known to lie.
+    /// Finds the spin of a moment by solves at given spins; the next search starts from the last that was found.
     fn solve_for_moment(
         &mut self,
         moment: f64,
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
+        let start = self.spin;
+        let settings = self.problem.settings;
+        let mut observer = with_memory(observer);
+        let mut conditions = Conditions::new(&settings, &mut observer);
+        let outcome = self.search_spin(moment, solution, &mut conditions);
+        if outcome.is_err() {
+            self.spin = start;
+        }
+        outcome
+    }
+
+    fn search_spin(
+        &mut self,
+        moment: f64,
+        solution: &mut RollingSolution,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let tolerance = conditions.settings.tolerance;
         let capacity = self.problem.moment_capacity();
-        let (mut low, mut high, mut stride) = (f64::NEG_INFINITY, f64::INFINITY, 0.0);
+        let mut search = SpinSearch::new(self.stride());
         self.report.clear();
         for _ in 0..SPINS {
-            let mut watch = with_counts_of(&self.report, &mut *observer);
-            let outcome = self.solve_at_spin(solution, &mut watch);
+            let mut settings = conditions.left(&self.report);
+            settings.tolerance = SHARPER * tolerance;
+            let mut watch = with_counts_of(&self.report, &mut *conditions.observer);
+            let outcome = self.solve_at_spin(&settings, solution, &mut watch);
             drop(watch);
+            if !has_iterate(&outcome) {
+                return outcome;
+            }
             self.report.add_pass(self.workspace.report());
+            self.report.time = conditions.start.elapsed();
             let missing = moment - solution.moment();
             let error = (missing / capacity).abs();
             self.report.load_error = self.report.load_error.max(error);
+            if outcome.is_ok() && error > tolerance {
+                self.report.status = Status::Stalled;
+            }
             solution.set_report(&self.report);
-            outcome.map_err(|error| match error {
-                Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
-                other => other,
-            })?;
-            if error <= self.problem.settings.tolerance {
-                return Ok(());
+            match self.report.status {
+                Status::Converged => return Ok(()),
+                Status::Stalled if outcome.is_ok() => {}
+                _ => break,
             }
-            let spin = self.spin;
-            if missing > 0.0 {
-                low = low.max(spin);
-            } else {
-                high = high.min(spin);
-            }
-            let step = missing / self.moment_by_spin()?;
-            self.spin = if low < spin + step && spin + step < high {
-                stride = 2.0 * step;
-                spin + step
-            } else if (high - low).is_finite() {
-                low + 0.5 * (high - low)
-            } else {
-                // Where all cells slip the moment hardly changes with the spin.
-                stride *= 2.0;
-                spin + stride
-            };
+            self.spin = search.next(self.spin, missing);
         }
-        self.report.status = Status::Stalled;
-        solution.set_report(&self.report);
         Err(Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// A spin at which the cells farthest from the origin are near their limits.
+    fn stride(&self) -> f64 {
+        let problem = &self.problem;
+        let motions = problem
+            .pressed
+            .window()
+            .indices()
+            .map(|i| problem.motions(i)[2]);
+        let farthest = motions.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)));
+        let limit = self
+            .limits
+            .iter()
+            .fold(0.0, |most: f64, limit| most.max(*limit));
+        let slip = self.operator.self_compliance() * self.unit * limit;
+        problem.chain as f64 * slip / farthest
     }
 
     /// Writes what each cell is to follow, and returns what is prescribed of the sums.
@@ -281,7 +310,7 @@ impl RollingSolver {
 }
 
 /// What a cell slips over a step by a traction of its own.
-fn self_compliance(compliance: &impl Operator<2>, step: Step) -> Result<f64> {
+fn self_compliance(compliance: &impl Operator<2>, step: Passage) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
         (try_each(|_| zeros(cells))?, try_each(|_| zeros(cells))?);

@@ -1,30 +1,9 @@
-//! The way of particles through a window in one step.
+//! Differences over a step, and sums of them, on the way of particles through a window.
 
-use crate::history::LeadingEdge;
+use crate::history::Passage;
 use crate::tangential::Axis;
 
-/// A step of so many cells through a window.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
-    pub(super) size: [usize; 2],
-    pub(super) edge: LeadingEdge,
-    pub(super) cells: usize,
-}
-
-impl Step {
-    /// Where the particle of a cell was before, if that is in the window.
-    pub(super) fn before(&self, cell: usize) -> Option<usize> {
-        let [nx, _] = self.size;
-        let axis = self.edge.axis().index();
-        let (place, stride) = ([cell % nx, cell / nx][axis], [1, nx][axis]);
-        let way = self.cells * stride;
-        if self.edge.is_positive() {
-            (place + self.cells < self.size[axis]).then(|| cell + way)
-        } else {
-            (place >= self.cells).then(|| cell - way)
-        }
-    }
-
+impl Passage {
     /// `(1 - T) f` in place; zero in cells whose particles come from beyond the window.
     pub(super) fn difference(&self, field: &mut [f64]) {
         self.sweep(self.edge.is_positive(), |cell, before| {

@@ -6,15 +6,15 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::small::Small;
-use crate::cgm::vector::{at, dot, slices};
+use crate::cgm::vector::{at, slices};
 use crate::cgm::{Disc, Held, LinearWorkspace, Linearised, Motion};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::reduce;
+use crate::rolling::RollingSolver;
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
-use crate::rolling::{RollingControl, RollingSolver};
 use crate::tangential::centre;
 
 /// Relative residual of the tractions.
@@ -66,38 +66,7 @@ impl RollingSolver {
     /// # Errors
     /// [`Error::NotConverged`] if the tractions are not found to a relative residual of 1e-10; [`Error::Memory`].
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
-        self.hold_zones()?;
-        let mut columns = [[0.0; 3]; 3];
-        for (motion, column) in columns.iter_mut().enumerate() {
-            *column = self.loads_by(motion)?;
-        }
-        Ok(Small(columns).transposed().0)
-    }
-
-    /// How the moment changes with the spin while the prescribed creepages and forces stay.
-    pub(super) fn moment_by_spin(&mut self) -> Result<f64> {
-        self.hold_zones()?;
-        let held = self
-            .problem
-            .controls
-            .map(|control| matches!(control, RollingControl::Force(_)));
-        let mut rows = [[0.0; 3]; 3];
-        for motion in [0, 1, 2] {
-            if motion == 2 || held[motion] {
-                for (row, load) in rows.iter_mut().zip(self.loads_by(motion)?) {
-                    row[motion] = load;
-                }
-            }
-        }
-        // The creepages that keep the forces.
-        let active = [held[0], held[1], false];
-        let follow = Small(rows).solve(rows.map(|row| row[2]), active);
-        Ok(rows[2][2] - dot(rows[2], follow))
-    }
-
-    /// Holds each cell in the zone where it is.
-    fn hold_zones(&mut self) -> Result<()> {
-        let follow = match self.follow.take() {
+        let mut follow = match self.follow.take() {
             Some(follow) => follow,
             None => Follow {
                 linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
@@ -106,26 +75,38 @@ impl RollingSolver {
                 unknowns: Vec::new(),
             },
         };
-        let follow = self.follow.insert(follow);
+        let found = self.loads(&mut follow);
+        self.follow = Some(follow);
+        Ok(Small(found?).transposed().0)
+    }
+
+    /// Forces and moment by a unit of each creepage and of spin.
+    fn loads(&self, follow: &mut Follow) -> Result<[[f64; 3]; 3]> {
+        self.hold_zones(follow)?;
+        let mut loads = [[0.0; 3]; 3];
+        for (motion, loads) in loads.iter_mut().enumerate() {
+            *loads = self.loads_by(motion, follow)?;
+        }
+        Ok(loads)
+    }
+
+    /// Holds each cell in the zone where it is.
+    fn hold_zones(&self, follow: &mut Follow) -> Result<()> {
         let (traction, limits) = (slices(&self.traction), &self.limits);
         let (product, linear) = (self.workspace.product(), slices(&self.linear));
-        let (multiplier, alone) = (self.workspace.multiplier(), self.operator.self_compliance());
+        let multiplier = self.workspace.multiplier();
+        let alone = self.operator.self_compliance();
         follow.linear.hold(|cell| {
             let disc = Disc {
                 radius: limits[cell],
             };
-            let slip =
-                [0, 1].map(|axis| product[axis][cell] + linear[axis][cell] - multiplier[axis]);
-            disc.measured(disc.motion(at(&traction, cell)), slip)
-                .weighed(alone, 0.0)
+            let slip = [0, 1].map(|c| product[c][cell] + linear[c][cell] - multiplier[c]);
+            let motion = disc.motion(at(&traction, cell));
+            disc.measured(motion, slip).weighed(alone, 0.0)
         })
     }
 
-    /// Forces and moment by a unit of a creepage or of spin.
-    fn loads_by(&mut self, motion: usize) -> Result<[f64; 3]> {
-        let Some(follow) = &mut self.follow else {
-            return Ok([0.0; 3]);
-        };
+    fn loads_by(&self, motion: usize, follow: &mut Follow) -> Result<[f64; 3]> {
         let Follow {
             linear,
             layout,
@@ -133,13 +114,13 @@ impl RollingSolver {
             unknowns,
         } = follow;
         let problem = &self.problem;
-        let index = |cell: usize| problem.pressed.region.own().index(cell);
+        let index = |cell: usize| problem.pressed.window().index(cell);
         linear.restrict(|cell| problem.motions(index(cell))[motion], right)?;
         let held = Held {
             operator: &*self.operator,
             preconditioner: &*self.inverse,
             layout,
-            own: &[],
+            own: Own::default(),
         };
         let mut observer = |_: &_| ControlFlow::Continue(());
         held.respond(right, unknowns, linear, TOLERANCE, &mut observer)?;

@@ -7,7 +7,7 @@ use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
 use crate::cgm::vector::{at, slices};
-use crate::cgm::{Held, Total, UNLIMITED, reduce};
+use crate::cgm::{Held, Own, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
 use crate::fft::{CirculantInverse, Convolution};
@@ -189,7 +189,7 @@ impl Coupled<'_> {
             operator: &*operator,
             preconditioner: &*inverse,
             layout: &layout,
-            own: &[],
+            own: Own::default(),
         };
         let linear = workspace.hold(&problem, stand)?;
         let mut loads = [[0.0; 4]; 4];

@@ -19,7 +19,7 @@ use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, plus, slices, slices_mut};
-use crate::cgm::{Held, LinearWorkspace, Row, reduce};
+use crate::cgm::{Held, LinearWorkspace, Own, Row, reduce};
 use crate::error::{Result, finite};
 use crate::fft::{ConvolutionWorkspace, SingleWorkspace};
 use crate::half_space::{Compliance, HalfSpace};
@@ -162,7 +162,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
-            own: &self.own,
+            own: Own::isotropic(&self.own),
         };
         for (column, _) in self.columns.iter_mut().zip(active).filter(|(_, is)| *is) {
             course.respond(&held, &column.right, &mut column.y, &mut self.linear)?;

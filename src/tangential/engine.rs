@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt::Debug;
 
 use crate::buffer::{self, try_each};
-use crate::cgm::{Ball, Known, Method, Settings, Total, Within};
+use crate::cgm::{Ball, Known, Method, Own, Settings, Total, Within};
 use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
 use crate::error::Result;
 use crate::field::Field;
@@ -39,7 +39,7 @@ pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
 pub(super) struct Task<'a> {
     pub(super) limits: &'a [f64],
     /// Compliance that cells have of their own, if any do.
-    pub(super) diagonal: &'a [f64],
+    pub(super) own: Own<'a>,
     pub(super) linear: &'a PlaneVector,
     pub(super) totals: [Total; 2],
     /// The multipliers at which the start has been an answer, if it has.
@@ -177,7 +177,7 @@ fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> Result<FrictionScen
     Ok(FrictionScene {
         directions: axes.map(Axis::direction),
         limits: in_unit(task.limits)?,
-        diagonal: task.diagonal,
+        own: task.own,
         linear: try_each(|n| in_unit(linear[n]))?,
         totals: axes.map(|axis| task.totals[axis.index()].in_unit(unit)),
     })

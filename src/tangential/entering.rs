@@ -1,11 +1,11 @@
 //! The law of cells that come into contact within a step.
 
 use crate::buffer;
-use crate::cgm::reduce;
+use crate::cgm::{Own, reduce};
 use crate::error::Result;
 use crate::material::ElasticPair;
 use crate::parallel;
-use crate::tangential::Increment;
+use crate::tangential::{Axis, Increment, at};
 
 /// $`\kappa = 1 + c_l / 2 c_n`$, the tangential displacement of a cell by a traction of its own over the normal one by a
 /// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$.
@@ -20,6 +20,36 @@ pub(crate) fn own_compliance(closing: f64, pressure: f64) -> f64 {
         (closing / pressure).min(f64::MAX)
     } else {
         0.0
+    }
+}
+
+/// The compliance of its own of a cell, a symmetric tensor.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OwnCompliance {
+    pub(crate) xx: f64,
+    pub(crate) xy: f64,
+    pub(crate) yy: f64,
+}
+
+impl OwnCompliance {
+    pub(crate) const NONE: Self = Self {
+        xx: 0.0,
+        xy: 0.0,
+        yy: 0.0,
+    };
+
+    pub(crate) fn of(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.xx * x + self.xy * y, self.xy * x + self.yy * y]
+    }
+
+    /// The mean of all directions.
+    pub(crate) fn mean(&self) -> f64 {
+        0.5 * self.xx + 0.5 * self.yy
+    }
+
+    /// `[a, b]` of what is beside the mean, the rows `[a, b]` and `[b, -a]`.
+    fn deviator(&self) -> [f64; 2] {
+        [0.5 * self.xx - 0.5 * self.yy, self.xy]
     }
 }
 
@@ -41,9 +71,42 @@ impl Increment {
                 };
             }
         });
+        self.deviator.clear();
         self.has_entered = reduce::any(pressed.region.layout(), |k| diagonal[k] > 0.0);
         if !self.has_entered {
             self.diagonal.clear();
+        }
+        Ok(())
+    }
+
+    /// The same by rolling, where the compliance depends on the direction: by what it is of a cell of the grid under its
+    /// pressure.
+    pub(crate) fn roll_in(&mut self, own: impl Fn(usize, f64) -> OwnCompliance) -> Result<()> {
+        let cells = self.pressed.region.cells();
+        buffer::resize(&mut self.diagonal, cells, 0.0)?;
+        self.deviator.clear();
+        if let [_, _] = self.axes {
+            buffer::resize(&mut self.deviator, cells, [0.0; 2])?;
+        }
+        self.has_entered = false;
+        for (k, index) in self.pressed.region.own().indices().enumerate() {
+            let own = if self.pressed.limits.cells[k] > 0.0 {
+                own(index, self.pressed.pressure[k])
+            } else {
+                OwnCompliance::NONE
+            };
+            self.diagonal[k] = match self.axes {
+                [Axis::X] => own.xx,
+                [Axis::Y] => own.yy,
+                _ => own.mean(),
+            };
+            if let Some(deviator) = self.deviator.get_mut(k) {
+                *deviator = own.deviator();
+            }
+            self.has_entered |= self.diagonal[k] > 0.0;
+        }
+        if !self.has_entered {
+            self.enter_nowhere();
         }
         Ok(())
     }
@@ -52,6 +115,7 @@ impl Increment {
     pub(crate) fn enter_nowhere(&mut self) {
         self.has_entered = false;
         self.diagonal.clear();
+        self.deviator.clear();
     }
 
     /// Cells of the grid that [`Self::write_entered`] needs room for.
@@ -75,10 +139,11 @@ impl Increment {
 
     /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.
     pub(super) fn lag_behind(&mut self) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let (offset, traction) = (&mut self.offset[axis], &self.traction[axis]);
-            for ((offset, traction), own) in offset.iter_mut().zip(traction).zip(&self.diagonal) {
-                *offset -= own * traction;
+        let own = Own::new(&self.diagonal, &self.deviator);
+        for cell in 0..self.diagonal.len() {
+            let lag = own.added([0.0; 2], 1.0, cell, at(&self.traction, cell));
+            for axis in self.axes.iter().map(|axis| axis.index()) {
+                self.offset[axis][cell] -= lag[axis];
             }
         }
     }

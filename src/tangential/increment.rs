@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::buffer;
 use crate::cgm::vector::slices;
-use crate::cgm::{Total, reduce};
+use crate::cgm::{Own, Total, reduce};
 use crate::contact::{Conditions, Trend, multipliers};
 use crate::coupling::Coupling;
 use crate::error::Result;
@@ -37,6 +37,9 @@ pub(crate) struct Increment {
     pub(super) linear: PlaneVector,
     /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
     pub(super) diagonal: Vec<f64>,
+    /// `[a, b]` of what they have beside it in the plane, the rows `[a, b]` and `[b, -a]`; empty where it is the same in
+    /// all directions.
+    pub(super) deviator: Vec<[f64; 2]>,
     /// Whether a cell does, of any rank.
     pub(super) has_entered: bool,
     /// How pressure moves the surfaces, if it is to.
@@ -76,6 +79,7 @@ impl Increment {
             offset: zeros(axes, cells)?,
             linear: zeros(axes, cells)?,
             diagonal: Vec::new(),
+            deviator: Vec::new(),
             has_entered: false,
             motion: Motion::default(),
             pressed,
@@ -184,7 +188,7 @@ impl Increment {
         let Pressed { region, limits, .. } = &self.pressed;
         let mut task = Task {
             limits: &limits.cells,
-            diagonal: &self.diagonal,
+            own: Own::new(&self.diagonal, &self.deviator),
             linear: &self.linear,
             totals,
             known: None,

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::buffer::{self, try_each};
 use crate::cgm::vector::{at, norm, slices, slices_mut};
-use crate::cgm::{Admissible, Ball, Linearised, Magnitude, Total, Within, reduce};
+use crate::cgm::{Admissible, Ball, Linearised, Magnitude, Own, Total, Within, reduce};
 use crate::contact::{ElasticProblem, ElasticSolver, Levels, Scene};
 use crate::error::Result;
 use crate::influence::Direction;
@@ -16,7 +16,7 @@ use crate::tangential::limits::is_at_limit;
 pub(super) struct FrictionScene<'a, const N: usize> {
     pub(super) directions: [Direction; N],
     pub(super) limits: Cow<'a, [f64]>,
-    pub(super) diagonal: &'a [f64],
+    pub(super) own: Own<'a>,
     pub(super) linear: [Cow<'a, [f64]>; N],
     pub(super) totals: [Total; N],
 }
@@ -48,7 +48,7 @@ where
     ) -> ElasticProblem<'_, Magnitude<'_>, N> {
         solver
             .problem(slices(&self.linear), Magnitude(&self.limits))
-            .diagonal(self.diagonal)
+            .own(self.own)
             .totals(self.totals)
     }
 
@@ -57,7 +57,7 @@ where
         let mut coarse = Self {
             directions: self.directions,
             limits: levels.coarsened(&self.limits)?.into(),
-            diagonal: &[],
+            own: Own::default(),
             linear: try_each(|n| levels.coarsened(&self.linear[n]).map(Cow::from))?,
             totals: self.totals,
         };

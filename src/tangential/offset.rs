@@ -12,13 +12,24 @@ impl Increment {
         }
     }
 
+    /// Carries the offsets to where the particles of rolling bodies are, and adds how far they have turned.
+    pub(crate) fn carry_offset(&mut self, carry: impl Fn(&mut [f64]), turned: [f64; 2]) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let part = &mut self.offset[axis];
+            carry(part);
+            for offset in part {
+                *offset += turned[axis];
+            }
+        }
+    }
+
     /// Moves the offsets back by what the growth of the pressure displaces the surfaces, where pressure moves them: a cell
-    /// that sticks resists it by traction. `before` is the pressure of the whole grid.
-    pub(crate) fn draw_from(&mut self, before: &[f64]) {
+    /// that sticks resists it by traction. `before` is the pressure that a cell of the grid had.
+    pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
         if let Some(drawing) = &mut self.drawing {
             let present = &self.pressed.pressure;
             let buffer = &mut self.linear[self.axes[0].index()];
-            self.pressed.region.gather(before, buffer);
+            self.pressed.region.collect(before, buffer);
             let grown = present
                 .iter()
                 .zip(buffer)

@@ -43,7 +43,7 @@ pub struct TangentialSolution {
     whole: Option<Box<Whole>>,
 }
 
-shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), report);
+shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), discretisation_estimate(), report);
 
 try_clone!(TangentialSolution { traction, slip, zones } { boundary, cell_value, axis, shift, twist, coupled, report, whole });
 

@@ -70,7 +70,7 @@ pub enum TangentialModel {
 
 impl TangentialModel {
     /// What to do about a load that only the vector model has.
-    pub(super) const VECTOR_REMEDY: &str = "build it with the vector model";
+    pub(crate) const VECTOR_REMEDY: &str = "build it with the vector model";
 
     /// The model of tractions along these axes.
     pub(crate) fn of(axes: &[Axis]) -> Self {

@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 
 use kit::{rough, unit_bodies};
-use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, Rolling, wear};
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
@@ -87,6 +87,31 @@ fn on_a_sphere_and_on_a_rough_surface() {
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
         check(&rough(grid, 4), 30.0, lateral);
+    }
+}
+
+/// A sphere that rolls under a load that swings, with cells that enter.
+#[test]
+fn of_bodies_that_roll() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+        let mut history = builder.model(model).tolerance(1e-6).build().unwrap();
+        let rolling = Rolling::new(1).creepage([0.02, 0.0]);
+        let mut cycle = || {
+            for part in [1.0, 0.9, 0.9, 1.0] {
+                let press = LoadStep::hold().normal(NormalControl::Force(20.0 * part));
+                history.step(&press.roll(rolling)).unwrap();
+                let drag = press.tangential(Axis::X, TangentialControl::Force(part));
+                history.step(&drag.roll(Rolling::new(2))).unwrap();
+            }
+        };
+        for _ in 0..3 {
+            cycle();
+        }
+        assert_eq!(allocations(&mut cycle), 0);
     }
 }
 

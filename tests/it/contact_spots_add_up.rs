@@ -2,15 +2,50 @@
 
 use std::sync::Arc;
 
+use stickslip::analytical::HertzSphere;
 use stickslip::ranks::{Ranks, Threads};
 use stickslip::{
-    Boundary, ContactSpots, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
+    Boundary, CellValue, ContactSpots, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
 };
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
     problem.build().unwrap().solve().unwrap()
+}
+
+/// Two balls so far from each other that each displaces the other nearly uniformly: under the load of its spot each has the
+/// area of Hertz, where counting is wrong by per cents.
+#[test]
+fn areas_within_the_cells_are_those_of_hertz() {
+    let grid = Grid::new(128, 40, 0.1, 0.1).unwrap();
+    let pair = kit::unit_pair(0.0);
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let bodies = bodies.with_cell_value(CellValue::Centre).unwrap();
+    let radii = [1.0, 1.5];
+    let ball = |x: f64, y: f64, radius: f64| (x * x + y * y) / (2.0 * radius);
+    let gap = Field::from_fn(grid, |x, y| {
+        ball(x + 3.93, y - 0.02, radii[0]).min(ball(x - 3.96, y + 0.03, radii[1]) + 0.1)
+    });
+    let contact = press(&bodies, &gap, 2.0);
+    let (spots, edges) = (contact.spots(), contact.edges().unwrap());
+    let areas = edges.areas_of(&spots).unwrap();
+    assert_eq!(areas.len(), 2);
+    for (spot, area) in spots.as_slice().iter().zip(&areas) {
+        let radius = radii[usize::from(spot.centroid[0] > 0.0)];
+        let hertz = HertzSphere::new(&pair, radius, spot.load).unwrap();
+        let [counted, found] = [spot.area, *area].map(|area| area / hertz.contact_area() - 1.0);
+        assert!(
+            found.abs() < 2e-3 && counted.abs() > 5e-3,
+            "{counted} {found}"
+        );
+    }
+    assert!((areas.iter().sum::<f64>() / edges.area() - 1.0).abs() < 1e-12);
+
+    let other = HalfSpace::new(Grid::square(40, 4.0).unwrap(), pair).unwrap();
+    let gap = surface::sphere(other.grid(), 1.0).unwrap();
+    let refused = edges.areas_of(&press(&other, &gap, 0.5).spots());
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
 }
 
 #[test]
@@ -21,7 +56,7 @@ fn of_a_rough_contact() {
         let contact = press(&bodies, &kit::rough(grid, 5), 60.0);
         let friction = Friction::coulomb(0.4).unwrap();
         let load = TangentialLoad::force([12.0, 0.0]);
-        let shear = TangentialProblem::builder(&bodies, &contact, friction, load);
+        let shear = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
         let shear = shear.build().unwrap().solve().unwrap();
         let spots = shear.spots(&contact).unwrap();
         let all = spots.as_slice();
@@ -31,6 +66,15 @@ fn of_a_rough_contact() {
         assert!((sum(&|spot| spot.area) / contact.contact_area() - 1.0).abs() < 1e-12);
         let stick = sum(&|spot| spot.stick_ratio.unwrap() * spot.area);
         assert!((stick / shear.stick_area() - 1.0).abs() < 1e-12);
+        let edges = shear.edges(&contact, &friction).unwrap();
+        for (edges, area) in [
+            (edges.contact(), edges.contact().area()),
+            (edges.stick(), edges.stick().area()),
+        ] {
+            let areas = edges.areas_of(&spots).unwrap();
+            assert_eq!(areas.len(), all.len());
+            assert!((areas.iter().sum::<f64>() / area - 1.0).abs() < 1e-12);
+        }
         let largest = all.iter().map(|spot| spot.max_pressure).fold(0.0, f64::max);
         assert_eq!(largest, contact.pressure().max());
         for spot in all {

@@ -2,7 +2,9 @@
 //! products.
 
 use stickslip::cgm::Settings;
-use stickslip::rolling::{RollingControl, RollingProblem, RollingProblemBuilder, SpinControl};
+use stickslip::rolling::{
+    LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
+};
 use stickslip::{
     Axis, ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, surface,
@@ -51,24 +53,35 @@ impl Scene {
     }
 
     fn loads(&self, point: [f64; 3]) -> [f64; 3] {
-        let rolling = self.at(point).build().unwrap().solve().unwrap();
-        [rolling.force()[0], rolling.force()[1], rolling.moment()]
+        loads(self.at(point))
     }
+}
+
+/// Forces along x and y, and moment.
+fn loads(rolling: RollingProblemBuilder<'_>) -> [f64; 3] {
+    let rolling = rolling.build().unwrap().solve().unwrap();
+    [rolling.force()[0], rolling.force()[1], rolling.moment()]
 }
 
 #[test]
 fn stiffness_is_the_slope_of_solves() {
     let scene = Scene::across(24);
-    for point in [[0.5, 0.4, 0.5], [1.2, 0.0, 0.1], [0.1, -1.0, -0.6]] {
-        let mut solver = scene.at(point).build().unwrap().into_solver().unwrap();
-        solver.solve_into(&mut solver.new_solution()).unwrap();
+    for (edge, point) in [
+        (LeadingEdge::PlusX, [0.5, 0.4, 0.5]),
+        (LeadingEdge::MinusX, [1.2, 0.0, 0.1]),
+        (LeadingEdge::PlusY, [0.1, -1.0, -0.6]),
+    ] {
+        let at = |point: [f64; 3]| scene.at(point).leading_edge(edge);
+        let mut solver = at(point).build().unwrap().into_solver().unwrap();
+        let mut rolling = solver.new_solution();
+        solver.solve_into(&mut rolling).unwrap();
         let found = solver.stiffness().unwrap();
         for motion in 0..3 {
             let step = 1e-5;
             let [before, after] = [-step, step].map(|step| {
                 let mut moved = point;
                 moved[motion] += step;
-                scene.loads(moved)
+                loads(at(moved))
             });
             for load in 0..3 {
                 let slope = (after[load] - before[load]) / (2.0 * step * scene.unit);
@@ -76,6 +89,17 @@ fn stiffness_is_the_slope_of_solves() {
                 assert!(error < 1e-6, "{load} by {motion}: {error:e} of {slope}");
             }
         }
+        // The same where the forces are prescribed.
+        let forces = rolling.force().map(RollingControl::Force);
+        solver.set_control(forces, rolling.spin()).unwrap();
+        solver.solve_into(&mut rolling).unwrap();
+        let again = solver.stiffness().unwrap();
+        let errors = again.iter().flatten().zip(found.iter().flatten());
+        assert!(
+            errors
+                .into_iter()
+                .all(|(again, found)| (again - found).abs() < 1e-6)
+        );
     }
 }
 
@@ -128,8 +152,23 @@ fn moments_that_friction_does_not_hold_are_refused() {
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
     assert!(matches!(of(1.02 * capacity), Err(Error::Below { .. })));
     assert!(matches!(of(f64::NAN), Err(Error::NotFinite { .. })));
-    let held = of(0.97 * capacity).unwrap().solve().unwrap();
-    assert!((held.moment() / (0.97 * capacity) - 1.0).abs() < 1e-7);
+    let mut solver = of(0.97 * capacity).unwrap().into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.moment() / (0.97 * capacity) - 1.0).abs() < 1e-7);
+    // Forces leave less to the moment: no spin has it, and the next search is none the worse.
+    let force = RollingControl::Force(0.6 * scene.limit);
+    let moment = SpinControl::Moment(0.97 * capacity);
+    solver.set_control([force; 2], moment).unwrap();
+    let lost = solver.solve_into(&mut rolling);
+    assert!(matches!(lost, Err(Error::NotConverged(_))));
+    assert!(!rolling.report().is_converged() && !solver.report().is_converged());
+    let (force, moment) = (RollingControl::Force(0.1 * scene.limit), 0.1 * capacity);
+    solver
+        .set_control([force; 2], SpinControl::Moment(moment))
+        .unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.moment() / moment - 1.0).abs() < 1e-6);
 }
 
 #[test]

@@ -289,6 +289,43 @@ static stickslip_status roll(void) {
     return status;
 }
 
+/* The edges of what was pressed and sheared, and the estimates of its errors. */
+static stickslip_status edges(void) {
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_solution *pressed = NULL;
+    stickslip_tangential_solver *shearer = NULL;
+    stickslip_tangential_solution *sheared = NULL;
+    OK(stickslip_normal_solver_new(steel, ball, cells, &PRESS, NULL, NULL, &presser));
+    OK(stickslip_normal_solution_new(presser, &pressed));
+    OK(stickslip_normal_solver_solve(presser, pressed, NULL));
+    OK(stickslip_tangential_solver_new(steel, pressed, &friction, &DRAG, NULL, &shearer));
+    OK(stickslip_tangential_solution_new(shearer, &sheared));
+    OK(stickslip_tangential_solver_solve(shearer, sheared, NULL));
+    stickslip_edges contact = {0}, both = {0};
+    double of_pressure = 0.0, of_traction = 0.0;
+    arm();
+    stickslip_status status = stickslip_normal_solution_edges(pressed, &contact, depth, NULL, cells);
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_edges(sheared, pressed, &friction, &both, depth, NULL, cells);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_normal_solution_discretisation_estimate(pressed, &of_pressure);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_tangential_solution_discretisation_estimate(sheared, &of_traction);
+    }
+    disarmed(status);
+    /* All numbers are there, or none. */
+    EXPECT(status != STICKSLIP_OK || (both.contact_area == contact.contact_area && of_pressure > 0.0 && of_traction > 0.0));
+    EXPECT(status != STICKSLIP_MEMORY || both.contact_area == 0.0);
+    OK(stickslip_tangential_solver_free(shearer));
+    OK(stickslip_tangential_solution_free(sheared));
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_normal_solution_free(pressed));
+    return status;
+}
+
 static stickslip_status press_and_shear_coupled(void) {
     stickslip_friction friction = stickslip_coulomb(0.5);
     stickslip_coupled_solver *solver = NULL;
@@ -566,6 +603,7 @@ static void scenes(size_t nx, size_t ny) {
     run("normal contact", press);
     run("tangential contact", shear);
     run("rolling contact", roll);
+    run("edges", edges);
     run("coupled contact", press_and_shear_coupled);
     run("history", new_history);
     run("first step", first_step);

@@ -6,10 +6,12 @@ use pyo3::prelude::*;
 
 use crate::array::{Array, view};
 use crate::digits::short;
+use crate::error::OrRaise;
 use crate::grid::Grid;
+use crate::spots::ContactSpots;
 
-/// The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges` and
-/// :meth:`TangentialSolution.edges`.
+/// The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges`,
+/// :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 ///
 /// At a distance s from a smooth edge the pressure rises as the root of s and the gap opens as its power 3/2. A quadratic is
 /// fitted to the square of the one and the power 2/3 of the other in 7 x 7 cells about each cell at the edge; where it does
@@ -70,6 +72,12 @@ impl Edges {
     #[getter]
     fn covered<'py>(&self, py: Python<'py>) -> Array<'py> {
         Array::new(py, self.0.cells().iter().map(|cell| cell.covered))
+    }
+
+    /// Areas of the spots of the contact, in their order, with the parts of the cells at the edges (lengths squared).
+    fn areas_of<'py>(&self, py: Python<'py>, spots: &ContactSpots) -> PyResult<Array<'py>> {
+        let areas = self.0.areas_of(&spots.0).or_raise(py)?;
+        Ok(Array::new(py, areas))
     }
 
     /// Whether the edge was fitted in these cells.

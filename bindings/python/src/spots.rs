@@ -78,7 +78,7 @@ picklable!(Spot: stickslip::Spot);
 /// The connected spots of a contact: a sequence of :class:`Spot`.
 #[pyclass(frozen, eq, module = "stickslip", sequence)]
 #[derive(PartialEq)]
-pub(crate) struct ContactSpots(stickslip::ContactSpots);
+pub(crate) struct ContactSpots(pub(crate) stickslip::ContactSpots);
 
 picklable!(ContactSpots: stickslip::ContactSpots);
 

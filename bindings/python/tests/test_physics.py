@@ -402,6 +402,11 @@ def test_edges_are_found_inside_the_cells():
     assert edges.centres.shape == grid.shape and edges.covered.shape == edges.cells.shape == edges.is_fitted.shape
     shear = ss.TangentialProblem(bodies, contact, 0.5, force_x=0.2).solve()
     assert abs(shear.edges(contact, 0.5).stick_ratio - exact.stick_ratio) < 2e-3
+    assert edges.areas_of(contact.spots) == pytest.approx([edges.area])
+    history = ss.History(bodies, ss.surface.sphere(grid, 1.0), 0.5)
+    history.step(normal_force=4 / 3)
+    history.step(force_x=0.2)
+    assert abs(history.edges().stick_ratio - exact.stick_ratio) < 2e-3
     assert 1e-3 < contact.discretisation_estimate < shear.discretisation_estimate < 0.05
     with pytest.raises(ss.errors.CellValueMismatch):
         contact.displacement(ss.HalfSpace(grid, (body, body)))

@@ -11,7 +11,7 @@ use crate::cgm::motion::Row;
 use crate::cgm::newton::NewtonSteps;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
-use crate::cgm::{Admissible, Carried, Disc, Magnitude, reduce};
+use crate::cgm::{Admissible, Carried, Disc, Magnitude, Own, reduce};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::parallel;
@@ -272,7 +272,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
             operator: &problem.operator,
             preconditioner: &problem.preconditioner,
             layout: problem.layout,
-            diagonal: &[],
+            own: Own::default(),
             self_compliance: 0.0,
             restraint: 0.0,
             stiff: f64::INFINITY,

@@ -24,6 +24,7 @@ use crate::buffer;
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::Row;
 use crate::cgm::moving::MovingCells;
+use crate::cgm::own::Own;
 use crate::cgm::run::Precision;
 use crate::cgm::small::Small;
 use crate::cgm::turn::Weight;
@@ -127,8 +128,8 @@ pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usi
     pub(in crate::cgm) operator: &'a C,
     pub(in crate::cgm) preconditioner: &'a P,
     pub(in crate::cgm) layout: &'a Layout,
-    /// Compliance that cells have of their own beside the operator; of no cells where none has.
-    pub(in crate::cgm) diagonal: &'a [f64],
+    /// Compliance that cells have of their own beside the operator.
+    pub(in crate::cgm) own: Own<'a>,
     /// How far a unit traction displaces its own cell; zero if it is not known.
     pub(in crate::cgm) self_compliance: f64,
     /// Stiffness that is added to the operator; zero but in the way out of a cycle.
@@ -155,11 +156,11 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
         let report = &mut w.report;
         precision.apply(self.operator, direction, image, &mut w.operator, report);
-        let (restraint, diagonal) = (self.restraint, self.diagonal);
-        if restraint > 0.0 || !diagonal.is_empty() {
-            let own = |i: usize| diagonal.get(i).copied().unwrap_or(0.0);
+        let (restraint, own) = (self.restraint, self.own);
+        if restraint > 0.0 || !own.is_none() {
             update_cells(&mut w.image, |i, u| {
-                plus(u, restraint + own(i), at(&direction, i))
+                let d = at(&direction, i);
+                own.added(plus(u, restraint, d), 1.0, i, d)
             });
         }
         if R::HAS_LAG {
@@ -203,8 +204,8 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         &mut self,
         weigh: impl Fn(Weight, [f64; N], [f64; N]) -> ([f64; N], [f64; N]) + Sync,
     ) {
-        let (diagonal, self_compliance) = (self.diagonal, self.self_compliance);
-        if diagonal.is_empty() {
+        let (own, self_compliance) = (self.own, self.self_compliance);
+        if own.is_none() {
             return;
         }
         let w = &mut *self.workspace;
@@ -218,7 +219,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
                 if !entries.row(rows, k, place).is_free() {
                     continue;
                 }
-                let own = diagonal[entries.chunk.start + place];
+                let own = own.mean(entries.chunk.start + place);
                 let weight = Weight::new(own, self_compliance);
                 let (r, z) = weigh(weight, held(&direction, place), held(&image, place));
                 put(&mut direction, place, r);

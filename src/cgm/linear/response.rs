@@ -8,6 +8,7 @@ use crate::cgm::linear::gmres::Equations;
 use crate::cgm::linear::{Border, Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::Row;
+use crate::cgm::own::Own;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{at, dot, minus, plus, slices, within};
 use crate::error::{Error, Result};
@@ -84,8 +85,8 @@ pub(crate) struct Held<'a, C, P> {
     pub(crate) operator: &'a C,
     pub(crate) preconditioner: &'a P,
     pub(crate) layout: &'a Layout,
-    /// Compliance that cells have of their own beside the operator; of no cells where none has.
-    pub(crate) own: &'a [f64],
+    /// Compliance that cells have of their own beside the operator.
+    pub(crate) own: Own<'a>,
 }
 
 impl<C, P> Held<'_, C, P> {
@@ -117,7 +118,7 @@ impl<C, P> Held<'_, C, P> {
             operator: self.operator,
             preconditioner: self.preconditioner,
             layout: self.layout,
-            diagonal: self.own,
+            own: self.own,
             self_compliance: self.operator.self_compliance(),
             restraint: 0.0,
             stiff: f64::INFINITY,

@@ -1342,8 +1342,8 @@ class DenseOperator(LinearOperator):
 @final
 class Edges:
     """
-    The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges` and
-    :meth:`TangentialSolution.edges`.
+    The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges`,
+    :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 
     At a distance s from a smooth edge the pressure rises as the root of s and the gap opens as its power 3/2. A quadratic is
     fitted to the square of the one and the power 2/3 of the other in 7 x 7 cells about each cell at the edge; where it does
@@ -1356,6 +1356,10 @@ class Edges:
     def area(self, /) -> float:
         """
         Area with the parts of the cells at the edge (a length squared).
+        """
+    def areas_of(self, /, spots: ContactSpots) -> NDArray[float64]:
+        """
+        Areas of the spots of the contact, in their order, with the parts of the cells at the edges (lengths squared).
         """
     @property
     def cells(self, /) -> NDArray[uint64]:
@@ -2272,6 +2276,10 @@ class History:
     def dissipated_energy(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated since the start (not negative), a copy.
+        """
+    def edges(self, /) -> TangentialEdges:
+        """
+        The edges of the contact and of the stick zone inside the cells after the last step, under the friction as last set.
         """
     @property
     def friction(self, /) -> Friction:

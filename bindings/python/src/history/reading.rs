@@ -9,6 +9,7 @@ use crate::array::{Array, contact, copy, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
+use crate::edges::TangentialEdges;
 use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -155,6 +156,13 @@ impl History {
     #[getter]
     fn steps(&self) -> PyResult<u64> {
         self.read(stickslip::History::steps)
+    }
+
+    /// The edges of the contact and of the stick zone inside the cells after the last step, under the friction as last set.
+    fn edges(&self, py: Python<'_>) -> PyResult<TangentialEdges> {
+        let work = lock(&self.work, NAME)?;
+        let history = &work.history;
+        unobserved_on(py, self.grid(), || history.edges()).map(TangentialEdges)
     }
 
     /// The contact spots, with their stick ratios.

@@ -2,68 +2,57 @@
 
 use crate::buffer::filled;
 use crate::error::Result;
+use crate::history::Passage;
 use crate::neighbours::neighbours;
 use crate::normal::NormalSolution;
-use crate::rolling::step::Step;
+pub(crate) use crate::tangential::OwnCompliance as Compliance;
 use crate::tangential::{Pressed, own_compliance};
 
-/// The compliance of its own of a cell, a symmetric tensor.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Compliance {
-    pub(super) xx: f64,
-    pub(super) xy: f64,
-    pub(super) yy: f64,
-}
-
-impl Compliance {
-    pub(super) const NONE: Self = Self {
-        xx: 0.0,
-        xy: 0.0,
-        yy: 0.0,
-    };
-
-    pub(super) fn of(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.xx * x + self.xy * y, self.xy * x + self.yy * y]
-    }
-
-    /// The mean of all directions.
-    pub(super) fn mean(&self) -> f64 {
-        0.5 * (self.xx + self.yy)
-    }
-}
-
-/// $`B = \kappa\,g/p`$ of each cell of a window, with the gap g where its particle was before,
+/// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
 ///
 /// ```math
 /// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
-/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact: the surface ahead moves in plane strain across it, and in antiplane strain along it.
-/// Of rough surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
-pub(super) fn entering(
+/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
+/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it. Of rough
+/// surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
+pub(crate) fn compliance(
+    normal: &NormalSolution,
+    before: usize,
+    gap: f64,
+    pressure: f64,
+) -> Compliance {
+    if gap <= 0.0 {
+        return Compliance::NONE;
+    }
+    let compliances = normal.pair().compliances();
+    let along = 1.0 + compliances.lateral / compliances.normal;
+    let most = own_compliance(along * gap, pressure);
+    let [xx, xy, yy] = across(normal, before);
+    let less = most * (1.0 - 1.0 / along);
+    Compliance {
+        xx: most - less * xx,
+        xy: -less * xy,
+        yy: most - less * yy,
+    }
+}
+
+/// The compliance of its own of each cell of a window, under a pressure that does not change.
+pub(crate) fn entering(
     normal: &NormalSolution,
     pressed: &Pressed,
-    step: Step,
+    step: Passage,
 ) -> Result<Vec<Compliance>> {
     let mut own = filled(Compliance::NONE, pressed.region.cells())?;
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
     let pressure = normal.pressure().as_slice();
-    let compliances = normal.pair().compliances();
-    let along = 1.0 + compliances.lateral / compliances.normal;
     for (cell, own) in own.iter_mut().enumerate() {
         let Some(before) = step.before(cell).map(|before| window.index(before)) else {
             continue;
         };
-        let enters = pressure[before] <= 0.0 && gap[before] > 0.0;
-        if enters && pressed.limits.cells[cell] > 0.0 {
-            let most = own_compliance(along * gap[before], pressed.pressure[cell]);
-            let [xx, xy, yy] = across(normal, before);
-            let less = most * (1.0 - 1.0 / along);
-            *own = Compliance {
-                xx: most - less * xx,
-                xy: -less * xy,
-                yy: most - less * yy,
-            };
+        if pressure[before] <= 0.0 && pressed.limits.cells[cell] > 0.0 {
+            *own = compliance(normal, before, gap[before], pressed.pressure[cell]);
         }
     }
     Ok(own)

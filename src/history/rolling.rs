@@ -1,0 +1,223 @@
+//! A step in which the bodies roll.
+
+use crate::error::{Error, Result, all_finite, finite, positive};
+use crate::half_space::HalfSpace;
+use crate::history::state::State;
+use crate::history::travel::Travel;
+use crate::history::{LeadingEdge, LoadStep};
+use crate::tangential::{Axis, Demand, TangentialControl, TangentialModel};
+
+/// How the bodies roll in a step: by how many cells, where their particles enter the contact, and what body 2 moves over
+/// body 1 on the way.
+///
+/// The default is free rolling to the [leading edge](LeadingEdge) at the largest x: no creepage, no spin.
+///
+/// ```
+/// use stickslip::history::{LeadingEdge, Rolling};
+/// use stickslip::*;
+/// let grid = Grid::square(24, 3.0)?;
+/// let body = Material::from_shear_modulus(1.0, 0.25)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+/// let ball = surface::sphere(grid, 1.0)?;
+/// let friction = Friction::coulomb(0.3)?;
+/// let builder = History::builder(&bodies, &ball, friction).model(TangentialModel::Vector);
+/// let mut history = builder.build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(1.0)))?;
+///
+/// // The creepage is given, and the force grows towards that of steady rolling.
+/// let rolling = Rolling::new(1).leading_edge(LeadingEdge::PlusX).creepage([0.05, 0.0]);
+/// let mut last = 0.0;
+/// for _ in 0..20 {
+///     let force = history.step(&LoadStep::hold().roll(rolling))?.tangential_force()[0];
+///     assert!(force > last && force < 0.3);
+///     last = force;
+/// }
+/// // The force is given, and the creepage follows.
+/// let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.5 * last));
+/// let step = history.step(&load.roll(Rolling::new(1)))?;
+/// assert!(step.creepage().is_some_and(|[along, _]| along < 0.05));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+pub struct Rolling {
+    #[cfg_attr(feature = "serde", serde(default))]
+    leading_edge: LeadingEdge,
+    cells: usize,
+    #[cfg_attr(feature = "serde", serde(default))]
+    creepage: [f64; 2],
+    #[cfg_attr(feature = "serde", serde(default))]
+    spin: f64,
+}
+
+impl Rolling {
+    /// Rolling by so many cells, one or more: particles of both surfaces move by as many through the contact.
+    #[must_use]
+    pub fn new(cells: usize) -> Self {
+        Self {
+            leading_edge: LeadingEdge::default(),
+            cells,
+            creepage: [0.0; 2],
+            spin: 0.0,
+        }
+    }
+
+    /// With the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
+    #[must_use]
+    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
+        self.leading_edge = edge;
+        self
+    }
+
+    /// With the creepages $`[\xi, \eta]`$ along x and y, what body 2 moves over body 1 for each length rolled
+    /// (dimensionless, default zero). Positive ones cause positive forces. Where the step names a force along an axis the
+    /// creepage along it follows, and must be zero here.
+    #[must_use]
+    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
+        self.creepage = creepage;
+        self
+    }
+
+    /// With the spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
+    /// positive from x to y, default zero), about the origin of the grid.
+    #[must_use]
+    pub fn spin(mut self, spin: f64) -> Self {
+        self.spin = spin;
+        self
+    }
+
+    /// The way of the particles on the grid of these bodies.
+    pub(super) fn travel(&self, bodies: &HalfSpace) -> Travel {
+        Travel::new(bodies.grid(), self.leading_edge, self.cells)
+    }
+
+    /// The creepages of a step: those given, and what body 2 has moved by where a force is.
+    pub(super) fn reached(&self, load: &LoadStep, moved: [f64; 2], length: f64) -> [f64; 2] {
+        let demand = load.demand(0.0);
+        [0, 1].map(|axis| match demand.controls[axis] {
+            TangentialControl::Force(_) => moved[axis] / length,
+            _ => self.creepage[axis],
+        })
+    }
+
+    /// The demand of a step from this state: a creepage is the shift at its end, and the spin the twist.
+    fn prescribe(&self, mut demand: Demand, state: &State, length: f64) -> Demand {
+        for (axis, control) in demand.controls.iter_mut().enumerate() {
+            if *control == TangentialControl::Hold {
+                let shift = state.motion.shift[axis] + length * self.creepage[axis];
+                *control = TangentialControl::Shift(shift);
+            }
+        }
+        demand.twist = state.motion.twist + length * self.spin;
+        demand
+    }
+
+    /// `Ok` if a history in this state can roll so.
+    fn check(&self, bodies: &HalfSpace, state: &State, load: &LoadStep) -> Result<()> {
+        let cells = self.cells as f64;
+        positive("cells that a step rolls", cells)?;
+        all_finite("creepage", &self.creepage)?;
+        finite("spin", self.spin)?;
+        let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
+        let length = finite("length of a rolled step", self.travel(bodies).length)?;
+        let refused = |quantity, value, remedy| {
+            Err(Error::NotModelled {
+                quantity,
+                value,
+                remedy,
+            })
+        };
+        let axis = self.leading_edge.axis();
+        if boundary.repeats()[axis.index()] {
+            let quantity = "rolling by a step along an axis on which the grid repeats";
+            let remedy = "roll along the other axis, or on a grid that does not repeat";
+            return refused(quantity, length, remedy);
+        }
+        let what = "cells that a step rolls";
+        if bodies.is_shared() {
+            return refused(what, cells, "roll bodies that no ranks share");
+        }
+        if state.is_joint() {
+            let remedy = "roll bodies of one material, or build the history with one-way coupling";
+            return refused(what, cells, remedy);
+        }
+        if state.relative.is_some() {
+            let remedy = "build the history without a relative displacement";
+            return refused(what, cells, remedy);
+        }
+        if state.yielded.is_some() {
+            return refused(what, cells, "build the history without a permanent set");
+        }
+        if load.names_twist() {
+            let remedy = "give the spin of a rolled step, not its twist";
+            return refused(what, cells, remedy);
+        }
+        for (axis, control) in Axis::BOTH.iter().zip(load.demand(0.0).controls) {
+            let creepage = self.creepage[axis.index()];
+            match control {
+                TangentialControl::Hold => {}
+                TangentialControl::Force(_) if creepage == 0.0 => {}
+                TangentialControl::Force(_) => {
+                    let remedy = "name the force along an axis or its creepage";
+                    return refused("creepage along an axis of a force", creepage, remedy);
+                }
+                TangentialControl::Shift(_) | TangentialControl::Spring { .. } => {
+                    let remedy = "name forces or creepages in a rolled step";
+                    let (_, value) = control.checked(*axis)?;
+                    return refused("shift or spring of a rolled step", value, remedy);
+                }
+            }
+            if creepage != 0.0 && !state.axes.contains(axis) {
+                let quantity = ["creepage along x", "creepage along y"][axis.index()];
+                return refused(quantity, creepage, TangentialModel::VECTOR_REMEDY);
+            }
+        }
+        if self.spin != 0.0 && !boundary.may_turn() {
+            let remedy = "a grid that repeats cannot turn, with any option";
+            return refused("spin", self.spin, remedy);
+        }
+        if self.spin != 0.0 && state.axes.len() == 1 {
+            return refused("spin", self.spin, TangentialModel::VECTOR_REMEDY);
+        }
+        let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
+        let demand = self.prescribe(load.demand(0.0), state, length);
+        finite("turn by the spin", demand.twist * extent)?;
+        self.travel(bodies).check_behind(bodies, state.pressure())
+    }
+}
+
+impl LoadStep {
+    /// `Ok` if the step does not roll: parts of a cell cannot be rolled.
+    pub(super) fn check_still(&self) -> Result<()> {
+        self.rolling().map_or(Ok(()), |rolling| {
+            Err(Error::NotModelled {
+                quantity: "cells that adaptive steps roll",
+                value: rolling.cells as f64,
+                remedy: "roll cell by cell",
+            })
+        })
+    }
+}
+
+impl State {
+    /// What a step asks of the tangential contact.
+    pub(super) fn demand(&self, load: &LoadStep, bodies: &HalfSpace) -> Demand {
+        let demand = load.demand(self.motion.twist);
+        match load.rolling() {
+            Some(rolling) => rolling.prescribe(demand, self, rolling.travel(bodies).length),
+            None => demand,
+        }
+    }
+
+    /// `Ok` if a step does not roll, or can.
+    pub(super) fn check_rolling(&self, load: &LoadStep, bodies: &HalfSpace) -> Result<()> {
+        match load.rolling() {
+            Some(rolling) => rolling.check(bodies, self, load),
+            None => Ok(()),
+        }
+    }
+}
