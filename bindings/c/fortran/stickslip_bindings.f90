@@ -2193,8 +2193,8 @@ module stickslip_bindings
         end function stickslip_rolling_solver_stiffness
 
         ! The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
-        ! should be neighbours in the plane. The last point stays prescribed. If one fails forces are as they were, and the points
-        ! before it are solved.
+        ! should be neighbours in the plane. The last point stays prescribed. All are checked before the first is solved. With
+        ! STICKSLIP_NOT_CONVERGED the point that failed stays prescribed, and forces are as they were.
         function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver

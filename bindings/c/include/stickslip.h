@@ -1755,8 +1755,8 @@ stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *so
                                                     stickslip_rolling_stiffness *stiffness);
 
 // The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
-// should be neighbours in the plane. The last point stays prescribed. If one fails forces are as they were, and the points
-// before it are solved.
+// should be neighbours in the plane. The last point stays prescribed. All are checked before the first is solved. With
+// STICKSLIP_NOT_CONVERGED the point that failed stays prescribed, and forces are as they were.
 stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver *solver,
                                                        const stickslip_creep_point *points,
                                                        size_t count,

@@ -255,6 +255,40 @@ static stickslip_status shear(void) {
     return status;
 }
 
+static stickslip_status roll(void) {
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    stickslip_rolling_load creepage = {{STICKSLIP_CREEPAGE, 1e-3}, {0}, {0}};
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_solution *pressed = NULL;
+    stickslip_rolling_solver *solver = NULL;
+    stickslip_rolling_solution *solution = NULL;
+    stickslip_rolling_stiffness stiffness;
+    static double lost[MOST];
+    OK(stickslip_normal_solver_new(steel, ball, cells, &PRESS, NULL, NULL, &presser));
+    OK(stickslip_normal_solution_new(presser, &pressed));
+    OK(stickslip_normal_solver_solve(presser, pressed, NULL));
+    arm();
+    stickslip_status status = stickslip_rolling_solver_new(steel, pressed, &friction, &creepage, NULL, &solver);
+    if (status == STICKSLIP_OK) {
+        status = stickslip_rolling_solution_new(solver, &solution);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_rolling_solver_solve(solver, solution, NULL);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_rolling_solver_stiffness(solver, &stiffness);
+    }
+    if (status == STICKSLIP_OK) {
+        status = stickslip_rolling_solution_dissipation(solution, lost, cells);
+    }
+    disarmed(status);
+    OK(stickslip_rolling_solver_free(solver));
+    OK(stickslip_rolling_solution_free(solution));
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_normal_solution_free(pressed));
+    return status;
+}
+
 /* The edges of what was pressed and sheared, and the estimates of its errors. */
 static stickslip_status edges(void) {
     stickslip_friction friction = stickslip_coulomb(0.5);
@@ -568,6 +602,7 @@ static void scenes(size_t nx, size_t ny) {
     run("first normal contact", first_press);
     run("normal contact", press);
     run("tangential contact", shear);
+    run("rolling contact", roll);
     run("edges", edges);
     run("coupled contact", press_and_shear_coupled);
     run("history", new_history);

@@ -155,6 +155,9 @@ static void what_is_refused_leaves_the_solver(stickslip_rolling_solver *solver, 
     load = by_creepage(0.0, 0.0, 0.0);
     load.reserved[7] = 1;
     CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NO_SUCH_OPTION);
+    stickslip_creep_point points[2] = {{{0.2, 0.0}, 0.0}, {{0.0, 0.0}, INFINITY}};
+    stickslip_creep_force forces[2];
+    CHECK(stickslip_rolling_solver_creep_forces(solver, points, 2, forces) == STICKSLIP_NOT_FINITE);
     stickslip_settings settings = stickslip_settings_default();
     settings.method = STICKSLIP_POLONSKY_KEER;
     CHECK(stickslip_rolling_solver_set_settings(solver, &settings) == STICKSLIP_METHOD);

@@ -38,7 +38,7 @@ due! {
     /// A force along both axes.
     Force([f64; 2]): "force is a pair (x, y)", "for a force along one axis give force_x= or force_y=";
     /// Creepages along both axes.
-    Creepages([f64; 2]): "creepage is a pair (x, y)", "for a creepage along one axis give creepage_x= or creepage_y=";
+    Creepages([f64; 2]): "creepage is a pair (x, y)", "a creepage along x alone is (creepage, 0.0)";
     /// A shift along both axes.
     Shift([f64; 2]): "shift is a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
     /// Springs along both axes.

@@ -68,11 +68,11 @@ mod _stickslip {
     #[pymodule_export]
     use crate::{
         analytical::{
-            Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
-            ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, LubkinTorsion,
-            MindlinDeresiewicz, MindlinFullStick, NoSlipPunch, NoSlipSphere, Persson,
-            PopovLimitingShape, RoughSphere, RoundedPunch, SpencePressing, Westergaard,
-            WestergaardPartialSlip, linear_stick_ratio,
+            BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine,
+            Cone, ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere,
+            KalkerCoefficients, LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, NoSlipPunch,
+            NoSlipSphere, Persson, PopovLimitingShape, RoughSphere, RoundedPunch, SpencePressing,
+            VermeulenJohnson, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
         },
         boundary::Boundary,
         cgm::{Minimum, minimise},

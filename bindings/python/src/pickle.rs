@@ -219,6 +219,7 @@ kinds!(
     crate::subsurface::Responses,
     crate::rolling::CreepForce,
     crate::rolling::CreepForces,
+    crate::analytical::BentallJohnson,
     crate::analytical::Carter,
     crate::analytical::CattaneoMindlin,
     crate::analytical::CattaneoMindlinEllipse,
@@ -229,6 +230,7 @@ kinds!(
     crate::analytical::HertzEllipse,
     crate::analytical::HertzLine,
     crate::analytical::HertzSphere,
+    crate::analytical::KalkerCoefficients,
     crate::analytical::LubkinTorsion,
     crate::analytical::MindlinDeresiewicz,
     crate::analytical::MindlinFullStick,
@@ -239,6 +241,7 @@ kinds!(
     crate::analytical::RoughSphere,
     crate::analytical::RoundedPunch,
     crate::analytical::SpencePressing,
+    crate::analytical::VermeulenJohnson,
     crate::analytical::Westergaard,
     crate::analytical::WestergaardPartialSlip,
 );

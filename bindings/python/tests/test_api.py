@@ -71,9 +71,6 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "struct analytical::KalkerCoefficients": "in Rust alone so far",
-    "struct analytical::VermeulenJohnson": "in Rust alone so far",
-    "struct analytical::BentallJohnson": "in Rust alone so far",
     "struct history::Rolling": "rolling steps of histories are in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
@@ -112,11 +109,11 @@ METHODS = {
     "history::LoadStep": {
         "hold": "LoadStep()",
         "normal": "normal_force= and approach=",
-        "roll": "rolling is in Rust alone so far",
+        "roll": "as history::Rolling",
         "tangential": "force_x= and others",
     },
     "history::State": {"of_slabs": "as ranks::Threads"},
-    "history::StepResult": {"creepage": "rolling is in Rust alone so far"},
+    "history::StepResult": {"creepage": "as history::Rolling"},
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},

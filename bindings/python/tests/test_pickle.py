@@ -57,7 +57,8 @@ def test_closed_forms_and_statistics_come_back(scene):
     made = [
         hertz, line, ellipse, waves, cone, forms.CattaneoMindlin(hertz, 0.5, 20.0), forms.CattaneoMindlinLine(line, 0.5, 1e3),
         forms.CattaneoMindlinEllipse(ellipse, 0.5, 20.0), forms.ConePartialSlip(cone, 0.5, 1.0), forms.FlatPunch(pair, 1e-3, 10.0),
-        forms.Carter(line, 0.3, 1e-4),
+        forms.Carter(line, 0.3, 1e-4), forms.BentallJohnson(line, 0.01), forms.KalkerCoefficients(0.5, 0.3),
+        forms.VermeulenJohnson(ellipse, 0.3, (1e-3, 2e-3)),
         forms.LubkinTorsion(hertz, 0.5, 1e-3), forms.Persson(pair, 0.1, 1e9),
         forms.MindlinDeresiewicz(hertz, 0.5, [30.0, -30.0, 10.0]), forms.MindlinFullStick(pair, 1e-3, 1.0),
         forms.NoSlipPunch(pair, 1e-3, 10.0), forms.NoSlipSphere(pair, 1e-2, 10.0), forms.SpencePressing.round(pair, 0.3),

@@ -61,6 +61,25 @@ def test_small_creepages_have_the_coefficients_of_kalker(ball):
     assert found == pytest.approx(stiffness @ small, abs=1e-3 * np.abs(found).max())
 
 
+def test_the_closed_forms_of_creepage_are_met(ball):
+    coefficients = ss.analytical.KalkerCoefficients(1.0, 0.25)
+    assert (coefficients.c11, coefficients.c22, coefficients.c23) == pytest.approx((4.12, 3.67, 1.47), rel=5e-3)
+    hertz = ss.analytical.HertzEllipse(ball.bodies.pair, 1.0, 1.0, 1.0)
+    curve = ss.analytical.VermeulenJohnson(hertz, FRICTION, (0.06, 0.03))
+    assert curve.coefficients == coefficients
+    linear = np.hypot(coefficients.c11 * 0.06, coefficients.c22 * 0.03) * ball.radius**2 / FRICTION
+    assert curve.relative_creepage == pytest.approx(linear)
+    assert curve.force == pytest.approx(ball.problem(creepage=(0.06, 0.03)).solve().force, rel=0.04)
+    # Rollers of aluminium and steel that roll freely.
+    pair = ss.ElasticPair(ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
+    line = ss.analytical.HertzLine(pair, 10.0, 100.0)
+    free = ss.analytical.BentallJohnson(line, 0.01)
+    assert free.creepage == pytest.approx(0.9148 * pair.dundurs_beta * line.half_width / 10.0, rel=1e-4)
+    x = np.linspace(-line.half_width, line.half_width, 2001)[1:-1]
+    lost = -(free.traction(x) * free.slip(x)).sum() * (x[1] - x[0])
+    assert lost == pytest.approx(free.dissipation, rel=1e-3)
+
+
 def test_a_force_has_the_creepage_that_causes_it(ball):
     solver = ball.problem(force=(0.1, 0.05)).solver()
     rolling = solver.solve()

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "AdaptiveSteps",
+    "BentallJohnson",
     "Boundary",
     "Carter",
     "CattaneoMindlin",
@@ -47,6 +48,7 @@ __all__ = [
     "History",
     "Iteration",
     "JaegerSuperposition",
+    "KalkerCoefficients",
     "Levelled",
     "LinearOperator",
     "LoadPath",
@@ -100,6 +102,7 @@ __all__ = [
     "TangentialStiffness",
     "Tensor",
     "TensorOperator",
+    "VermeulenJohnson",
     "Warning",
     "Westergaard",
     "WestergaardPartialSlip",
@@ -212,6 +215,58 @@ class AdaptiveSteps:
         ------
         GridMismatch, StepTooLong
             And what :meth:`History.step` raises.
+        """
+
+@final
+class BentallJohnson:
+    """
+    Cylinders of different materials that roll freely, without a tangential force and with little friction: the limit of
+    Bentall and Johnson's solution for a friction much less than Dundurs' beta.
+
+    The pressure stretches the surfaces by different amounts: body 1 slips over body 2, for each length rolled, by
+    s = 2 beta p / E* - xi, and the traction is mu p against the slip. Between bodies of which beta is zero nothing
+    slips. The leading edge is at +x; with that at -x creepage and slip change their signs. Bentall and Johnson (1967);
+    Johnson (1985), section 8.2.
+
+    Parameters
+    ----------
+    hertz : HertzLine
+        The normal contact.
+    friction : float
+        Coefficient of friction mu (dimensionless), not negative.
+
+    Raises
+    ------
+    Negative, NotFinite
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, hertz: HertzLine, friction: float) -> BentallJohnson: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def creepage(self, /) -> float:
+        """
+        Creepage xi (dimensionless), 0.9148 beta a/R.
+        """
+    @property
+    def dissipation(self, /) -> float:
+        """
+        Energy that slip dissipates for each length rolled (a force per length), 0.1239 mu |beta| P a/R: what keeps the
+        cylinders rolling.
+        """
+    @property
+    def reversal(self, /) -> float:
+        """
+        Half-width of the middle strip (a length), at whose ends the slip reverses: 0.4040 a.
+        """
+    def slip(self, /, x: ArrayLike) -> Any:
+        """
+        Slip of body 1 over body 2 at x, for each length rolled (dimensionless); zero outside the contact.
+        """
+    def traction(self, /, x: ArrayLike) -> Any:
+        """
+        Traction on body 1 along x (a pressure) at x, mu p against the slip; zero outside the contact.
         """
 
 @final
@@ -2485,6 +2540,60 @@ class JaegerSuperposition:
     def zones(self, /) -> NDArray[uint8]:
         """
         The zone of every cell, as of :attr:`TangentialSolution.zones`.
+        """
+
+@final
+class KalkerCoefficients:
+    """
+    Kalker's creepage and spin coefficients: the forces of an elliptic contact that rolls along x with creepages so
+    small that it sticks but at its trailing edge.
+
+    With the semi-axes a along x and b along y, c = sqrt(a b), and the shear modulus G of two equal bodies, creepages xi
+    along x and eta along y and the spin phi cause on body 1 F_x = G c^2 C11 xi, F_y = G c^2 (C22 eta + c C23 phi) and
+    M = G c^3 (C32 eta + c C33 phi). The values are those of solves of this package, right to about 0.1 % (C33 to
+    0.3 %). Kalker (1990), table E.3.
+
+    Parameters
+    ----------
+    ratio : float
+        a/b, from 1/16 to 16.
+    poisson_ratio : float
+        Poisson's ratio of both bodies, from 0 to 1/2; of bodies that differ with Dundurs' beta zero, that of the one
+        that is as compliant, and G is twice its modulus.
+
+    Raises
+    ------
+    NotPositive, Below, PoissonRatio
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, ratio: float, poisson_ratio: float) -> KalkerCoefficients: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def c11(self, /) -> float:
+        """
+        Force along x by the creepage along x.
+        """
+    @property
+    def c22(self, /) -> float:
+        """
+        Force along y by the creepage along y.
+        """
+    @property
+    def c23(self, /) -> float:
+        """
+        Force along y by the spin.
+        """
+    @property
+    def c32(self, /) -> float:
+        """
+        Moment by the creepage along y, -C23.
+        """
+    @property
+    def c33(self, /) -> float:
+        """
+        Moment by the spin.
         """
 
 @final
@@ -5436,6 +5545,50 @@ class TensorOperator:
     def cells(self, /) -> int:
         """
         Cells of each component.
+        """
+
+@final
+class VermeulenJohnson:
+    """
+    Creep forces of an elliptic contact that rolls along x, without spin: the curve of Vermeulen and Johnson with
+    Kalker's slope.
+
+    With the force f without slip, by :class:`KalkerCoefficients`, and x = |f| / (mu P), the force has the size
+    mu P (1 - (1 - x/3)^3) along f, and mu P from x = 3 on. An approximation, some per cent below the solved force. For
+    equal bodies, or bodies of which Dundurs' beta is zero. Vermeulen and Johnson (1964); Johnson (1985), section 8.4.
+
+    Parameters
+    ----------
+    hertz : HertzEllipse
+        The normal contact.
+    friction : float
+        Coefficient of friction mu (dimensionless), positive.
+    creepage : pair of float
+        Creepages along x and y (dimensionless), of either sign.
+
+    Raises
+    ------
+    NotPositive, NotFinite, CoupledMaterials, Below
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, hertz: HertzEllipse, friction: float, creepage: Sequence[float] | NDArray[Any]) -> VermeulenJohnson: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def coefficients(self, /) -> KalkerCoefficients:
+        """
+        The coefficients of the contact without slip.
+        """
+    @property
+    def force(self, /) -> tuple[float, float]:
+        """
+        Tangential force on body 1 along x and y.
+        """
+    @property
+    def relative_creepage(self, /) -> float:
+        """
+        The force without slip over the friction limit, x (dimensionless): 3 or more where the whole contact slips.
         """
 
 @final

@@ -7,6 +7,7 @@ references are those of the Rust crate, whose documentation has the derivations.
 """
 
 from ._stickslip import (
+    BentallJohnson,
     Carter,
     CattaneoMindlin,
     CattaneoMindlinEllipse,
@@ -17,6 +18,7 @@ from ._stickslip import (
     HertzEllipse,
     HertzLine,
     HertzSphere,
+    KalkerCoefficients,
     LubkinTorsion,
     MindlinDeresiewicz,
     MindlinFullStick,
@@ -27,12 +29,14 @@ from ._stickslip import (
     RoughSphere,
     RoundedPunch,
     SpencePressing,
+    VermeulenJohnson,
     Westergaard,
     WestergaardPartialSlip,
     linear_stick_ratio,
 )
 
 __all__ = [
+    "BentallJohnson",
     "Carter",
     "CattaneoMindlin",
     "CattaneoMindlinEllipse",
@@ -43,6 +47,7 @@ __all__ = [
     "HertzEllipse",
     "HertzLine",
     "HertzSphere",
+    "KalkerCoefficients",
     "LubkinTorsion",
     "MindlinDeresiewicz",
     "MindlinFullStick",
@@ -53,6 +58,7 @@ __all__ = [
     "RoughSphere",
     "RoundedPunch",
     "SpencePressing",
+    "VermeulenJohnson",
     "Westergaard",
     "WestergaardPartialSlip",
     "linear_stick_ratio",

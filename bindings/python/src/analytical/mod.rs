@@ -18,7 +18,7 @@ pub(crate) use partial_slip::{
     CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, ConePartialSlip,
 };
 pub(crate) use punches::{Cone, FlatPunch, RoundedPunch};
-pub(crate) use rolling::Carter;
+pub(crate) use rolling::{BentallJohnson, Carter, KalkerCoefficients, VermeulenJohnson};
 pub(crate) use rough::{Persson, RoughSphere, linear_stick_ratio};
 pub(crate) use shear::{LubkinTorsion, MindlinDeresiewicz, MindlinFullStick};
 pub(crate) use wavy::{Westergaard, WestergaardPartialSlip};
