@@ -171,13 +171,10 @@ impl RollingSolver {
                 let settings = self.problem.settings;
                 let outcome = self.solve_at_spin(&settings, solution, &mut observer);
                 self.report.clone_from(self.workspace.report());
-                outcome?;
+                outcome
             }
-            SpinControl::Moment(moment) => {
-                self.solve_for_moment(moment, solution, &mut observer)?
-            }
+            SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
         }
-        Ok(())
     }
 
     /// Solves at the spin as it is.
