@@ -1,6 +1,6 @@
 //! A step in which the bodies roll.
 
-use crate::error::{Error, Result, all_finite, finite, positive};
+use crate::error::{Error, Result, finite, positive};
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::travel::Travel;
@@ -107,7 +107,8 @@ impl Rolling {
     /// The demand of a step from this state: a creepage is the shift at its end, and the spin the twist.
     fn prescribe(&self, mut demand: Demand, state: &State, length: f64) -> Demand {
         for (axis, control) in demand.controls.iter_mut().enumerate() {
-            if *control == TangentialControl::Hold {
+            // Held where it does not move, which the start of the solve tells from a motion.
+            if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
                 let shift = state.motion.shift[axis] + length * self.creepage[axis];
                 *control = TangentialControl::Shift(shift);
             }
@@ -120,10 +121,13 @@ impl Rolling {
     fn check(&self, bodies: &HalfSpace, state: &State, load: &LoadStep) -> Result<()> {
         let cells = self.cells as f64;
         positive("cells that a step rolls", cells)?;
-        all_finite("creepage", &self.creepage)?;
-        finite("spin", self.spin)?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let length = finite("length of a rolled step", self.travel(bodies).length)?;
+        for creepage in self.creepage {
+            finite("creepage", creepage)?;
+            finite("creepage of a step", creepage * length)?;
+        }
+        finite("spin", self.spin)?;
         let refused = |quantity, value, remedy| {
             Err(Error::NotModelled {
                 quantity,

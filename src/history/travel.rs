@@ -23,6 +23,9 @@ impl Passage {
         let [nx, _] = self.size;
         let axis = self.edge.axis().index();
         let (place, stride) = ([cell % nx, cell / nx][axis], [1, nx][axis]);
+        if self.cells >= self.size[axis] {
+            return None;
+        }
         let way = self.cells * stride;
         if self.edge.is_positive() {
             (place + self.cells < self.size[axis]).then(|| cell + way)
