@@ -79,7 +79,8 @@
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
-//! | roll with creepages, forces or spin, steadily | [`rolling::RollingProblem`] |
+//! | roll with creepages, forces, spin or moment, steadily; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
+//! | roll while loads, creepages or surfaces change | [`LoadStep::roll`] |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
 //! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |

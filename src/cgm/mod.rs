@@ -141,7 +141,6 @@ pub(crate) use set::{Carried, UNLIMITED};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
 pub use totals::Total;
-pub(crate) use turn::Weight;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};

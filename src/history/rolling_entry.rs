@@ -5,8 +5,7 @@ use crate::error::Result;
 use crate::history::Passage;
 use crate::neighbours::neighbours;
 use crate::normal::NormalSolution;
-pub(crate) use crate::tangential::OwnCompliance as Compliance;
-use crate::tangential::{Pressed, own_compliance};
+use crate::tangential::{OwnCompliance, Pressed, own_compliance};
 
 /// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
 ///
@@ -22,16 +21,16 @@ pub(crate) fn compliance(
     before: usize,
     gap: f64,
     pressure: f64,
-) -> Compliance {
+) -> OwnCompliance {
     if gap <= 0.0 {
-        return Compliance::NONE;
+        return OwnCompliance::NONE;
     }
     let compliances = normal.pair().compliances();
     let along = 1.0 + compliances.lateral / compliances.normal;
     let most = own_compliance(along * gap, pressure);
     let [xx, xy, yy] = across(normal, before);
     let less = most * (1.0 - 1.0 / along);
-    Compliance {
+    OwnCompliance {
         xx: most - less * xx,
         xy: -less * xy,
         yy: most - less * yy,
@@ -43,8 +42,8 @@ pub(crate) fn entering(
     normal: &NormalSolution,
     pressed: &Pressed,
     step: Passage,
-) -> Result<Vec<Compliance>> {
-    let mut own = filled(Compliance::NONE, pressed.region.cells())?;
+) -> Result<Vec<OwnCompliance>> {
+    let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
     let pressure = normal.pressure().as_slice();
     for (cell, own) in own.iter_mut().enumerate() {

@@ -3,12 +3,10 @@
 use std::sync::Arc;
 
 use crate::buffer::{or_abort, try_each, zeros};
-use crate::cgm::Weight;
-use crate::cgm::vector::{at, slices, update_cells};
+use crate::cgm::vector::slices;
 use crate::error::Result;
 use crate::fft::CirculantInverse;
 use crate::history::Passage;
-use crate::history::rolling_entry::Compliance;
 use crate::operator::Operator;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
@@ -16,26 +14,11 @@ use crate::operator::Operator;
 pub(super) struct SteadyInverse {
     inverse: Arc<CirculantInverse<2>>,
     step: Passage,
-    /// The part of its slip that a cell hands on; the rest its own compliance takes.
-    weights: Vec<Weight>,
 }
 
 impl SteadyInverse {
-    /// Of cells that have `own` compliance beside that of their displacement over a step, `self_compliance`.
-    pub(super) fn new(
-        inverse: Arc<CirculantInverse<2>>,
-        step: Passage,
-        self_compliance: f64,
-        own: &[Compliance],
-    ) -> Self {
-        Self {
-            inverse,
-            step,
-            weights: own
-                .iter()
-                .map(|own| Weight::new(own.mean(), self_compliance))
-                .collect(),
-        }
+    pub(super) fn new(inverse: Arc<CirculantInverse<2>>, step: Passage) -> Self {
+        Self { inverse, step }
     }
 }
 
@@ -49,7 +32,7 @@ impl Operator<2> for SteadyInverse {
     type Workspace = SteadyInverseWorkspace;
 
     fn cells(&self) -> usize {
-        self.weights.len()
+        self.inverse.cells()
     }
 
     fn workspace(&self) -> Self::Workspace {
@@ -61,24 +44,12 @@ impl Operator<2> for SteadyInverse {
         Ok((self.inverse.try_workspace()?, sums))
     }
 
-    fn apply(
-        &self,
-        x: [&[f64]; 2],
-        mut out: [&mut [f64]; 2],
-        (workspace, sums): &mut Self::Workspace,
-    ) {
+    fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], (workspace, sums): &mut Self::Workspace) {
         for (sum, x) in sums.iter_mut().zip(x) {
-            for ((sum, x), weight) in sum.iter_mut().zip(x).zip(&self.weights) {
-                *sum = weight.weighted(*x);
-            }
+            sum.copy_from_slice(x);
             self.step.sum(sum);
         }
-        let tractions = out.each_mut().map(|part| &mut **part);
-        self.inverse.apply_f32(slices(sums), tractions, workspace);
-        update_cells(&mut out, |cell, answer| {
-            let r = at(&x, cell);
-            [0, 1].map(|axis| self.weights[cell].preconditioned(answer[axis], r[axis]))
-        });
+        self.inverse.apply_f32(slices(sums), out, workspace);
     }
 
     fn is_symmetric(&self) -> bool {

@@ -55,9 +55,9 @@
 //! |---|---|---|---|---|
 //! | $`F/\mu P`$ with the law | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
 //! | $`F/\mu P`$ without | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
-//! | products, cold | 50 | 70 | 97 | 136 |
+//! | products, cold | 49 | 70 | 93 | 135 |
 //!
-//! After one per cent more of the creepage a solve takes 30 to 70 products. The products are of double precision; the
+//! After one per cent more of the creepage a solve takes 28, 39, 51 and 72 products. The products are of double precision; the
 //! preconditioner, of single precision, costs as much again.
 //!
 //! Of Carter's cylinder at 0.64 of the sliding force the force is wrong by 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of

@@ -3,20 +3,16 @@
 use std::sync::Arc;
 
 use crate::buffer::or_abort;
-use crate::cgm::vector::{at, plus, update_cells};
 use crate::error::Result;
 use crate::fft::{Convolution, ConvolutionWorkspace};
 use crate::history::Passage;
-use crate::history::rolling_entry::Compliance;
 use crate::operator::Operator;
 
-/// $`(1 - T)\,C + B`$ on a window that reaches a step ahead of the contact.
+/// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyOperator {
     compliance: Arc<Convolution<2>>,
     step: Passage,
-    /// The compliance B of its own of each cell.
-    own: Vec<Compliance>,
     lower_bound: f64,
     self_compliance: f64,
 }
@@ -27,7 +23,6 @@ impl SteadyOperator {
     pub(super) fn new(
         compliance: Arc<Convolution<2>>,
         step: Passage,
-        own: Vec<Compliance>,
         chain: usize,
         self_compliance: f64,
     ) -> Self {
@@ -38,13 +33,8 @@ impl SteadyOperator {
             lower_bound: least * compliance.lower_bound(),
             compliance,
             step,
-            own,
             self_compliance,
         }
-    }
-
-    pub(super) fn own(&self) -> &[Compliance] {
-        &self.own
     }
 }
 
@@ -52,7 +42,7 @@ impl Operator<2> for SteadyOperator {
     type Workspace = ConvolutionWorkspace<2>;
 
     fn cells(&self) -> usize {
-        self.own.len()
+        self.compliance.cells()
     }
 
     fn workspace(&self) -> Self::Workspace {
@@ -67,12 +57,9 @@ impl Operator<2> for SteadyOperator {
     fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], workspace: &mut Self::Workspace) {
         let displacement = out.each_mut().map(|part| &mut **part);
         self.compliance.apply(x, displacement, workspace);
-        for out in &mut out {
+        for out in out {
             self.step.difference(out);
         }
-        update_cells(&mut out, |cell, u| {
-            plus(u, 1.0, self.own[cell].of(at(&x, cell)))
-        });
     }
 
     fn lower_bound(&self) -> f64 {

@@ -6,13 +6,13 @@ use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
 use crate::half_space::HalfSpace;
 use crate::history::Passage;
 use crate::history::TouchRule;
-use crate::history::rolling_entry::{Compliance, entering};
+use crate::history::rolling_entry::entering;
 use crate::normal::NormalSolution;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{
-    Axis, Drawing, Friction, Pressed, PressureSource, TangentialModel, centre, contact_window,
-    is_at_limit,
+    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, TangentialModel, centre,
+    contact_window, is_at_limit,
 };
 use crate::window::Window;
 
@@ -25,7 +25,7 @@ pub struct RollingProblem {
     /// Length of a step.
     pub(super) length: f64,
     /// Compliance of its own of each cell of the window.
-    pub(super) own: Vec<Compliance>,
+    pub(super) own: Vec<OwnCompliance>,
     /// The most cells of the contact that lie one behind the other, a step apart.
     pub(super) chain: usize,
     /// What the pressure adds to the slip of each cell.
@@ -256,7 +256,7 @@ impl RollingProblemBuilder<'_> {
         pressed.set(samples, &self.friction);
         let own = match self.touch_rule {
             TouchRule::Growth => entering(self.normal, &pressed, step)?,
-            TouchRule::WholeStep => filled(Compliance::NONE, pressed.region.cells())?,
+            TouchRule::WholeStep => filled(OwnCompliance::NONE, pressed.region.cells())?,
         };
         let problem = RollingProblem {
             own,

@@ -41,8 +41,8 @@ impl RollingSolution {
     pub(super) fn of(
         &mut self,
         problem: &RollingProblem,
-        traction: impl Fn(usize, usize) -> f64,
-        slip: impl Fn(usize, usize) -> f64,
+        traction: impl Fn(usize) -> [f64; 2],
+        slip: impl Fn(usize) -> [f64; 2],
     ) -> &mut Self {
         for field in self.traction.iter_mut().chain(&mut self.slip) {
             field.as_mut_slice().fill(0.0);
@@ -53,8 +53,7 @@ impl RollingSolution {
             if pressed.pressure[cell] <= 0.0 {
                 continue;
             }
-            let q = [traction(0, cell), traction(1, cell)];
-            let moved = [slip(0, cell), slip(1, cell)];
+            let (q, moved) = (traction(cell), slip(cell));
             let is_at_limit = is_at_limit(q[0].hypot(q[1]), pressed.limits.cells[cell]);
             // A motion along the traction is residual of the solve.
             let slips = is_at_limit && q[0] * moved[0] + q[1] * moved[1] <= 0.0;

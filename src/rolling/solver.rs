@@ -4,7 +4,10 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::buffer::{collected, or_abort, try_each, zeros};
-use crate::cgm::{self, Disc, Magnitude, Problem, Settings, Total, WorkspaceOf, solver_settings};
+use crate::cgm::vector::{at, minus, plus, slices};
+use crate::cgm::{
+    self, Disc, Magnitude, Own, Problem, Settings, Total, WorkspaceOf, solver_settings,
+};
 use crate::contact::{Conditions, has_iterate, with_counts_of, with_memory};
 use crate::error::{Error, Result};
 use crate::half_space::Compliance;
@@ -18,7 +21,7 @@ use crate::rolling::spin_search::SpinSearch;
 use crate::rolling::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
-use crate::tangential::TangentialModel;
+use crate::tangential::{OwnCompliance, TangentialModel};
 use crate::watch::Observer;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -59,6 +62,9 @@ pub struct RollingSolver {
     pub(super) traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
     pub(super) linear: [Vec<f64>; 2],
+    /// The compliance B that cells have of their own.
+    own_mean: Vec<f64>,
+    own_deviator: Vec<[f64; 2]>,
     /// The spin of the last solve, where a moment is prescribed.
     spin: f64,
     report: Report,
@@ -75,8 +81,8 @@ impl RollingSolver {
             .compliance([Direction::X, Direction::Y], step.size)?;
         let own = std::mem::take(&mut problem.own);
         let alone = self_compliance(&*operator, step)?;
-        let operator = SteadyOperator::new(operator, step, own, problem.chain, alone);
-        let inverse = SteadyInverse::new(inverse, step, alone, operator.own());
+        let operator = SteadyOperator::new(operator, step, problem.chain, alone);
+        let inverse = SteadyInverse::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
         let unit = problem.pressed.limits.unit().unwrap_or(1.0);
@@ -89,6 +95,8 @@ impl RollingSolver {
                 .try_workspace()?,
             traction: try_each(|_| zeros(cells))?,
             linear: try_each(|_| zeros(cells))?,
+            own_mean: collected(cells, own.iter().map(OwnCompliance::mean))?,
+            own_deviator: collected(cells, own.iter().map(OwnCompliance::deviator))?,
             spin: 0.0,
             report: Report::with_room(),
             follow: None,
@@ -183,6 +191,7 @@ impl RollingSolver {
         let problem = &self.problem;
         let linear = self.linear.each_ref().map(Vec::as_slice);
         let task = Problem::new(Arc::clone(&self.operator), linear, Magnitude(&self.limits))
+            .own(Own::new(&self.own_mean, &self.own_deviator))
             .preconditioner(Arc::clone(&self.inverse))
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
@@ -195,15 +204,25 @@ impl RollingSolver {
                 RollingControl::Creepage(creepage) => creepage,
                 RollingControl::Force(_) => multiplier[axis] / problem.length,
             });
-            let product = self.workspace.product();
-            let slip = |axis: usize, cell: usize| {
-                unit * (product[axis][cell] + self.linear[axis][cell]) - multiplier[axis]
-            };
-            let traction = |axis: usize, cell: usize| unit * self.traction[axis][cell];
+            let slip = |cell: usize| self.slip(cell).map(|slip| unit * slip);
+            let traction = |cell: usize| at(&slices(&self.traction), cell).map(|q| unit * q);
             let answer = solution.of(problem, traction, slip);
             answer.set_motion(creepage, self.spin, self.workspace.report());
         }
         outcome
+    }
+
+    pub(super) fn own(&self) -> Own<'_> {
+        Own::new(&self.own_mean, &self.own_deviator)
+    }
+
+    /// Slip of a cell over a step in the last answer.
+    pub(super) fn slip(&self, cell: usize) -> [f64; 2] {
+        let product = self.workspace.product();
+        let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));
+        let q = at(&slices(&self.traction), cell);
+        let slip = self.own().added(moved, 1.0, cell, q);
+        minus(slip, self.workspace.multiplier())
     }
 
     /// Finds the spin of a moment by solves at given spins; the next search starts from the last that was found.

@@ -93,16 +93,14 @@ impl RollingSolver {
     /// Holds each cell in the zone where it is.
     fn hold_zones(&self, follow: &mut Follow) -> Result<()> {
         let (traction, limits) = (slices(&self.traction), &self.limits);
-        let (product, linear) = (self.workspace.product(), slices(&self.linear));
-        let multiplier = self.workspace.multiplier();
         let alone = self.operator.self_compliance();
         follow.linear.hold(|cell| {
             let disc = Disc {
                 radius: limits[cell],
             };
-            let slip = [0, 1].map(|c| product[c][cell] + linear[c][cell] - multiplier[c]);
             let motion = disc.motion(at(&traction, cell));
-            disc.measured(motion, slip).weighed(alone, 0.0)
+            let own = self.own().mean(cell);
+            disc.measured(motion, self.slip(cell)).weighed(alone, own)
         })
     }
 
@@ -120,7 +118,7 @@ impl RollingSolver {
             operator: &*self.operator,
             preconditioner: &*self.inverse,
             layout,
-            own: Own::default(),
+            own: self.own(),
         };
         let mut observer = |_: &_| ControlFlow::Continue(());
         held.respond(right, unknowns, linear, TOLERANCE, &mut observer)?;

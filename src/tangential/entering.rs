@@ -38,17 +38,13 @@ impl OwnCompliance {
         yy: 0.0,
     };
 
-    pub(crate) fn of(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.xx * x + self.xy * y, self.xy * x + self.yy * y]
-    }
-
     /// The mean of all directions.
     pub(crate) fn mean(&self) -> f64 {
         0.5 * self.xx + 0.5 * self.yy
     }
 
     /// `[a, b]` of what is beside the mean, the rows `[a, b]` and `[b, -a]`.
-    fn deviator(&self) -> [f64; 2] {
+    pub(crate) fn deviator(&self) -> [f64; 2] {
         [0.5 * self.xx - 0.5 * self.yy, self.xy]
     }
 }
