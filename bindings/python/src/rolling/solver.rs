@@ -86,7 +86,7 @@ impl RollingSolver {
     /// that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
     /// coefficients, times G a b and lengths.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0.unobserved(py, |solver| solver.stiffness())
+        self.0.unobserved(py, rolling::RollingSolver::stiffness)
     }
 
     /// The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
