@@ -12,7 +12,7 @@ use crate::error::with_iterate;
 use crate::held::{Spare, lock};
 use crate::progress::Progress;
 use crate::report::warn;
-use crate::work::{Observer, observed_on, solve, unobserved_on};
+use crate::work::{solve, unobserved_on};
 
 /// A solver of the crate.
 pub(crate) trait Solver: Send + Sized {
@@ -108,18 +108,18 @@ impl<S: Solver> Reused<S> {
         py: Python<'_>,
         change: impl FnOnce(&mut S) -> Result<()> + Send,
     ) -> PyResult<()> {
-        self.observed(py, |solver, _| change(solver))
+        self.unobserved(py, change)
     }
 
     /// Long work with the solver that gives no solution.
-    pub(crate) fn observed<T: Send>(
+    pub(crate) fn unobserved<T: Send>(
         &self,
         py: Python<'_>,
-        work: impl FnOnce(&mut S, Observer<'_>) -> Result<T> + Send,
+        work: impl FnOnce(&mut S) -> Result<T> + Send,
     ) -> PyResult<T> {
         let mut held = self.lock()?;
         let solver = &mut held.0;
-        observed_on(py, self.grid, |observer| work(solver, observer))
+        unobserved_on(py, self.grid, || work(solver))
     }
 
     /// Solves, once what the solve is for is set.

@@ -161,7 +161,7 @@ class Scene:
             "recess": 1e-3,
             "reduced_pressure": 0.1, "relative": strain, "rms_slope": slope, "row": 1, "rows": (0, 8), "samples": ball,
             "settings": ss.Settings(), "shear": shear, "shear_modulus": 80e9, "side": 1e-3, "slip_distance": ball,
-            "slope": slope, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
+            "slope": slope, "spots": normal.spots, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
             "stick_radius": 5e-5, "strain": ((1e-6, 0.0), (0.0, 0.0)), "stress": 1e8, "threshold": 0.0,
             "time": 1.0, "tolerance": 0.05, "tractions": normal, "twist": 1e-4, "upper": ball, "wavelength": 1e-4,
             "wavelengths": (1e-4, 1e-4), "x": 1e-5, "y": 1e-5, "youngs_modulus": 213e9, "stresses": ball,

@@ -163,7 +163,7 @@ def test_what_is_refused_leaves_the_solver_as_it_was(ball):
     with pytest.raises(ss.errors.Below, match="moment that friction holds"):
         solver.solve(moment=1.0)
     with pytest.raises(ss.errors.NotFinite):
-        solver.creep_forces([(np.inf, 0.0, 0.0)])
+        solver.creep_forces([(0.2, 0.0, 0.0), (np.inf, 0.0, 0.0)])
     with pytest.raises(TypeError, match="one of creepage and force along x"):
         solver.solve(creepage_x=0.1, force_x=0.1)
     with pytest.raises(TypeError, match="a spin or a moment"):

@@ -4214,7 +4214,8 @@ class RollingSolver:
     def creep_forces(self, /, points: ArrayLike) -> CreepForces:
         """
         The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
-        row by row. The last point stays prescribed.
+        row by row. The last point stays prescribed. All are checked before the first is solved, and Ctrl-C acts once the last
+        is.
 
         Parameters
         ----------
@@ -4229,8 +4230,10 @@ class RollingSolver:
 
         Raises
         ------
-        NotFinite, NotModelled, NotConverged
-            At the first point that fails, which stays prescribed if it is one that did not converge.
+        NotFinite, NotModelled
+            For any of the points; all is then as it was.
+        NotConverged
+            At the first point that fails, which stays prescribed.
         """
     @property
     def report(self, /) -> Report:

@@ -10,7 +10,6 @@ use crate::report::Report;
 use crate::rolling::control::Keywords;
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solver::{Reused, solver};
-use crate::work::unless_broken_off;
 
 /// Solves for one creepage, force or spin after the other, each from the last answer; made by
 /// :meth:`RollingProblem.solver`.
@@ -87,11 +86,12 @@ impl RollingSolver {
     /// that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
     /// coefficients, times G a b and lengths.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0.observed(py, |solver, _| solver.stiffness())
+        self.0.unobserved(py, rolling::RollingSolver::stiffness)
     }
 
     /// The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
-    /// row by row. The last point stays prescribed.
+    /// row by row. The last point stays prescribed. All are checked before the first is solved, and Ctrl-C acts once the last
+    /// is.
     ///
     /// Parameters
     /// ----------
@@ -106,17 +106,14 @@ impl RollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotModelled, NotConverged
-    ///     At the first point that fails, which stays prescribed if it is one that did not converge.
+    /// NotFinite, NotModelled
+    ///     For any of the points; all is then as it was.
+    /// NotConverged
+    ///     At the first point that fails, which stays prescribed.
     fn creep_forces(&self, py: Python<'_>, points: due::CreepPoints) -> PyResult<CreepForces> {
-        let found = self.0.observed(py, |solver, observer| {
-            let mut found = Vec::with_capacity(points.0.len());
-            for point in points.0 {
-                unless_broken_off(observer)?;
-                found.extend(solver.creep_forces([point])?);
-            }
-            Ok(found)
-        });
+        let found = self
+            .0
+            .unobserved(py, |solver| solver.creep_forces(points.0));
         found.map(CreepForces::from)
     }
 
