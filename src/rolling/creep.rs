@@ -36,7 +36,7 @@ impl RollingSolver {
     /// let curve = problem.into_solver()?.creep_forces(curve)?;
     /// // From nothing to sliding, each time by less.
     /// let forces: Vec<f64> = curve.iter().map(|point| point.force[0]).collect();
-    /// assert!(forces[0] == 0.0 && (forces[10] / 0.3 - 1.0).abs() < 1e-6);
+    /// assert!(forces[0] == 0.0 && (forces[10] / 0.3 - 1.0).abs() < 1e-3);
     /// assert!(forces.windows(3).all(|f| f[2] - f[1] <= f[1] - f[0] + 1e-9));
     /// # Ok::<(), Error>(())
     /// ```

@@ -141,7 +141,7 @@ impl RollingProblem {
                 return Err(Error::Below {
                     quantity: "moment that friction holds",
                     value: capacity,
-                    least_is: "more than the moment",
+                    least_is: "the moment asked for",
                     least: moment.abs(),
                 });
             }

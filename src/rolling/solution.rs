@@ -11,7 +11,7 @@ use crate::shown::shown;
 use crate::tangential::{Zone, centre, is_at_limit};
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub struct RollingSolution {
     traction: [Field; 2],
     slip: [Field; 2],
