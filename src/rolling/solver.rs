@@ -113,9 +113,8 @@ impl RollingSolver {
     /// Changes what is prescribed of the next solve: along x and along y, and the spin or moment.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotModelled`](crate::Error::NotModelled),
-    /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) or [`Error::Below`](crate::Error::Below); all
-    /// is then as it was.
+    /// [`Error::NotFinite`], [`Error::NotModelled`], [`Error::BeyondFrictionCapacity`] or [`Error::Below`]; all is then as
+    /// it was.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -136,7 +135,7 @@ impl RollingSolver {
     /// [`Self::new_solution`] where memory may run out.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`].
     pub fn try_new_solution(&self) -> Result<RollingSolution> {
         RollingSolution::empty(self.problem.bodies.grid())
     }
@@ -145,9 +144,8 @@ impl RollingSolver {
     /// to a tenth of the tolerance; their report adds up the work, and the limits hold for all of them together.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), nothing changed;
-    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible iterate in `solution`, also where no spin
-    /// has the moment; [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::GridMismatch`], nothing changed; [`Error::NotConverged`] with the last feasible iterate in `solution`, also
+    /// where no spin has the moment; [`Error::Memory`].
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
