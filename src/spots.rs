@@ -4,7 +4,7 @@ use crate::buffer::{self, or_abort};
 use crate::contact_map::ContactMap;
 use crate::error::Result;
 #[cfg(feature = "serde")]
-use crate::error::length;
+use crate::error::{at_least, length};
 use crate::grid::Grid;
 use crate::history::History;
 use crate::normal::NormalSolution;
@@ -60,7 +60,15 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
         deserializer: D,
     ) -> std::result::Result<Self, D::Error> {
         checked(Unchecked::deserialize(deserializer)?, |read| {
-            length("labels", read.grid.cells(), read.labels.len())
+            length("labels", read.grid.cells(), read.labels.len())?;
+            let largest = read.labels.iter().copied().max().unwrap_or(0);
+            at_least(
+                "the largest label",
+                f64::from(largest),
+                "number of contact spots",
+                read.spots.len() as f64,
+            )
+            .map(|_| ())
         })
     }
 }

@@ -24,7 +24,9 @@ impl History {
     /// $`\mu p - q \cdot t`$, t the unit vector of the traction in the nearest cell that slips. After a reversal it falls
     /// to zero at the new edge as $`2 (\mu p - |q|)`$ of a first loading does at its own. Cells that slip help to find the
     /// edge if they stuck until the last step and that step held the normal load. Where there are none, as after small
-    /// steps, after [`set_state`](Self::set_state) and after a restart, the values inside alone determine it.
+    /// steps, after [`set_state`](Self::set_state), after a restart and after a step that rolls, the values inside alone
+    /// determine it. The tables are of forces along one axis: cells that slip on while their traction turns by some
+    /// degrees are not told from those that stuck. Once the friction has been changed the zones are those of the old one.
     ///
     /// A sphere, mu = 0.5, centre values, 128 x 128 cells on three contact radii: errors of the stick area, mean and worst
     /// of 8 places, and of the traction (L1, mean), of the cells and found here:
@@ -90,7 +92,7 @@ impl History {
         .edges()
     }
 
-    /// Whether the step led to this state, under the pressure that was there.
+    /// Whether the step led to this state, by the same particles under the pressure that was there.
     fn has_sheared_only(&self, step: &StepResult) -> bool {
         let is_held = step
             .normal_report()
@@ -99,7 +101,10 @@ impl History {
             [x, y, twist, force_x, force_y].map(f64::to_bits)
         };
         let of_state = bits(self.shift(), self.twist(), self.tangential_force());
-        is_held && of_state == bits(step.shift(), step.twist(), step.tangential_force())
+        let is_rolled = step.creepage().is_some();
+        is_held
+            && !is_rolled
+            && of_state == bits(step.shift(), step.twist(), step.tangential_force())
     }
 
     /// Directions of the traction in cells that slip, and in those that stick of the nearest that slips; zero in contacts

@@ -21,8 +21,8 @@
 //!
 //! # Where it holds
 //!
-//! A fit is refused if it misses the values by more than 0.05 cells (root mean square), contradicts the state of the cell,
-//! has fewer than ten values to go by, or no cell within reach that has all its neighbours in the set. The cell then has
+//! A fit is refused if it misses the values by more than 0.05 cells (root mean square; 0.02 for the stick zone of a
+//! history), contradicts the state of the cell, has fewer than ten values to go by, or no cell within reach that has all its neighbours in the set. The cell then has
 //! its own pressure, and counts as covered but for a part c of its area for each side at the edge: 0.088 with
 //! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
 //! and turned ellipses. So a sharp punch keeps its raw cells, and a rough contact whose shortest waves are less than sixteen

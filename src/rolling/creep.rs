@@ -1,5 +1,6 @@
 //! Creep curves and creep surfaces.
 
+use crate::buffer;
 use crate::error::Result;
 use crate::rolling::{RollingControl, RollingSolver};
 
@@ -43,28 +44,31 @@ impl RollingSolver {
     ///
     /// # Errors
     /// As [`set_control`](Self::set_control), for any of the points before the first is solved; as
-    /// [`solve_into`](Self::solve_into), at the first that fails.
+    /// [`solve_into`](Self::solve_into), at the first that fails; [`Error::Memory`](crate::Error::Memory).
     pub fn creep_forces(
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,
     ) -> Result<Vec<CreepForce>> {
-        let points: Vec<[f64; 3]> = points.into_iter().collect();
+        let mut checked = Vec::new();
         let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
-        for &[xi, eta, spin] in &points {
+        for point in points {
+            let [xi, eta, spin] = point;
             self.problem.check(creepages(xi, eta), spin.into())?;
+            buffer::push(&mut checked, point)?;
         }
         let mut solution = self.try_new_solution()?;
-        let mut found = Vec::with_capacity(points.len());
-        for [xi, eta, spin] in points {
+        let mut found = Vec::new();
+        for [xi, eta, spin] in checked {
             self.set_control(creepages(xi, eta), spin)?;
             self.solve_into(&mut solution)?;
-            found.push(CreepForce {
+            let force = CreepForce {
                 creepage: [xi, eta],
                 spin,
                 force: solution.force(),
                 moment: solution.moment(),
                 stick_ratio: solution.stick_ratio(),
-            });
+            };
+            buffer::push(&mut found, force)?;
         }
         Ok(found)
     }

@@ -65,7 +65,7 @@ pub struct RollingSolver {
     /// The compliance B that cells have of their own.
     own_mean: Vec<f64>,
     own_deviator: Vec<[f64; 2]>,
-    /// The spin of the last solve, where a moment is prescribed.
+    /// The spin of the last solve, from which the search for that of a moment starts.
     spin: f64,
     report: Report,
     pub(super) follow: Option<Follow>,
@@ -220,7 +220,7 @@ impl RollingSolver {
         minus(slip, self.workspace.multiplier())
     }
 
-    /// Finds the spin of a moment by solves at given spins; the next search starts from the last that was found.
+    /// Finds the spin of a moment by solves at given spins, from that of the last solve on; one that fails leaves it.
     fn solve_for_moment(
         &mut self,
         moment: f64,
@@ -262,13 +262,21 @@ impl RollingSolver {
             let missing = moment - solution.moment();
             let error = (missing / capacity).abs();
             self.report.load_error = self.report.load_error.max(error);
-            if outcome.is_ok() && error > tolerance {
-                self.report.status = Status::Stalled;
+            // Near round-off a sharper solve stalls although it is sharp enough.
+            let is_sound = outcome.is_ok() || self.workspace.report().is_within(tolerance);
+            if is_sound {
+                self.report.status = if error <= tolerance {
+                    Status::Converged
+                } else if self.report.iterations < conditions.settings.max_iterations {
+                    Status::Stalled
+                } else {
+                    Status::IterationLimit
+                };
             }
             solution.set_report(&self.report);
             match self.report.status {
                 Status::Converged => return Ok(()),
-                Status::Stalled if outcome.is_ok() => {}
+                Status::Stalled if is_sound => {}
                 _ => break,
             }
             self.spin = search.next(self.spin, missing);

@@ -402,6 +402,11 @@ fn answers_that_contradict_themselves_are_refused() {
     let shear = sheared(&bodies, &normal, TangentialModel::Scalar).unwrap();
     let spots = spoilt(&normal.spots(), "/grid/ny", json!(19));
     is(spots, "labels has 480 entries, expected 456");
+    let spots = spoilt(&normal.spots(), "/labels/7", json!(99));
+    is(
+        spots,
+        "number of contact spots must be at least the largest label, 9.9e1",
+    );
     let slip = spoilt(&shear, "/slip/1/grid/ny", json!(19));
     is(slip, "field has 480 entries, expected 456");
     let zones = spoilt(&shear, "/zones", json!(["Stick", "Slip"]));
