@@ -21,7 +21,7 @@ use crate::error::{Error, Result, at_least, positive};
 /// cells across each axis, extrapolated to cells of no size and to reciprocity, for $`a/b`$ from 1/16 to 16, right to about
 /// 0.1 % ($`C_{33}`$ to 0.3 %). Between them logarithms are interpolated in $`\ln(a/b)`$, and compliances,
 /// $`1/C_{11}, 1/C_{22}, 1/C_{23}`$ and the turn by a moment alone, as parabolas in $`\nu`$, which adds at most 0.1 % for
-/// $`a/b`$ from 0.09 to 2.8 and up to 0.4 % beyond.
+/// $`a/b`$ from 0.09 to 2.8 and up to 0.4 % beyond ($`C_{33}`$ up to 1 % near 16, where it is a small difference).
 ///
 /// Kalker's own $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$, of three digits, differ by less than 0.6 % for $`0.2 \le a/b \le 2`$
 /// but at $`a/b = 0.5`$, $`\nu = 0.5`$ (4.83 for $`C_{11}`$; 4.87 would go with its neighbours), and by up to 1.2 % at 10.
