@@ -11,12 +11,12 @@
 //!
 //! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies of the same material), the
 //! creepages $`\xi, \eta`$, the spin $`\varphi`$ about the origin of the grid, all per length rolled, and x and y in the
-//! middle of the way of the particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction only where
-//! $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force, as a positive
+//! middle of the way of the particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction
+//! only where $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force, as a positive
 //! [shift](crate::TangentialSolution::shift) does.
 //!
 //! A creepage is given, or the force along its axis; the creepage then is the multiplier of that force, found in the same
-//! solve.
+//! solve. In place of the spin a moment can be given.
 //!
 //! # Cells that enter
 //!
