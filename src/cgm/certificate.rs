@@ -2,8 +2,6 @@
 //!
 //! The page of the module [`cgm`](crate::cgm) derives the bound.
 
-use std::ops::Range;
-
 use crate::cgm::motion::Linearised;
 use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
@@ -233,20 +231,25 @@ impl<const N: usize> Sums<N> {
     /// In lanes, so that many are added at a time.
     fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
         const LANES: usize = 4;
-        let mut lanes = [Self::ZERO; LANES];
-        let mut first = 0;
-        while first < x[0].len() {
-            let group: Range<usize> = first..(first + LANES).min(x[0].len());
-            for (lane, k) in lanes.iter_mut().zip(group) {
-                let (x, u) = (at(x, k), at(product, k));
-                *lane = lane.plus(Self {
-                    energy: dot(x, u),
-                    squares: dot(x, x),
-                    sum: x,
-                    magnitude: norm(x),
-                });
+        let of = |k: usize| {
+            let (x, u) = (at(x, k), at(product, k));
+            Self {
+                energy: dot(x, u),
+                squares: dot(x, x),
+                sum: x,
+                magnitude: norm(x),
             }
-            first += LANES;
+        };
+        let cells = x[0].len();
+        let whole = cells - cells % LANES;
+        let mut lanes = [Self::ZERO; LANES];
+        for first in (0..whole).step_by(LANES) {
+            for (k, lane) in lanes.iter_mut().enumerate() {
+                *lane = lane.plus(of(first + k));
+            }
+        }
+        for (k, lane) in (whole..cells).zip(&mut lanes) {
+            *lane = lane.plus(of(k));
         }
         lanes.into_iter().fold(Self::ZERO, Self::plus)
     }

@@ -13,8 +13,8 @@ pub(crate) enum Known<const N: usize> {
     Nothing,
     /// It has been an answer at these multipliers: it is looked at first.
     Answer([f64; N]),
-    /// It is extrapolated from answers: its gradient tells where cells become free.
-    Extrapolated,
+    /// It is near the answer, from coarser cells or extrapolated: its gradient tells where cells become free.
+    Near,
 }
 
 /// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
@@ -26,8 +26,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     pub(super) fn look(&mut self, known: Known<N>) -> Option<Status> {
         let multiplier = match known {
             Known::Answer(multiplier) => multiplier,
-            Known::Extrapolated => {
-                self.start = Start::Extrapolated;
+            Known::Near => {
+                self.start = Start::Near;
                 return None;
             }
             Known::Nothing => return None,

@@ -24,7 +24,7 @@ use crate::report::Status;
 const CYCLE: usize = 12;
 const CYCLE_CURVED: usize = 5;
 
-/// Residual of an extrapolated start whose gradient tells the sets.
+/// Residual of a near start whose gradient tells the sets.
 const NEAR: f64 = 0.1;
 
 /// A problem as Newton's method sees it.
@@ -81,7 +81,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
             CYCLE
         };
         self.progress = Progress::new(cycle, self.inner_reduction);
-        self.is_extrapolated = self.start == Start::Extrapolated;
+        self.is_near = self.start == Start::Near;
         self.mark_and_measure()
     }
 
@@ -118,7 +118,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
     }
 
     fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool> {
-        let tells_sets = std::mem::take(&mut self.is_extrapolated) && merit < NEAR;
+        let tells_sets = std::mem::take(&mut self.is_near) && merit < NEAR;
         if tells_sets && self.reclassify().0 > 0 {
             self.list_and_spread();
             if self.totals.is_sound() {

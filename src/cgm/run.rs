@@ -59,7 +59,7 @@ pub(super) enum Start {
     /// It is feasible, and its product is fresh.
     LookedAt,
     /// Its gradient tells where cells become free.
-    Extrapolated,
+    Near,
 }
 
 /// One solve under way.
@@ -91,7 +91,7 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) progress: Progress,
     pub(super) totals: TotalsSystem<N>,
     /// Whether the gradient of the start tells where cells become free.
-    pub(super) is_extrapolated: bool,
+    pub(super) is_near: bool,
     /// The largest displacement, as last examined.
     pub(super) displacement: f64,
     /// Whether the totals leave no choice: every cell stands at an extreme of its set.
@@ -130,7 +130,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             shown: None,
             progress: Progress::new(0, INNER_REDUCTION),
             totals: TotalsSystem::NONE,
-            is_extrapolated: false,
+            is_near: false,
             displacement: 0.0,
             is_extreme: false,
         }

@@ -10,7 +10,7 @@ use crate::report::{Report, Status};
 use crate::watch::Observer;
 
 /// Relative accuracy of a coarse answer: its own discretisation error is not smaller.
-const COARSE_TOLERANCE: f64 = 1e-2;
+const COARSE_TOLERANCE: f64 = 3e-3;
 /// Steps a coarse answer may take: one that is hard to find is not worth more.
 const COARSE_STEPS: usize = 100;
 

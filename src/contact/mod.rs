@@ -12,7 +12,7 @@ mod windows;
 pub(crate) use budget::{Conditions, ended_from_outside, has_iterate, with_counts_of, with_memory};
 pub(crate) use by_size::{BySize, OfSize};
 pub(crate) use elastic::{ElasticProblem, ElasticSolver, multipliers};
-pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, nested_start};
+pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, known_of_start, nested_start};
 pub(crate) use solver::solver_methods;
 pub(crate) use trend::{Ahead, Reached, Trend};
 pub(crate) use windows::{OnWindow, Seen, Windows, missed};

@@ -74,12 +74,9 @@ impl Levels<'_> {
         self.bodies.refined(self.coarser, self.size, field)
     }
 
-    /// Marks of the coarser cells, each handed down to the finer cells that lie in it.
-    pub(crate) fn inherited(
-        &self,
-        marks: impl ExactSizeIterator<Item = bool>,
-    ) -> Result<Vec<bool>> {
-        self.bodies.inherited(self.coarser, self.size, marks)
+    /// The same of a field that is positive in a zone and falls to zero like the root of the distance from its edge.
+    pub(crate) fn refined_zone(&self, field: &[f64]) -> Result<Vec<f64>> {
+        self.bodies.refined_zone(self.coarser, self.size, field)
     }
 
     /// How the finer cells lie.
@@ -109,7 +106,16 @@ pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool 
     !is_small && bodies.can_be_coarser()
 }
 
-/// The same, and whether it was ended on the way, by observer or clock: then nothing more is solved.
+/// What is known of a start on these cells.
+pub(crate) fn known_of_start<const N: usize>(bodies: &HalfSpace, size: [usize; 2]) -> Known<N> {
+    if is_worth_coarsening(bodies, size) {
+        Known::Near
+    } else {
+        Known::Nothing
+    }
+}
+
+/// The [start](nested_start), and whether it was ended on the way, by observer or clock: then nothing more is solved.
 fn descend<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
@@ -128,7 +134,8 @@ fn descend<S: Scene<N>, const N: usize>(
     let coarse = scene.coarsened(levels)?;
     let (mut x, mut is_over) = descend(coarser, coarse_size, &coarse, conditions)?;
     if !is_over {
-        is_over = solve(coarser, coarse_size, &coarse, &mut x, conditions)?;
+        let known = known_of_start(coarser, coarse_size);
+        is_over = solve(coarser, coarse_size, &coarse, (&mut x, known), conditions)?;
     }
     Ok((scene.refined_start(levels, &coarse, &x)?, is_over))
 }
@@ -138,7 +145,7 @@ fn solve<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
     scene: &S,
-    x: &mut [Vec<f64>; N],
+    (x, known): (&mut [Vec<f64>; N], Known<N>),
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<bool> {
     let confined = scene.confined(bodies, x)?;
@@ -157,7 +164,7 @@ fn solve<S: Scene<N>, const N: usize>(
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
     let problem = scene.problem(&solver);
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
-    let from = (unknowns.map(Vec::as_mut_slice), Known::Nothing);
+    let from = (unknowns.map(Vec::as_mut_slice), known);
     let rough = conditions.rough();
     let outcome = solver.minimise(&problem, from, &rough, &mut *conditions.observer);
     if let (Some((region, _)), Some(inside)) = (&confined, &inside) {

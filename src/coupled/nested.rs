@@ -1,12 +1,12 @@
 //! Starts from coarser cells.
 
-use crate::buffer::try_each;
+use crate::buffer::{self, try_each};
 use crate::cgm::UNLIMITED;
 use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::Result;
 use crate::normal::Hardness;
-use crate::tangential::{Motion, handed_down};
+use crate::tangential::{Motion, handed_down, reserve};
 
 impl CoupledIncrement {
     /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
@@ -47,20 +47,22 @@ impl CoupledIncrement {
         Ok(true)
     }
 
-    /// Interpolates the coarse answer; where the coarse cell slips, at the limit.
+    /// Interpolates the coarse answer.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) -> Result<()> {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
-        let parts = [answer.pressure, qx, qy];
-        let [p, x, y] = try_each(|n| self.bodies.refined(&coarse.bodies, size, parts[n]))?;
-        let at_limit = (0..answer.limits.len()).map(|cell| answer.is_at_limit(cell));
-        let slips = self.bodies.inherited(&coarse.bodies, size, at_limit)?;
+        let cells = answer.limits.len();
+        let reserves = (0..cells).map(|cell| reserve([qx[cell], qy[cell]], answer.limits[cell]));
+        let reserves = buffer::collected(cells, reserves)?;
+        let zone = |field: &[f64]| self.bodies.refined_zone(&coarse.bodies, size, field);
+        let (pressure, reserves) = (zone(answer.pressure)?, zone(&reserves)?);
+        let [x, y] = try_each(|n| self.bodies.refined(&coarse.bodies, size, [qx, qy][n]))?;
         let limits = demand.hardness.map_or(UNLIMITED, Hardness::limits);
-        for (cell, pressure) in p.iter().enumerate() {
+        for (cell, pressure) in pressure.iter().enumerate() {
             let pressure = pressure.min(limits.of(cell));
             let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
-            let [x, y] = handed_down(q, limit, slips[cell], [0.0; 2]);
+            let [x, y] = handed_down(q, limit, reserves[cell] > 0.0, [0.0; 2]);
             self.set_cell(cell, [pressure, x, y]);
         }
         Ok(())

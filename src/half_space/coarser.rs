@@ -3,14 +3,13 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::buffer;
 use crate::error::Result;
 use crate::fft::samples;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, Shared};
-use crate::levels::{coarsened, halved, inherited, refined};
+use crate::levels::{REACH, coarsened, halved, refined, refined_zone};
 use crate::parallel::get_or_make;
 use crate::share::Share;
 
@@ -97,18 +96,14 @@ impl HalfSpace {
         self.on_finer(coarser, size, field, refined)
     }
 
-    /// A mark of each cell of [`Self::coarser`] on `[nx, ny]` cells: every cell has the mark of the one that it lies in.
-    pub(crate) fn inherited(
+    /// The same of a field that is positive in a zone and falls to zero like the root of the distance from its edge.
+    pub(crate) fn refined_zone(
         &self,
         coarser: &Self,
         size: [usize; 2],
-        marks: impl ExactSizeIterator<Item = bool>,
-    ) -> Result<Vec<bool>> {
-        // Ranks exchange numbers.
-        let marks = marks.map(|mark| f64::from(u8::from(mark)));
-        let marks = buffer::collected(marks.len(), marks)?;
-        let marks = self.on_finer(coarser, size, &marks, inherited)?;
-        buffer::collected(marks.len(), marks.iter().map(|mark| *mark > 0.0))
+        field: &[f64],
+    ) -> Result<Vec<f64>> {
+        self.on_finer(coarser, size, field, refined_zone)
     }
 
     /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.
@@ -123,13 +118,13 @@ impl HalfSpace {
             return make([nx, ny], 0..ny, field, 0);
         };
         let [width, height] = halved([nx, ny]);
-        // The coarse cells next to those of the rows too.
+        // The coarse cells near those of the rows too.
         let rows = |rank: usize| {
             let fine = fine.rows_of(rank);
             if fine.is_empty() {
                 return 0..0;
             }
-            (fine.start / 2).saturating_sub(1)..(fine.end / 2 + 1).min(height)
+            (fine.start / 2).saturating_sub(REACH)..(fine.end / 2 + REACH).min(height)
         };
         let own = fine.own_rows();
         match coarser.share([width, height]) {

@@ -118,6 +118,6 @@ impl Scene<1> for PressureScene<Vec<f64>> {
         _: &Self,
         [answer]: &[Vec<f64>; 1],
     ) -> Result<[Vec<f64>; 1]> {
-        Ok([levels.refined(answer)?])
+        Ok([levels.refined_zone(answer)?])
     }
 }

@@ -7,7 +7,7 @@ use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{
     Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
 };
-use crate::contact::{has_iterate, nested_start, with_counts_of, with_memory};
+use crate::contact::{has_iterate, known_of_start, nested_start, with_counts_of, with_memory};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -209,8 +209,9 @@ impl PressureSolver {
             Some(engine) if has_start => set_out(engine, scene, from, self.approach, pressure)?,
             engine => {
                 *engine = None;
-                *engine = Some(start_cold(of.bodies, scene, pressure, conditions)?);
-                Known::Nothing
+                let (cold, known) = start_cold(of.bodies, scene, pressure, conditions)?;
+                *engine = Some(cold);
+                known
             }
         };
         self.report.clear();
@@ -226,7 +227,7 @@ impl PressureSolver {
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
         self.approach = scene.datum + multiplier;
-        if outcome.is_ok() && known == Known::Extrapolated {
+        if outcome.is_ok() && has_start && known == Known::Near {
             let to = [reduce::total(&layout, pressure), self.approach];
             engine.note(pressure, from, to)?;
         }
@@ -248,9 +249,9 @@ impl PressureSolver {
         let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
             && conditions.check_iterations_left(&mut self.report).is_ok();
         if may_go_on {
-            let engine = start_cold(bodies, scene, pressure, conditions)?;
+            let (engine, known) = start_cold(bodies, scene, pressure, conditions)?;
             self.windows.present = Some(engine);
-            let from = (pressure, Known::Nothing);
+            let from = (pressure, known);
             return self.solve_on_window(bodies, scene, from, conditions);
         }
         let engine = Engine::new(bodies, Window::whole(bodies.grid()))?;
@@ -330,18 +331,18 @@ fn set_out(
         ahead => {
             let parts = engine.parts(ahead).unwrap_or(0.0);
             engine.extrapolate(parts, pressure)?;
-            Known::Extrapolated
+            Known::Near
         }
     })
 }
 
-/// From nothing: the answer on coarser cells, and the engine set up around its contact.
+/// From nothing: the answer on coarser cells, the engine set up around its contact, and what is known of that start.
 fn start_cold(
     bodies: &HalfSpace,
     scene: PressureScene<&[f64]>,
     pressure: &mut [f64],
     conditions: &mut Conditions<'_, '_>,
-) -> Result<Engine> {
+) -> Result<(Engine, Known<1>)> {
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
     let mut own = PressureScene {
         gap: buffer::zeros(grid.cells())?,
@@ -355,14 +356,16 @@ fn start_cold(
         }
     });
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
-    let [start] = if is_plain {
-        own.plain_start(&bodies.grid_layout())?
+    let ([start], known) = if is_plain {
+        (own.plain_start(&bodies.grid_layout())?, Known::Nothing)
     } else {
-        nested_start(bodies, whole.size, &own, conditions)?
+        let start = nested_start(bodies, whole.size, &own, conditions)?;
+        (start, known_of_start(bodies, whole.size))
     };
     parallel::copy(&start, pressure);
-    match bodies.around(|i| pressure[i] > 0.0) {
-        Some(contact) if !is_plain => Engine::new(bodies, contact.widened(grid)),
-        _ => Engine::new(bodies, whole),
-    }
+    let window = match bodies.around(|i| pressure[i] > 0.0) {
+        Some(contact) if !is_plain => contact.widened(grid),
+        _ => whole,
+    };
+    Ok((Engine::new(bodies, window)?, known))
 }

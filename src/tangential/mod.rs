@@ -66,7 +66,7 @@ pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};
 pub(crate) use limits::{Pressed, is_at_limit};
 pub(crate) use motion::{Motion, centre};
-pub(crate) use nested::handed_down;
+pub(crate) use nested::{handed_down, reserve};
 pub use pressure::PressureSource;
 pub(crate) use pressure::contact_window;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};

@@ -80,8 +80,9 @@ where
         })
     }
 
-    /// Interpolated where the coarse cell sticks, at the limit where it slips or is apart: the zone is handed down
-    /// with the traction. The direction is that of the whole where the interpolated traction is zero.
+    /// Interpolated in the stick zone, at the limit where the cells slip. What friction holds beyond the traction falls to
+    /// zero at the edge of that zone as a pressure does at the edge of the contact, which hands the zone down. The direction
+    /// is that of the whole where the interpolated traction is zero.
     fn refined_start(
         &self,
         levels: Levels<'_>,
@@ -94,11 +95,13 @@ where
             .map(|part| reduce::total(&coarse_layout, part));
         let mut start: [_; N] = try_each(|n| levels.refined(&answer[n]))?;
         let answer = slices(answer);
-        let at_limit = (0..coarse.limits.len())
-            .map(|cell| is_at_limit(norm(at(&answer, cell)), coarse.limits[cell]));
-        let slips = levels.inherited(at_limit)?;
+        let reserves = coarse.limits.iter().enumerate();
+        let reserves = reserves.map(|(cell, &limit)| reserve(at(&answer, cell), limit));
+        let reserves = buffer::collected(coarse.limits.len(), reserves)?;
+        let reserves = levels.refined_zone(&reserves)?;
         for (cell, &limit) in self.limits.iter().enumerate() {
-            let traction = handed_down(at(&slices(&start), cell), limit, slips[cell], overall);
+            let interpolated = at(&slices(&start), cell);
+            let traction = handed_down(interpolated, limit, reserves[cell] > 0.0, overall);
             for (part, value) in start.iter_mut().zip(traction) {
                 part[cell] = value;
             }
@@ -106,7 +109,7 @@ where
         if N > 1 {
             // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
             let (sums, limits) = (self.totals.map(Total::sum), Magnitude(&self.limits));
-            let sticks = |cell: usize| !slips[cell];
+            let sticks = |cell: usize| reserves[cell] > 0.0;
             let parts = slices_mut(&mut start);
             Self::Set::restore(&levels.layout(), parts, &limits, sticks, sums);
         }
@@ -114,12 +117,22 @@ where
     }
 }
 
-/// The traction of a cell that was interpolated from coarser cells, within its limit: at it where the coarse cell slips, in
-/// a direction that may be given for one without traction.
+/// How much more traction friction holds than a cell has: nothing at the limit.
+pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
+    let length = norm(traction);
+    if is_at_limit(length, limit) {
+        0.0
+    } else {
+        limit - length
+    }
+}
+
+/// The traction of a cell that was interpolated from coarser cells, within its limit: at it where the cell slips, in a
+/// direction that may be given for one without traction.
 pub(crate) fn handed_down<const N: usize>(
     interpolated: [f64; N],
     limit: f64,
-    slips: bool,
+    sticks: bool,
     otherwise: [f64; N],
 ) -> [f64; N]
 where
@@ -131,9 +144,9 @@ where
         otherwise
     };
     let (set, length) = (Within::of_radius(limit), norm(direction));
-    if slips && length > 0.0 {
-        set.extreme(direction.map(|q| q / length))
-    } else {
+    if sticks || length == 0.0 {
         set.project(interpolated)
+    } else {
+        set.extreme(direction.map(|q| q / length))
     }
 }
