@@ -1,5 +1,7 @@
 //! The moment that friction holds.
 
+use std::iter::successors;
+
 use crate::cgm::vector::dot;
 use crate::rolling::RollingProblem;
 use crate::tangential::centre;
@@ -43,8 +45,8 @@ impl RollingProblem {
             }
             let step = descent(sums, slope, sliding.stiffness);
             let expected = DECREASE * dot(slope, step);
-            let parts = (0..STEPS).map(|halvings| 0.5_f64.powi(halvings as i32));
-            let found = parts.into_iter().find_map(|part| {
+            let mut parts = successors(Some(1.0), |part| Some(0.5 * part)).take(STEPS);
+            let found = parts.find_map(|part: f64| {
                 let next = [0, 1].map(|axis| shift[axis] + part * step[axis]);
                 let (less, sliding) = least(next);
                 (less < bound + part * expected).then_some((next, less, sliding))

@@ -108,7 +108,7 @@ impl Increment {
     }
 
     /// Takes these of the cells of the grid, by axis and cell, as the present ones.
-    pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64 + Sync) {
+    pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
             self.pressed
