@@ -195,6 +195,16 @@ pub enum Error {
         /// Largest force that friction can carry, the area integral of the shear limit.
         limit: f64,
     },
+    /// The moment about the normal exceeds what friction can carry, beside the forces prescribed: no equilibrium exists.
+    #[error(
+        "a moment of {moment:e} is not less than the friction limit {limit:e} beside the forces prescribed: prescribe the spin to let the body turn"
+    )]
+    BeyondFrictionMoment {
+        /// The moment requested, positive in the direction of the limit.
+        moment: f64,
+        /// The moment that a contact sliding as a whole has.
+        limit: f64,
+    },
     /// The normal force exceeds what the hardness lets the cells carry.
     #[error("{}", show::beyond_hardness(*force, *capacity))]
     BeyondHardness {

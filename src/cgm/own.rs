@@ -5,9 +5,9 @@ use crate::cgm::vector::plus;
 /// A symmetric tensor of each cell: a multiple of one and, of two components, a part without trace.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Own<'a> {
-    /// The mean of all directions; of no cells where none has any.
+    /// The mean of all directions; empty if no cell has a compliance of its own.
     mean: &'a [f64],
-    /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`; of no cells where there is none.
+    /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`; empty if it is zero in all cells.
     deviator: &'a [[f64; 2]],
 }
 

@@ -120,11 +120,16 @@ impl History {
             increment.displace(change);
         }
         let control = load.normal_control();
-        match &travel {
-            Some(travel) => roll(increment, state, (&self.bodies, control), travel, &demand)?,
-            None => press(increment, state, (&self.bodies, control), is_pressed)?,
+        if let Some(travel) = &travel {
+            roll(increment, state, (&self.bodies, control), travel, &demand)?;
+            let pressures = [state.pressure(), pressed.pressure()];
+            increment.collect_traction(|axis, cell| {
+                travel.in_proportion(&state.traction[axis], pressures, cell)
+            });
+        } else {
+            press(increment, state, (&self.bodies, control), is_pressed)?;
+            increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         }
-        increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         let mut conditions = Conditions::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
         let is_rolled = travel.is_some();

@@ -2,6 +2,7 @@
 
 use crate::cgm::reduce::Tally;
 use crate::cgm::vector::{dot, minus, plus, slices};
+use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::EnergyBalance;
 use crate::history::memory::Memory;
@@ -14,11 +15,13 @@ use crate::tangential::{Answer, Motion, Zone, at, centre};
 use crate::window::Window;
 
 /// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled along
-/// `travel`; `written` is the window that its fields were last written in.
+/// `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields were last
+/// written in.
 pub(super) fn commit(
     answer: Option<&Answer<'_>>,
     motion: Motion,
     travel: Option<&Travel>,
+    pressure_before: Option<&Field>,
     state: &mut State,
     step: &mut StepResult,
     written: &mut Option<Window>,
@@ -33,7 +36,7 @@ pub(super) fn commit(
     let change = motion.since(before);
     if let Some(travel) = travel {
         // The next step starts from how the tractions of the cells change, whichever particles are there.
-        state.keep_traction();
+        state.keep_traction(travel, pressure_before);
         state.carry(travel, motion);
     }
     let back = travel.map_or([0.0; 2], |travel| travel.back);

@@ -158,4 +158,4 @@ pub use rolling::Rolling;
 pub use state::State;
 pub use step::StepResult;
 pub use stepping::History;
-pub(crate) use travel::Passage;
+pub(crate) use travel::{Passage, Travel};

@@ -1,6 +1,6 @@
 //! A step in which the bodies roll.
 
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite};
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::travel::Travel;
@@ -119,10 +119,9 @@ impl Rolling {
 
     /// `Ok` if a history in this state can roll so.
     fn check(&self, bodies: &HalfSpace, state: &State, load: &LoadStep) -> Result<()> {
-        let cells = self.cells as f64;
-        positive("cells that a step rolls", cells)?;
-        let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
-        let length = finite("length of a rolled step", self.travel(bodies).length)?;
+        let (travel, cells) = (self.travel(bodies), self.cells as f64);
+        travel.check(bodies)?;
+        let (grid, boundary, length) = (bodies.grid().whole(), bodies.boundary(), travel.length);
         for creepage in self.creepage {
             finite("creepage", creepage)?;
             finite("creepage of a step", creepage * length)?;
@@ -135,12 +134,6 @@ impl Rolling {
                 remedy,
             })
         };
-        let axis = self.leading_edge.axis();
-        if boundary.repeats()[axis.index()] {
-            let quantity = "rolling by a step along an axis on which the grid repeats";
-            let remedy = "roll along the other axis, or on a grid that does not repeat";
-            return refused(quantity, length, remedy);
-        }
         let what = "cells that a step rolls";
         if bodies.is_shared() {
             return refused(what, cells, "roll bodies that no ranks share");
@@ -190,7 +183,7 @@ impl Rolling {
         let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
         let demand = self.prescribe(load.demand(0.0), state, length);
         finite("turn by the spin", demand.twist * extent)?;
-        self.travel(bodies).check_behind(bodies, state.pressure())
+        travel.check_behind(bodies, state.pressure())
     }
 }
 

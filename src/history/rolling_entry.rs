@@ -50,7 +50,7 @@ pub(crate) fn entering(
         let Some(before) = step.before(cell).map(|before| window.index(before)) else {
             continue;
         };
-        if pressure[before] <= 0.0 && pressed.limits.cells[cell] > 0.0 {
+        if pressure[before] <= 0.0 && pressed.pressure[cell] > 0.0 {
             *own = compliance(normal, before, gap[before], pressed.pressure[cell]);
         }
     }

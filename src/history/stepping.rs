@@ -306,10 +306,12 @@ impl History {
             .clone_from(report.unwrap_or(&Report::unsolved()));
         let moved = motion.since(state.motion).shift;
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        let before = self.candidate.held().map(NormalSolution::pressure);
         commit(
             answer.as_ref(),
             motion,
             travel.as_ref(),
+            before,
             state,
             step,
             &mut self.written,
@@ -330,7 +332,6 @@ impl History {
             state.gather_capacity(&self.bodies);
         }
         step.energy = step.energy.plus(&pressing);
-        let before = self.candidate.held().map(NormalSolution::pressure);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
         narrow(&self.bodies, state, before, press_window, margins);
     }

@@ -1,12 +1,12 @@
 //! The way of the particles of rolling bodies through the contact in one step.
 
-use crate::error::{Error, Result, at_least};
+use crate::error::{Error, Result, at_least, finite, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::history::LeadingEdge;
 use crate::history::state::State;
-use crate::tangential::Motion;
+use crate::tangential::{Axis, Motion};
 use crate::window::Window;
 
 /// The way through a rectangle of cells.
@@ -20,27 +20,20 @@ pub(crate) struct Passage {
 impl Passage {
     /// Where the particle of a cell was before, if that is in the rectangle.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
-        let [nx, _] = self.size;
-        let axis = self.edge.axis().index();
-        let (place, stride) = ([cell % nx, cell / nx][axis], [1, nx][axis]);
-        if self.cells >= self.size[axis] {
-            return None;
-        }
-        let way = self.cells * stride;
+        let [line, way] = self.line();
+        let place = cell % line;
         if self.edge.is_positive() {
-            (place + self.cells < self.size[axis]).then(|| cell + way)
+            (way < line - place).then(|| cell + way)
         } else {
-            (place >= self.cells).then(|| cell - way)
+            (way <= place).then(|| cell - way)
         }
     }
 
     /// `T f` in place, each value where its particle is after the step; zero in cells whose particles come from beyond the
     /// rectangle.
     pub(crate) fn carry(&self, field: &mut [f64]) {
-        let [nx, _] = self.size;
-        let axis = self.edge.axis().index();
-        let way = self.cells.min(self.size[axis]) * [1, nx][axis];
-        let line = [nx, field.len()][axis];
+        let [line, way] = self.line();
+        let way = way.min(line);
         for line in field.chunks_exact_mut(line) {
             let kept = line.len() - way;
             if self.edge.is_positive() {
@@ -52,22 +45,31 @@ impl Passage {
             }
         }
     }
+
+    /// The cells of a line, and how far in it a particle moves: along y all rows are one line.
+    fn line(&self) -> [usize; 2] {
+        let [nx, ny] = self.size;
+        match self.edge.axis() {
+            Axis::X => [nx, self.cells],
+            Axis::Y => [nx * ny, self.cells.saturating_mul(nx)],
+        }
+    }
 }
 
-/// The way on the grid of a history.
+/// The way on a grid.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Travel {
+pub(crate) struct Travel {
     grid: Grid,
     edge: LeadingEdge,
     cells: usize,
     /// How far the bodies roll.
-    pub(super) length: f64,
+    pub(crate) length: f64,
     /// From where a particle is after the step to where it was before.
     pub(super) back: [f64; 2],
 }
 
 impl Travel {
-    pub(super) fn new(grid: Grid, edge: LeadingEdge, cells: usize) -> Self {
+    pub(crate) fn new(grid: Grid, edge: LeadingEdge, cells: usize) -> Self {
         let axis = edge.axis().index();
         let length = [grid.dx(), grid.dy()][axis] * cells as f64;
         let mut back = [0.0; 2];
@@ -81,8 +83,22 @@ impl Travel {
         }
     }
 
+    /// `Ok` if it is one, and these bodies can take it.
+    pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
+        positive("cells that a step rolls", self.cells as f64)?;
+        let length = finite("length of a rolled step", self.length)?;
+        if bodies.boundary().repeats()[self.edge.axis().index()] {
+            return Err(Error::NotModelled {
+                quantity: "rolling by a step along an axis on which the grid repeats",
+                value: length,
+                remedy: "roll along the other axis, or on a grid that does not repeat",
+            });
+        }
+        Ok(())
+    }
+
     /// The way through a rectangle of cells.
-    pub(super) fn through(&self, size: [usize; 2]) -> Passage {
+    pub(crate) fn through(&self, size: [usize; 2]) -> Passage {
         Passage {
             size,
             edge: self.edge,
@@ -93,6 +109,21 @@ impl Travel {
     /// Where the particle of a cell of the grid was before, if that was on the grid.
     pub(super) fn before(&self, cell: usize) -> Option<usize> {
         self.through(self.grid.size()).before(cell)
+    }
+
+    /// The traction of a cell that follows its pressure from `before` to `after`: their ratio hardly changes in a contact
+    /// that rolls. A cell that comes into contact has the ratio of where its particle was.
+    pub(super) fn in_proportion(
+        &self,
+        traction: &Field,
+        [before, after]: [&Field; 2],
+        cell: usize,
+    ) -> f64 {
+        let [traction, before, after] = [traction, before, after].map(Field::as_slice);
+        let touched = |cell: &usize| before[*cell] > 0.0;
+        let like = Some(cell).filter(touched);
+        let like = like.or_else(|| self.before(cell).filter(touched));
+        like.map_or(0.0, |like| traction[like] / before[like] * after[cell])
     }
 
     /// What a turn moves a particle beyond the turn of where it is after the step, because it was elsewhere before.
@@ -107,7 +138,7 @@ impl Travel {
     }
 
     /// The window of a step, with where the particles in the contact of its end were before, and where those of the contact
-    /// of its beginning have come to.
+    /// of its beginning have come to; if it has to be wider, it is by some more, so that the contact may grow.
     pub(super) fn reach(
         &self,
         bodies: &HalfSpace,
@@ -116,12 +147,20 @@ impl Travel {
     ) -> Result<Window> {
         let mut reach = window;
         if let Some(contact) = contact_of(bodies, after) {
-            reach = reach.union(self.moved(contact, true, "cells ahead of the contact")?);
+            reach = reach.union(self.ahead(contact)?);
         }
         if let Some(contact) = contact_of(bodies, before) {
             reach = reach.union(contact).union(self.behind(contact)?);
         }
-        Ok(reach)
+        if reach == window {
+            return Ok(window);
+        }
+        Ok(bodies.confined(reach.widened(self.grid)))
+    }
+
+    /// Where the particles of a window were before the step.
+    pub(crate) fn ahead(&self, window: Window) -> Result<Window> {
+        self.moved(window, true, "cells ahead of the contact")
     }
 
     /// Where a window has come to after the step.
@@ -163,14 +202,16 @@ fn contact_of(bodies: &HalfSpace, pressure: &Field) -> Option<Window> {
 }
 
 impl State {
-    /// Writes the tractions of the cells to where the trend of a step is to be.
-    pub(super) fn keep_traction(&mut self) {
-        let grid = self.grid();
+    /// Writes to where the trend of a step is to be what it is measured from: the tractions that have followed the pressure
+    /// from `before` on, if it has changed.
+    pub(super) fn keep_traction(&mut self, travel: &Travel, before: Option<&Field>) {
+        let (grid, after) = (self.grid(), self.normal.pressure());
+        let before = before.unwrap_or(after);
         if let Some(memory) = &mut self.contact {
             let held = memory.window.held(grid);
             for (kept, traction) in memory.trend.change.iter_mut().zip(&self.traction) {
-                if !kept.is_empty() {
-                    held.gather(traction.as_slice(), kept);
+                for (kept, cell) in kept.iter_mut().zip(held.indices()) {
+                    *kept = travel.in_proportion(traction, [before, after], cell);
                 }
             }
         }

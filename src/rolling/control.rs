@@ -33,8 +33,8 @@ pub enum SpinControl {
     /// positive from x to y), about the origin of the grid.
     Spin(f64),
     /// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y); the spin
-    /// follows. It must be less than a large spin causes, about the integral of $`\mu p`$ times the distance from the
-    /// origin; beside prescribed forces friction holds less of it.
+    /// follows. It must be less than a large spin causes beside the prescribed forces; without any that is about the
+    /// integral of $`\mu p`$ times the distance from the origin.
     Moment(f64),
 }
 

@@ -1,8 +1,12 @@
 //! Creep curves and creep surfaces.
 
+use std::ops::ControlFlow;
+
 use crate::buffer;
 use crate::error::Result;
+use crate::report::Iteration;
 use crate::rolling::{RollingControl, RollingSolver};
+use crate::watch::unwatched;
 
 /// A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +53,18 @@ impl RollingSolver {
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,
     ) -> Result<Vec<CreepForce>> {
+        self.creep_forces_observed(points, unwatched)
+    }
+
+    /// [`creep_forces`](Self::creep_forces) with an observer that sees every step of each solve and may cancel.
+    ///
+    /// # Errors
+    /// As [`creep_forces`](Self::creep_forces).
+    pub fn creep_forces_observed(
+        &mut self,
+        points: impl IntoIterator<Item = [f64; 3]>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<Vec<CreepForce>> {
         let mut checked = Vec::new();
         let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
         for point in points {
@@ -60,7 +76,7 @@ impl RollingSolver {
         let mut found = Vec::new();
         for [xi, eta, spin] in checked {
             self.set_control(creepages(xi, eta), spin)?;
-            self.solve_into(&mut solution)?;
+            self.solve_observed(&mut solution, &mut observer)?;
             let force = CreepForce {
                 creepage: [xi, eta],
                 spin,

@@ -85,6 +85,7 @@
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
 
+mod capacity;
 mod control;
 mod creep;
 mod inverse;

@@ -2,19 +2,17 @@
 
 use crate::buffer::{TryClone, filled, try_clone, try_each, zeros};
 use crate::cgm::{Settings, settings_methods};
-use crate::error::{Error, RankFailure, Result, at_least, finite, positive};
+use crate::error::{Error, RankFailure, Result, finite};
 use crate::half_space::HalfSpace;
-use crate::history::Passage;
-use crate::history::TouchRule;
 use crate::history::rolling_entry::entering;
+use crate::history::{Passage, TouchRule, Travel};
 use crate::normal::NormalSolution;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{
-    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, TangentialModel, centre,
-    contact_window, is_at_limit,
+    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, SLIDING, TangentialModel,
+    centre, contact_window, is_at_limit,
 };
-use crate::window::Window;
 
 /// Bodies, normal contact, friction, and what is prescribed of their rolling.
 #[derive(Clone)]
@@ -136,14 +134,17 @@ impl RollingProblem {
             return Err(Error::BeyondFrictionCapacity { force: size, limit });
         }
         if let SpinControl::Moment(moment) = spin {
-            let capacity = finite("moment that friction holds", self.moment_capacity())?;
-            if is_at_limit(moment.abs(), capacity) {
-                return Err(Error::Below {
-                    quantity: "moment that friction holds",
-                    value: capacity,
-                    least_is: "the moment asked for",
-                    least: moment.abs(),
-                });
+            let sums = controls.map(|control| match control {
+                RollingControl::Force(force) => Some(force / area),
+                RollingControl::Creepage(_) => None,
+            });
+            for sign in [1.0, -1.0] {
+                let capacity = self.moment_capacity(sums, sign);
+                let limit = finite("moment that friction holds", capacity)?;
+                let moment = sign * moment;
+                if moment >= limit - SLIDING * limit.abs() {
+                    return Err(Error::BeyondFrictionMoment { moment, limit });
+                }
             }
         }
         Ok(())
@@ -151,27 +152,17 @@ impl RollingProblem {
 
     /// How a cell of the grid moves over a step by a unit of creepage along x, along y and of spin, halfway.
     pub(super) fn motions(&self, index: usize) -> [[f64; 2]; 3] {
-        let edge = self.step.edge;
-        let mut middle = centre(self.bodies.grid(), index);
-        middle[edge.axis().index()] += if edge.is_positive() { 0.5 } else { -0.5 } * self.length;
+        let ([x, y], [ahead_x, ahead_y]) = (centre(self.bodies.grid(), index), self.halfway());
+        let middle = [x + ahead_x, y + ahead_y];
         let directions = [[1.0, 0.0], [0.0, 1.0], [-middle[1], middle[0]]];
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
-    /// The moment about the origin of the grid that a large spin causes: tractions at their limits along its motion.
-    pub(super) fn moment_capacity(&self) -> f64 {
-        let (grid, limits) = (self.bodies.grid(), &self.pressed.limits.cells);
-        let levers = self.pressed.window().indices().map(|index| {
-            let ([x, y], [_, _, turned]) = (centre(grid, index), self.motions(index));
-            let size = turned[0].hypot(turned[1]);
-            let lever = (x * turned[1] - y * turned[0]) / size;
-            if size > 0.0 { lever } else { 0.0 }
-        });
-        let parts = limits
-            .iter()
-            .zip(levers)
-            .map(|(limit, lever)| limit * lever);
-        parts.fold(0.0, |sum, part| sum + part) * grid.cell_area()
+    /// From where a particle is to the middle of its way.
+    pub(super) fn halfway(&self) -> [f64; 2] {
+        let (edge, mut way) = (self.step.edge, [0.0; 2]);
+        way[edge.axis().index()] = if edge.is_positive() { 0.5 } else { -0.5 } * self.length;
+        way
     }
 }
 
@@ -221,8 +212,9 @@ impl RollingProblemBuilder<'_> {
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
     /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
     /// [`Error::NotModelled`] for rolling along an axis on which the grid repeats, or spin on such a grid;
-    /// [`Error::Below`] if the grid ends less than a step ahead of the contact, or for a moment beyond what friction holds;
-    /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding;
+    /// [`Error::Below`] if the grid ends less than a step ahead of the contact;
+    /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding, and
+    /// [`Error::BeyondFrictionMoment`] for such a moment, beside the forces prescribed;
     /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies
     /// that ranks share.
     pub fn build(self) -> Result<RollingProblem> {
@@ -233,25 +225,12 @@ impl RollingProblemBuilder<'_> {
         self.friction.check(grid)?;
         self.settings.check()?;
         TangentialModel::Vector.check(&self.settings)?;
-        positive("cells of a step", self.cells as f64)?;
-        let axis = self.edge.axis();
-        let side = [grid.dx(), grid.dy()][axis.index()];
-        let length = finite("length of a step", side * self.cells as f64)?;
-        if bodies.boundary().repeats()[axis.index()] {
-            return Err(Error::NotModelled {
-                quantity: "rolling by a step along an axis on which the grid repeats",
-                value: length,
-                remedy: "roll along the other axis, or on a grid that does not repeat",
-            });
-        }
+        let travel = Travel::new(grid, self.edge, self.cells);
+        travel.check(bodies)?;
         let samples = PressureSource::from(self.normal).checked(bodies)?;
         let contact = contact_window(bodies, samples)?;
-        let window = self.reach_ahead(contact)?;
-        let step = Passage {
-            size: window.size,
-            edge: self.edge,
-            cells: self.cells,
-        };
+        let window = contact.union(travel.ahead(contact)?);
+        let step = travel.through(window.size);
         let mut pressed = Pressed::new(bodies, window)?;
         pressed.set(samples, &self.friction);
         let own = match self.touch_rule {
@@ -261,41 +240,17 @@ impl RollingProblemBuilder<'_> {
         let problem = RollingProblem {
             own,
             drawn: drawn(bodies, &pressed, step)?,
-            chain: step.chain(contact.size[axis.index()]),
+            chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
             step,
-            length,
+            length: travel.length,
             controls: self.controls,
             spin: self.spin,
             settings: self.settings,
         };
         problem.check(self.controls, self.spin)?;
         Ok(problem)
-    }
-
-    /// The window of the contact and of where its particles were a step before.
-    fn reach_ahead(&self, contact: Window) -> Result<Window> {
-        let grid = self.bodies.grid();
-        let axis = self.edge.axis().index();
-        let (mut corner, mut size) = (contact.corner(), contact.size);
-        let room = if self.edge.is_positive() {
-            grid.whole().size()[axis] - corner[axis] - size[axis]
-        } else {
-            corner[axis]
-        };
-        let (needed, room) = (self.cells as f64, room as f64);
-        at_least(
-            "those of a step",
-            needed,
-            "cells ahead of the contact",
-            room,
-        )?;
-        size[axis] += self.cells;
-        if !self.edge.is_positive() {
-            corner[axis] -= self.cells;
-        }
-        Window::at(grid, corner, size).ok_or(Error::EmptyContact)
     }
 }
 

@@ -2,16 +2,21 @@
 
 use crate::buffer::{filled, try_clone, try_each};
 use crate::error::Result;
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, finite, length};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
+#[cfg(feature = "serde")]
+use crate::serial::checked;
 use crate::shown::shown;
 use crate::tangential::{Zone, centre, is_at_limit};
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling.
 #[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RollingSolution {
     traction: [Field; 2],
     slip: [Field; 2],
@@ -24,6 +29,34 @@ pub struct RollingSolution {
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
 
 try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, report });
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "RollingSolution", deny_unknown_fields)]
+struct Unchecked {
+    traction: [Field; 2],
+    slip: [Field; 2],
+    zones: Vec<Zone>,
+    creepage: [f64; 2],
+    spin: f64,
+    report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for RollingSolution {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.grid();
+            for axis in 0..2 {
+                read.traction[axis].check("traction", grid)?;
+                read.slip[axis].check("slip", grid)?;
+            }
+            length("zones", grid.cells(), read.zones.len())?;
+            all_finite("creepage", &read.creepage)?;
+            finite("spin", read.spin).map(|_| ())
+        })
+    }
+}
 
 impl RollingSolution {
     pub(super) fn empty(grid: Grid) -> Result<Self> {

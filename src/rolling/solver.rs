@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::buffer::{collected, or_abort, try_each, zeros};
+use crate::buffer::{TryClone, filled, or_abort, try_each, zeros};
 use crate::cgm::vector::{at, minus, plus, slices};
 use crate::cgm::{
     self, Disc, Magnitude, Own, Problem, Settings, Total, WorkspaceOf, solver_settings,
@@ -21,7 +21,7 @@ use crate::rolling::spin_search::SpinSearch;
 use crate::rolling::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
-use crate::tangential::{OwnCompliance, TangentialModel};
+use crate::tangential::{Friction, OwnCompliance, TangentialModel};
 use crate::watch::Observer;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -62,48 +62,70 @@ pub struct RollingSolver {
     pub(super) traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
     pub(super) linear: [Vec<f64>; 2],
-    /// The compliance B that cells have of their own.
+    /// The compliance B that cells that carry traction have of their own.
     own_mean: Vec<f64>,
     own_deviator: Vec<[f64; 2]>,
     /// The spin of the last solve, from which the search for that of a moment starts.
     spin: f64,
     report: Report,
+    /// Whether there is a last answer.
+    is_warm: bool,
     pub(super) follow: Option<Follow>,
 }
 
 shown!(RollingSolver: problem);
 
 impl RollingSolver {
-    pub(super) fn new(mut problem: RollingProblem) -> Result<Self> {
+    pub(super) fn new(problem: RollingProblem) -> Result<Self> {
         let step = problem.step;
         let Compliance { operator, inverse } = problem
             .bodies
             .compliance([Direction::X, Direction::Y], step.size)?;
-        let own = std::mem::take(&mut problem.own);
         let alone = self_compliance(&*operator, step)?;
         let operator = SteadyOperator::new(operator, step, problem.chain, alone);
         let inverse = SteadyInverse::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
-        let unit = problem.pressed.limits.unit().unwrap_or(1.0);
-        let limits = problem.pressed.limits.cells.iter();
-        Ok(Self {
-            limits: collected(cells, limits.map(|limit| limit / unit))?,
-            unit,
+        let mut solver = Self {
+            limits: zeros(cells)?,
+            unit: 1.0,
             workspace: Problem::new(Arc::clone(&operator), [&[]; 2], Magnitude(&[]))
                 .preconditioner(Arc::clone(&inverse))
                 .try_workspace()?,
             traction: try_each(|_| zeros(cells))?,
             linear: try_each(|_| zeros(cells))?,
-            own_mean: collected(cells, own.iter().map(OwnCompliance::mean))?,
-            own_deviator: collected(cells, own.iter().map(OwnCompliance::deviator))?,
+            own_mean: zeros(cells)?,
+            own_deviator: filled([0.0; 2], cells)?,
             spin: 0.0,
             report: Report::with_room(),
+            is_warm: false,
             follow: None,
             operator,
             inverse,
             problem,
-        })
+        };
+        solver.take_limits();
+        Ok(solver)
+    }
+
+    /// Takes the limits of the problem, and what follows from them.
+    fn take_limits(&mut self) {
+        let limits = &self.problem.pressed.limits;
+        let unit = limits.unit().unwrap_or(1.0);
+        for traction in self.traction.iter_mut().flatten() {
+            *traction *= self.unit / unit;
+        }
+        self.unit = unit;
+        for (cell, limit) in limits.cells.iter().enumerate() {
+            let carries = *limit > 0.0;
+            let own = if carries {
+                self.problem.own[cell]
+            } else {
+                OwnCompliance::NONE
+            };
+            self.limits[cell] = limit / unit;
+            (self.own_mean[cell], self.own_deviator[cell]) = (own.mean(), own.deviator());
+        }
     }
 
     solver_settings!(problem.settings, problem.bodies, |_, settings| {
@@ -113,8 +135,8 @@ impl RollingSolver {
     /// Changes what is prescribed of the next solve: along x and along y, and the spin or moment.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotModelled`], [`Error::BeyondFrictionCapacity`] or [`Error::Below`]; all is then as
-    /// it was.
+    /// [`Error::NotFinite`], [`Error::NotModelled`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`];
+    /// all is then as it was.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -124,6 +146,37 @@ impl RollingSolver {
         self.problem.check(controls, spin)?;
         (self.problem.controls, self.problem.spin) = (controls, spin);
         Ok(())
+    }
+
+    /// Changes the friction of the next solve. [`stiffness`](Self::stiffness) has it after that solve.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if the
+    /// limits overflow; [`Error::Memory`]; the friction is then as it was.
+    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
+        friction.check(self.problem.bodies.grid())?;
+        let mut pressed = self.problem.pressed.try_clone()?;
+        pressed.set_friction(friction);
+        std::mem::swap(&mut self.problem.pressed, &mut pressed);
+        let RollingProblem { controls, spin, .. } = self.problem;
+        let checked = self.problem.check(controls, spin);
+        if checked.is_err() {
+            self.problem.pressed = pressed;
+        } else if !self.is_warm {
+            self.take_limits();
+        }
+        checked
+    }
+
+    /// Forgets the last answer: the next solve starts as the first did, and [`stiffness`](Self::stiffness) is that of a
+    /// contact that sticks.
+    pub fn reset(&mut self) {
+        for value in self.traction.iter_mut().flatten() {
+            *value = 0.0;
+        }
+        self.spin = 0.0;
+        self.is_warm = false;
+        self.take_limits();
     }
 
     /// An empty solution of the right size for [`Self::solve_into`].
@@ -145,7 +198,8 @@ impl RollingSolver {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], nothing changed; [`Error::NotConverged`] with the last feasible iterate in `solution`, also
-    /// where no spin has the moment; [`Error::Memory`].
+    /// where the spin of a moment near the limit is not found; [`Error::Memory`], which during the search for the spin of a
+    /// moment leaves the answer at another spin in `solution`.
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
@@ -163,6 +217,8 @@ impl RollingSolver {
             .bodies
             .grid()
             .expect("solution", solution.grid())?;
+        self.take_limits();
+        self.is_warm = true;
         match self.problem.spin {
             SpinControl::Spin(spin) => {
                 self.spin = spin;
@@ -245,7 +301,7 @@ impl RollingSolver {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let tolerance = conditions.settings.tolerance;
-        let capacity = self.problem.moment_capacity();
+        let capacity = self.problem.moment_capacity([None; 2], 1.0);
         let mut search = SpinSearch::new(self.stride());
         self.report.clear();
         for _ in 0..SPINS {

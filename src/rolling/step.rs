@@ -1,7 +1,6 @@
 //! Differences over a step, and sums of them, on the way of particles through a window.
 
 use crate::history::Passage;
-use crate::tangential::Axis;
 
 impl Passage {
     /// `(1 - T) f` in place; zero in cells whose particles come from beyond the window.
@@ -29,26 +28,12 @@ impl Passage {
 
     /// Visits the cells in the order of their places along the axis, each with that of its particle before.
     fn sweep(&self, is_ascending: bool, mut visit: impl FnMut(usize, Option<usize>)) {
-        let [nx, ny] = self.size;
-        // Along y all rows are one line.
-        let (length, way) = match self.edge.axis() {
-            Axis::X => (nx, self.cells),
-            Axis::Y => (nx * ny, self.cells.saturating_mul(nx)),
-        };
-        for line in (0..nx * ny).step_by(length) {
-            let mut visit = |place: usize| {
-                let before = if self.edge.is_positive() {
-                    (way < length - place).then(|| line + place + way)
-                } else {
-                    (way <= place).then(|| line + place - way)
-                };
-                visit(line + place, before);
-            };
-            if is_ascending {
-                (0..length).for_each(&mut visit);
-            } else {
-                (0..length).rev().for_each(&mut visit);
-            }
+        let cells = 0..self.size[0] * self.size[1];
+        let visit = |cell: usize| visit(cell, self.before(cell));
+        if is_ascending {
+            cells.for_each(visit);
+        } else {
+            cells.rev().for_each(visit);
         }
     }
 

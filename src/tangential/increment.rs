@@ -107,6 +107,16 @@ impl Increment {
         }
     }
 
+    /// Takes these of the cells of the grid, by axis and cell, as the present ones.
+    pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
+        for axis in self.axes.iter().map(|axis| axis.index()) {
+            let part = &mut self.traction[axis];
+            self.pressed
+                .region
+                .collect(|cell| traction(axis, cell), part);
+        }
+    }
+
     /// The present tractions, zero beyond the window, for another increment.
     pub(crate) fn hand_over(&self, other: &mut Self) -> Result<()> {
         let mut whole = buffer::zeros(self.bodies.grid().cells())?;

@@ -13,7 +13,7 @@ use crate::tangential::Friction;
 use crate::window::Window;
 
 /// Relative distance from the friction limit within which a force slides the contact, and a cell slips.
-const SLIDING: f64 = 1e-12;
+pub(crate) const SLIDING: f64 = 1e-12;
 
 /// Largest limits beside which the squares of tractions stay within the range of numbers.
 const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;

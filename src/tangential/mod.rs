@@ -64,7 +64,7 @@ pub(crate) use entering::{OwnCompliance, own_compliance, ratio_of_compliances};
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};
-pub(crate) use limits::{Pressed, is_at_limit};
+pub(crate) use limits::{Pressed, SLIDING, is_at_limit};
 pub(crate) use motion::{Motion, centre};
 pub(crate) use nested::{handed_down, reserve};
 pub use pressure::PressureSource;

@@ -14,6 +14,7 @@ use stickslip::cgm::{Method, Settings};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::normal::Hardness;
+use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
@@ -188,6 +189,18 @@ fn answers_and_what_is_said_about_them() {
         let again = sheared(&bodies, &read, lateral).unwrap();
         assert_eq!(shear.traction(), again.traction());
     }
+
+    let friction = Friction::coulomb(0.3).unwrap();
+    let rolling = RollingProblem::builder(&bodies, &normal, friction).creepage([0.01, 0.02]);
+    let mut solver = rolling.build().unwrap().into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    survives(&rolling);
+    solver.solve_into(&mut rolling).unwrap();
+    survives(&rolling);
+    let mut short = serde_json::to_value(&rolling).unwrap();
+    short["zones"].as_array_mut().unwrap().pop();
+    let refused = serde_json::from_value::<RollingSolution>(short).unwrap_err();
+    assert!(refused.to_string().contains("zones"), "{refused}");
 
     // Before any solve residuals are infinite.
     let flat = Field::zeros(bodies.grid());

@@ -109,6 +109,18 @@ fn another_code_has_the_same_digits_without_the_law() {
 /// shift that grows by the creepage.
 #[test]
 fn the_frame_of_the_particles_is_another_view_of_the_same() {
+    let soft = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    same_in_both_frames(ElasticPair::new(soft, soft).unwrap());
+}
+
+/// Pressure that changes while the bodies roll draws the surfaces of dissimilar ones, one way.
+#[test]
+fn dissimilar_bodies_roll_under_a_load_that_changes() {
+    let [soft, hard] = [1.0, 4.0].map(|modulus| Material::from_shear_modulus(modulus, 0.2));
+    same_in_both_frames(ElasticPair::new(soft.unwrap(), hard.unwrap()).unwrap());
+}
+
+fn same_in_both_frames(pair: ElasticPair) {
     let steps = 12;
     let (moving, still) = (
         Grid::new(20 + steps, 20, 0.125, 0.125).unwrap(),
@@ -116,17 +128,24 @@ fn the_frame_of_the_particles_is_another_view_of_the_same() {
     );
     let form =
         |x: f64, y: f64| 0.5 * (x * x + y * y) + 0.01 * (5.0 * x + 1.0).cos() * (4.0 * y).cos();
-    let (poisson, load, creepage) = (0.3, 0.8, [0.12, -0.07]);
-    let fixed = alike(still, 1.0, poisson);
-    let gap = Field::from_fn(still, form);
-    let mut rolled = history(&fixed, &gap, TouchRule::WholeStep, 1e-12);
-    let bodies = alike(moving, 1.0, poisson);
+    let (load, creepage) = (0.8, [0.12, -0.07]);
+    let start = |grid: Grid, gap: &Field| {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+            .model(TangentialModel::Vector)
+            .coupling(Coupling::OneWay)
+            .touch_rule(TouchRule::WholeStep)
+            .tolerance(1e-12)
+            .build()
+            .unwrap()
+    };
+    let mut rolled = start(still, &Field::from_fn(still, form));
     // In cells of the wide grid, the narrow one has come so far.
     let at = |n: usize| {
         let place = (n as f64 - 0.5 * steps as f64) * 0.125;
         Field::from_fn(moving, move |x, y| form(x - place, y))
     };
-    let mut shifted = history(&bodies, &at(0), TouchRule::WholeStep, 1e-12);
+    let mut shifted = start(moving, &at(0));
     rolled.step(&press(load)).unwrap();
     shifted.step(&press(load)).unwrap();
     for n in 1..=steps {
@@ -203,6 +222,78 @@ fn the_balance_of_energy_closes() {
             }
         }
     }
+}
+
+/// Rough rollers: a texture that moves with the particles, given anew before each step.
+#[test]
+fn textures_roll_with_the_particles() {
+    let grid = Grid::new(26, 22, 0.12, 0.14).unwrap();
+    let bodies = alike(grid, 1.0, 0.3);
+    let gap = |rolled: usize| {
+        let way = 0.12 * rolled as f64;
+        Field::from_fn(grid, move |x, y| {
+            0.5 * (x * x + y * y) + 0.01 * (6.0 * (x + way)).cos() * (5.0 * y + 1.0).cos()
+        })
+    };
+    let rolling = Rolling::new(1).creepage([0.1, -0.05]);
+    for touch_rule in [TouchRule::Growth, TouchRule::WholeStep] {
+        let mut moved = history(&bodies, &gap(0), touch_rule, 1e-10);
+        moved.step(&press(1.5)).unwrap();
+        let mut touched = 0;
+        for n in 1..=12 {
+            let before = moved.pressure().as_slice().to_vec();
+            moved.set_gap(&gap(n)).unwrap();
+            moved.step(&press(1.5).roll(rolling)).unwrap();
+            let energy = moved.last_step().energy();
+            assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
+            assert!(energy.mid_step_dissipated_energy > 0.0);
+            assert!(energy.residual.abs() < 1e-7 * energy.elastic_after);
+            let now = moved.pressure().as_slice().iter().zip(before);
+            touched += now
+                .filter(|(now, before)| **now > 0.0 && *before == 0.0)
+                .count();
+            let [qx, qy] = moved.traction().map(Field::as_slice);
+            for (i, p) in moved.pressure().as_slice().iter().enumerate() {
+                assert!(qx[i].hypot(qy[i]) <= 0.3 * p * (1.0 + 1e-12));
+            }
+        }
+        assert!(touched > 0);
+        // The gap that is there already changes nothing, and one that is new changes the traction.
+        let (mut kept, mut given) = (moved.clone(), moved.clone());
+        given.set_gap(&gap(12)).unwrap();
+        for history in [&mut kept, &mut given] {
+            history.step(&press(1.5).roll(rolling)).unwrap();
+        }
+        assert_eq!(kept.traction(), given.traction());
+        moved.set_gap(&gap(13)).unwrap();
+        moved.step(&press(1.5).roll(rolling)).unwrap();
+        assert_ne!(kept.traction(), moved.traction());
+    }
+}
+
+/// Between a rough roller and a smooth one whose texture stays, as of a worn form, rolling ends in the steady state.
+#[test]
+fn rough_forms_end_in_steady_rolling() {
+    let grid = Grid::new(24, 20, 0.14, 0.16).unwrap();
+    let bodies = alike(grid, 1.0, 0.3);
+    let gap = Field::from_fn(grid, |x, y| {
+        0.5 * (x * x + y * y) + 0.02 * (9.0 * x).cos() * (7.0 * y + 1.0).cos()
+    });
+    let mut history = history(&bodies, &gap, TouchRule::Growth, 1e-9);
+    history.step(&press(1.0)).unwrap();
+    let rolling = Rolling::new(1).creepage([0.08, 0.03]).spin(0.05);
+    // Thirty times the half-width of about 0.9.
+    for _ in 0..200 {
+        history.step(&LoadStep::hold().roll(rolling)).unwrap();
+    }
+    let problem =
+        RollingProblem::builder(&bodies, history.normal(), Friction::coulomb(0.3).unwrap());
+    let problem = problem.creepage([0.08, 0.03]).spin(0.05).tolerance(1e-10);
+    let steady = problem.build().unwrap().solve().unwrap();
+    for (found, expected) in history.tangential_force().into_iter().zip(steady.force()) {
+        assert!((found - expected).abs() < 1e-5 * 0.3, "{found} {expected}");
+    }
+    assert!((history.moment() - steady.moment()).abs() < 1e-5 * 0.3);
 }
 
 /// What slips in a cell is remembered by the particle that was there: its sum moves on with it and leaves with it.
@@ -403,6 +494,40 @@ fn one_traction_rolls_too() {
         history.tangential_force()[0]
     });
     assert!((forces[0] / forces[1] - 1.0).abs() < 1e-8, "{forces:?}");
+}
+
+/// A traction along y alone is one along x alone of bodies that are seen from the side.
+#[test]
+fn a_traction_along_y_alone_rolls_as_one_along_x() {
+    let (bodies, ball, load) = small_sphere(0.2);
+    for [edge, mirrored] in [
+        [LeadingEdge::PlusX, LeadingEdge::PlusY],
+        [LeadingEdge::MinusY, LeadingEdge::MinusX],
+    ] {
+        let forces = [(Axis::X, edge), (Axis::Y, mirrored)].map(|(axis, edge)| {
+            let mut builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+            builder = builder.model(TangentialModel::Scalar).axis(axis);
+            let mut history = builder.tolerance(1e-11).build().unwrap();
+            let mut creepage = [0.0; 2];
+            creepage[axis.index()] = 0.1;
+            let rolling = Rolling::new(1).leading_edge(edge);
+            for _ in 0..6 {
+                let creeping = press(load).roll(rolling.creepage(creepage));
+                history.step(&creeping).unwrap();
+            }
+            let creeping = history.tangential_force();
+            let held = TangentialControl::Force(0.1);
+            let step = LoadStep::hold().tangential(axis, held).roll(rolling);
+            let reached = history.step(&step).unwrap().creepage().unwrap();
+            let across = 1 - axis.index();
+            assert_eq!((creeping[across], reached[across]), (0.0, 0.0));
+            assert!((history.tangential_force()[axis.index()] - 0.1).abs() < 1e-9);
+            [creeping[axis.index()], reached[axis.index()]]
+        });
+        for (x, y) in forces[0].into_iter().zip(forces[1]) {
+            assert!(x != 0.0 && (x / y - 1.0).abs() < 1e-9, "{forces:?}");
+        }
+    }
 }
 
 /// Pressure of dissimilar bodies draws the surfaces, one way: rolling ends in the steady state of the same pressure.

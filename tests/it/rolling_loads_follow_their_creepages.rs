@@ -1,13 +1,15 @@
 //! Stiffness, moments and creep curves of steady rolling agree with single solves, and solves stay within their number of
 //! products.
 
+use std::ops::ControlFlow;
+
 use stickslip::cgm::Settings;
 use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
 use stickslip::{
-    Axis, ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
-    NormalSolution, surface,
+    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    NormalProblem, NormalSolution, Status, surface,
 };
 
 /// Kalker's longitudinal coefficient of a circle at a Poisson ratio of 0.25.
@@ -150,19 +152,33 @@ fn moments_that_friction_does_not_hold_are_refused() {
     // The integral of the distance over a Hertzian pressure is 3 pi/16 of load times radius.
     let capacity = 3.0 * std::f64::consts::PI / 16.0 * scene.limit;
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
-    assert!(matches!(of(1.02 * capacity), Err(Error::Below { .. })));
+    let beyond = of(1.02 * capacity);
+    assert!(matches!(beyond, Err(Error::BeyondFrictionMoment { .. })));
     assert!(matches!(of(f64::NAN), Err(Error::NotFinite { .. })));
     let mut solver = of(0.97 * capacity).unwrap().into_solver().unwrap();
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.moment() / (0.97 * capacity) - 1.0).abs() < 1e-7);
-    // Forces leave less to the moment: no spin has it, and the next search is none the worse.
+    // Forces leave less to the moment: it is refused before any solve.
     let force = RollingControl::Force(0.6 * scene.limit);
-    let moment = SpinControl::Moment(0.97 * capacity);
-    solver.set_control([force; 2], moment).unwrap();
-    let lost = solver.solve_into(&mut rolling);
-    assert!(matches!(lost, Err(Error::NotConverged(_))));
-    assert!(!rolling.report().is_converged() && !solver.report().is_converged());
+    let far = SpinControl::Moment(0.97 * capacity);
+    let Err(Error::BeyondFrictionMoment { moment, limit }) = solver.set_control([force; 2], far)
+    else {
+        panic!("a moment that no spin has");
+    };
+    assert!(moment == 0.97 * capacity && 0.0 < limit && limit < 0.6 * capacity);
+    // As much as a contact that slides as a whole has is nearly reached.
+    let near = SpinControl::Moment(0.95 * limit);
+    solver.set_control([force; 2], near).unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.moment() / (0.95 * limit) - 1.0).abs() < 1e-6);
+    for sum in rolling.force() {
+        assert!((sum / (0.6 * scene.limit) - 1.0).abs() < 1e-6);
+    }
+    let beyond = SpinControl::Moment(-1.01 * limit);
+    let refused = solver.set_control([force; 2], beyond);
+    assert!(matches!(refused, Err(Error::BeyondFrictionMoment { .. })));
+    solver.solve_into(&mut rolling).unwrap();
     let (force, moment) = (RollingControl::Force(0.1 * scene.limit), 0.1 * capacity);
     solver
         .set_control([force; 2], SpinControl::Moment(moment))
@@ -192,7 +208,7 @@ fn creep_forces_are_those_of_single_solves() {
 }
 
 /// A cold solve to 1e-8 takes at most 150 products on 64 cells across, whatever the force, a solve after one per cent more
-/// of the creepages at most 60.
+/// of the creepages at most 60, and stiffnesses at most 170.
 #[test]
 fn solves_take_few_products() {
     let scene = Scene::across(64);
@@ -211,6 +227,13 @@ fn solves_take_few_products() {
         solver.set_control(creepage, spin * scene.unit).unwrap();
         solver.solve_into(&mut rolling).unwrap();
         assert!(rolling.report().products() <= 60, "{}", rolling.report());
+        let mut products = 0;
+        let stiffness = solver.stiffness_observed(|step| {
+            products = step.double_precision_products + step.single_precision_products;
+            ControlFlow::Continue(())
+        });
+        stiffness.unwrap();
+        assert!(products <= 170, "{products}");
     }
     for part in [0.9, 0.99, 0.999] {
         let force = RollingControl::Force(part * scene.limit);
@@ -240,4 +263,126 @@ fn a_solve_that_was_cut_off_can_be_taken_up() {
         rolling.moment() - moment,
     ];
     assert!(found.iter().all(|error| error.abs() < 1e-9 * scene.limit));
+}
+
+/// The answer is that of a solver made for the new friction, and what it does not hold is refused.
+#[test]
+fn friction_changes_between_solves() {
+    let scene = Scene::across(16);
+    let of = |friction: &Friction, force: f64| {
+        RollingProblem::builder(&scene.bodies, &scene.normal, friction.clone())
+            .control(Axis::X, RollingControl::Force(force))
+            .tolerance(1e-11)
+            .build()
+    };
+    let half = Field::from_fn(scene.bodies.grid(), |x, _| if x > 0.2 { 0.0 } else { 0.3 });
+    let (dry, half) = (
+        Friction::coulomb(0.3).unwrap(),
+        Friction::per_cell(half).unwrap(),
+    );
+    let mut solver = of(&half, 0.1).unwrap().into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    for friction in [&dry, &half, &dry] {
+        solver.set_friction(friction).unwrap();
+        solver.solve_into(&mut rolling).unwrap();
+        let fresh = of(friction, 0.1).unwrap().solve().unwrap();
+        assert!((rolling.creepage()[0] / fresh.creepage()[0] - 1.0).abs() < 1e-8);
+    }
+    let stiffness = solver.stiffness().unwrap();
+    let wet = Friction::coulomb(0.01).unwrap();
+    let refused = solver.set_friction(&wet);
+    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    let small = Friction::per_cell(Field::constant(Grid::square(3, 1.0).unwrap(), 0.3)).unwrap();
+    let refused = solver.set_friction(&small);
+    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    // Stiffness is that of the last answer until the next.
+    solver.set_friction(&half).unwrap();
+    assert_eq!(solver.stiffness().unwrap(), stiffness);
+}
+
+#[test]
+fn a_solver_that_was_reset_is_as_new() {
+    let scene = Scene::across(16);
+    let make = || {
+        scene
+            .at([0.7, 0.1, 0.2])
+            .build()
+            .unwrap()
+            .into_solver()
+            .unwrap()
+    };
+    let (mut used, mut new) = (make(), make());
+    let (mut again, mut first) = (used.new_solution(), new.new_solution());
+    let sticking = new.stiffness().unwrap();
+    used.solve_into(&mut again).unwrap();
+    assert_ne!(used.stiffness().unwrap(), sticking);
+    used.reset();
+    assert_eq!(used.stiffness().unwrap(), sticking);
+    used.solve_into(&mut again).unwrap();
+    new.solve_into(&mut first).unwrap();
+    assert_eq!(again.traction(), first.traction());
+    assert_eq!(again.report().products(), first.report().products());
+}
+
+/// Far beyond sliding more creepage causes no more force along it, and what it causes across is a turn of the force.
+#[test]
+fn a_contact_that_slides_resists_turning_alone() {
+    let scene = Scene::across(16);
+    let creepage = 1e3 * scene.unit;
+    let problem = scene.rolling().creepage([creepage, 0.0]).tolerance(1e-11);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let sticking = solver.stiffness().unwrap();
+    let mut rolling = solver.new_solution();
+    solver.solve_into(&mut rolling).unwrap();
+    assert_eq!(rolling.stick_ratio(), 0.0);
+    let sliding = solver.stiffness().unwrap();
+    for row in 0..3 {
+        // Cells slip a little off the creepage, by what their tractions cause.
+        assert!(sliding[row][0].abs() < 1e-5 * sticking[0][0], "{sliding:?}");
+    }
+    let turned = sliding[1][1] * creepage / scene.limit;
+    assert!((turned - 1.0).abs() < 1e-2, "{turned}");
+}
+
+#[test]
+fn work_that_was_cancelled_leaves_the_solver_usable() {
+    let scene = Scene::across(16);
+    let moment = SpinControl::Moment(0.3 * scene.limit);
+    let problem = scene.rolling().spin(moment).tolerance(1e-9);
+    let expected = problem.clone().build().unwrap().solve().unwrap();
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut rolling = solver.new_solution();
+    for allowed in [0, 5, 40] {
+        let mut asked = 0;
+        let cut = solver.solve_observed(&mut rolling, |_| {
+            asked += 1;
+            if asked > allowed {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        let Err(Error::NotConverged(report)) = cut else {
+            panic!("not cancelled: {cut:?}");
+        };
+        assert_eq!(report.status, Status::Cancelled);
+        assert!(solver.stiffness().unwrap()[0][0] > 0.0);
+    }
+    let cut = solver.stiffness_observed(|_| ControlFlow::Break(()));
+    assert!(matches!(cut, Err(Error::NotConverged(_))));
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.spin() / expected.spin() - 1.0).abs() < 1e-6);
+    let mut steps = 0;
+    let watched = solver.creep_forces_observed([[0.1, 0.0, 0.0], [0.2, 0.0, 0.0]], |_| {
+        steps += 1;
+        ControlFlow::Continue(())
+    });
+    assert!(watched.unwrap().len() == 2 && steps > 0);
+    let cut = solver.creep_forces_observed([[0.3, 0.0, 0.0]], |_| ControlFlow::Break(()));
+    assert!(matches!(cut, Err(Error::NotConverged(_))));
+    solver
+        .set_control([RollingControl::Creepage(0.0); 2], moment)
+        .unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.spin() / expected.spin() - 1.0).abs() < 1e-6);
 }

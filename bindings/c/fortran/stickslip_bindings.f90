@@ -341,7 +341,7 @@ module stickslip_bindings
     ! The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
     ! and its report; a history is as it was, and stickslip_last_error_report has the report.
     integer(c_int32_t), parameter, public :: STICKSLIP_NOT_CONVERGED = 1
-    ! The tangential force (value) exceeds what friction can carry (limit): no equilibrium exists.
+    ! The tangential force or moment (value) exceeds what friction can carry (limit): no equilibrium exists.
     integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_FRICTION_CAPACITY = 2
     ! The normal force (value) exceeds what the hardness lets the cells carry (limit).
     integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_HARDNESS = 3
@@ -2154,8 +2154,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_free
 
-        ! Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force and STICKSLIP_BELOW for a
-        ! moment that friction does not hold, or holds only by sliding.
+        ! Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force or a moment that friction
+        ! does not hold, or holds only by sliding.
         function stickslip_rolling_solver_set_load(solver, load) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2174,7 +2174,7 @@ module stickslip_bindings
         ! Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
         !
         ! With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-        ! as it was.
+        ! as it was, except that STICKSLIP_MEMORY in the search for the spin of a moment leaves the answer at another spin.
         function stickslip_rolling_solver_solve(solver, solution, observer) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver

@@ -307,7 +307,7 @@
 // and its report; a history is as it was, and stickslip_last_error_report has the report.
 #define STICKSLIP_NOT_CONVERGED 1
 
-// The tangential force (value) exceeds what friction can carry (limit): no equilibrium exists.
+// The tangential force or moment (value) exceeds what friction can carry (limit): no equilibrium exists.
 #define STICKSLIP_BEYOND_FRICTION_CAPACITY 2
 
 // The normal force (value) exceeds what the hardness lets the cells carry (limit).
@@ -1732,8 +1732,8 @@ stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_s
 // Frees a solver; nothing for NULL.
 stickslip_status stickslip_rolling_solver_free(stickslip_rolling_solver *solver);
 
-// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force and STICKSLIP_BELOW for a
-// moment that friction does not hold, or holds only by sliding.
+// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force or a moment that friction
+// does not hold, or holds only by sliding.
 stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *solver,
                                                    const stickslip_rolling_load *load);
 
@@ -1744,7 +1744,7 @@ stickslip_status stickslip_rolling_solver_set_settings(stickslip_rolling_solver 
 // Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
 //
 // With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-// as it was.
+// as it was, except that STICKSLIP_MEMORY in the search for the spin of a moment leaves the answer at another spin.
 stickslip_status stickslip_rolling_solver_solve(stickslip_rolling_solver *solver,
                                                 stickslip_rolling_solution *solution,
                                                 const stickslip_observer *observer);

@@ -127,7 +127,9 @@ impl From<Error> for Failure {
 fn code_of(error: &Error) -> stickslip_status {
     match error {
         Error::NotConverged(_) => STICKSLIP_NOT_CONVERGED,
-        Error::BeyondFrictionCapacity { .. } => STICKSLIP_BEYOND_FRICTION_CAPACITY,
+        Error::BeyondFrictionCapacity { .. } | Error::BeyondFrictionMoment { .. } => {
+            STICKSLIP_BEYOND_FRICTION_CAPACITY
+        }
         Error::BeyondHardness { .. } => STICKSLIP_BEYOND_HARDNESS,
         Error::EmptyContact => STICKSLIP_EMPTY_CONTACT,
         Error::ApproachBeyondMeanGap { .. } => STICKSLIP_APPROACH_BEYOND_MEAN_GAP,
@@ -179,6 +181,10 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::CoupledMaterials { beta: value } => numbers.value = value,
         Error::BeyondFrictionCapacity {
             force: value,
+            limit,
+        }
+        | Error::BeyondFrictionMoment {
+            moment: value,
             limit,
         }
         | Error::CycleNotClosed {

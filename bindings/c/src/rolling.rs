@@ -182,8 +182,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force and STICKSLIP_BELOW for a
-/// moment that friction does not hold, or holds only by sliding.
+/// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force or a moment that friction
+/// does not hold, or holds only by sliding.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     solver: *mut stickslip_rolling_solver,
@@ -207,7 +207,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
 /// Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
 ///
 /// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-/// as it was.
+/// as it was, except that STICKSLIP_MEMORY in the search for the spin of a moment leaves the answer at another spin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_solve(
     solver: *mut stickslip_rolling_solver,

@@ -8,7 +8,7 @@ pub const STICKSLIP_OK: i32 = 0;
 /// The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
 /// and its report; a history is as it was, and stickslip_last_error_report has the report.
 pub const STICKSLIP_NOT_CONVERGED: i32 = 1;
-/// The tangential force (value) exceeds what friction can carry (limit): no equilibrium exists.
+/// The tangential force or moment (value) exceeds what friction can carry (limit): no equilibrium exists.
 pub const STICKSLIP_BEYOND_FRICTION_CAPACITY: i32 = 2;
 /// The normal force (value) exceeds what the hardness lets the cells carry (limit).
 pub const STICKSLIP_BEYOND_HARDNESS: i32 = 3;

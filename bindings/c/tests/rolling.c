@@ -149,7 +149,9 @@ static void what_is_refused_leaves_the_solver(stickslip_rolling_solver *solver, 
     CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NOT_FINITE);
     load = by_creepage(0.0, 0.0, 1.0);
     load.spin.kind = STICKSLIP_MOMENT;
-    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_BELOW);
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_BEYOND_FRICTION_CAPACITY);
+    OK(stickslip_last_error(&numbers));
+    CHECK(numbers.value == 1.0 && 0.0 < numbers.limit && numbers.limit < 1.0);
     load.spin.kind = STICKSLIP_FORCE;
     CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_NO_SUCH_OPTION);
     load = by_creepage(0.0, 0.0, 0.0);

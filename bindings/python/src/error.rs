@@ -135,6 +135,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Bounds { index, lower, upper }
         Total { total, lower, upper }
         BeyondFrictionCapacity { force, limit }
+        BeyondFrictionMoment { moment, limit }
         BeyondHardness { force, capacity }
         Yielded { quantity, cells }
         ObliqueLoad { x, y }

@@ -160,7 +160,7 @@ def test_what_is_refused_leaves_the_solver_as_it_was(ball):
     assert (caught.value.force, caught.value.limit) == pytest.approx((0.31, 0.3))
     with pytest.raises(ss.errors.NotFinite, match="creepage"):
         solver.solve(creepage=(0.0, np.nan))
-    with pytest.raises(ss.errors.Below, match="moment that friction holds"):
+    with pytest.raises(ss.errors.BeyondFrictionMoment, match="moment of 1e0"):
         solver.solve(moment=1.0)
     with pytest.raises(ss.errors.NotFinite):
         solver.creep_forces([(0.2, 0.0, 0.0), (np.inf, 0.0, 0.0)])

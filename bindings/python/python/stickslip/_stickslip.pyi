@@ -4106,7 +4106,7 @@ class RollingProblem:
     Raises
     ------
     NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
-    NotModelled, Below, BeyondFrictionCapacity, Tolerance, IterationLimit, Method
+    NotModelled, Below, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
 
     Examples
     --------
@@ -4264,7 +4264,7 @@ class RollingSolver:
 
         Raises
         ------
-        NotFinite, NotModelled, BeyondFrictionCapacity, Below
+        NotFinite, NotModelled, BeyondFrictionCapacity, BeyondFrictionMoment
             For what is prescribed, which is then as it was.
         NotConverged
             With ``report`` and ``last_iterate``.

@@ -239,6 +239,15 @@ class BeyondFrictionCapacity(StickslipError, ValueError):
     """Largest force that friction can carry, the area integral of the shear limit."""
 
 
+class BeyondFrictionMoment(StickslipError, ValueError):
+    """The moment about the normal exceeds what friction can carry, beside the forces prescribed: no equilibrium exists."""
+
+    moment: float
+    """The moment requested, positive in the direction of the limit."""
+    limit: float
+    """The moment that a contact sliding as a whole has."""
+
+
 class BeyondHardness(StickslipError, ValueError):
     """The normal force exceeds what the hardness lets the cells carry."""
 

@@ -45,7 +45,7 @@ impl RollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotModelled, BeyondFrictionCapacity, Below
+    /// NotFinite, NotModelled, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     For what is prescribed, which is then as it was.
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
