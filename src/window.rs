@@ -136,9 +136,9 @@ impl Window {
         })
     }
 
-    /// Wider by a thirty-second and six cells on each side, as far as the grid goes.
+    /// Wider by a thirty-second and four cells on each side, as far as the grid goes.
     pub(crate) fn widened(self, grid: Grid) -> Self {
-        self.with_margins(grid, self.size.map(|size| 6 + size / 32))
+        self.with_margins(grid, self.size.map(|size| 4 + size / 32))
     }
 
     /// Wider by so many cells on each side along x and along y, as far as the grid goes.

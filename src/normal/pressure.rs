@@ -23,6 +23,9 @@ use crate::window::Window;
 /// Part of the tolerance below which a window is not solved more strictly, that of the grid being out of reach.
 const STRICTEST: f64 = 0.1;
 
+/// Cells on each side of the first window for the loads that follow to grow into.
+const ROOM: [usize; 2] = [2; 2];
+
 /// What is pressed, and how.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pressing<'a> {
@@ -364,7 +367,7 @@ fn start_cold(
     };
     parallel::copy(&start, pressure);
     let window = match bodies.around(|i| pressure[i] > 0.0) {
-        Some(contact) if !is_plain => contact.widened(grid),
+        Some(contact) if !is_plain => contact.widened(grid).with_margins(grid, ROOM),
         _ => whole,
     };
     Ok((Engine::new(bodies, window)?, known))
