@@ -151,14 +151,6 @@ macro_rules! solver {
         crate::solver::solver!(
             stickslip::$class as $class: stickslip::$solution as $solution, |solution| solution.warnings()
         );
-
-        #[pyo3::pymethods]
-        impl $class {
-            /// Forgets the last answer: the next solve starts as the first did.
-            fn reset(&self) -> pyo3::PyResult<()> {
-                self.0.with(|solver| solver.reset())
-            }
-        }
     };
     ($own:ty as $class:ident: $content:ty as $solution:ident, $warnings:expr) => {
         impl crate::solver::Solver for $own {
@@ -185,6 +177,11 @@ macro_rules! solver {
 
         #[pyo3::pymethods]
         impl $class {
+            /// Forgets the last answer: the next solve starts as the first did.
+            fn reset(&self) -> pyo3::PyResult<()> {
+                self.0.with(|solver| solver.reset())
+            }
+
             /// The settings of the next solve; may be assigned.
             #[getter]
             fn settings(&self) -> pyo3::PyResult<crate::settings::Settings> {

@@ -91,6 +91,19 @@ def test_a_force_has_the_creepage_that_causes_it(ball):
     assert mixed.force[0] == pytest.approx(0.1, rel=1e-8) and mixed.creepage[1] == 0.02
 
 
+def test_friction_changes_between_solves(ball):
+    solver = ball.problem(force=(0.1, 0.05)).solver()
+    before = solver.solve()
+    solver.set_friction(2.0 * FRICTION)
+    after = solver.solve()
+    assert after.force == pytest.approx(before.force, rel=1e-8)
+    assert np.hypot(*after.creepage) < np.hypot(*before.creepage) and after.stick_ratio > before.stick_ratio
+    with pytest.raises(ss.BeyondFrictionCapacity):
+        solver.set_friction(1e-3)
+    solver.reset()
+    assert solver.solve().creepage == pytest.approx(after.creepage, rel=1e-6)
+
+
 def test_a_moment_has_the_spin_that_causes_it(ball):
     by_spin = ball.problem(spin=0.1).solve()
     by_moment = ball.problem(moment=by_spin.moment).solve()

@@ -4240,6 +4240,14 @@ class RollingSolver:
         """
         How the last solve ended.
         """
+    def reset(self, /) -> None:
+        """
+        Forgets the last answer: the next solve starts as the first did.
+        """
+    def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
+        """
+        Changes the friction of the next solve.
+        """
     @property
     def settings(self, /) -> Settings:
         """

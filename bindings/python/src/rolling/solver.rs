@@ -5,6 +5,7 @@ use stickslip::rolling;
 
 use crate::due;
 use crate::error::OrRaise;
+use crate::friction::AnyFriction;
 use crate::real::Real;
 use crate::report::Report;
 use crate::rolling::control::Keywords;
@@ -79,6 +80,12 @@ impl RollingSolver {
             outcome.or_raise(py)
         };
         self.0.solve(py, set, progress, warn)
+    }
+
+    /// Changes the friction of the next solve.
+    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let friction = friction.on(py, self.0.grid())?;
+        self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
     /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
