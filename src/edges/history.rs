@@ -24,9 +24,10 @@ impl History {
     /// $`\mu p - q \cdot t`$, t the unit vector of the traction in the nearest cell that slips. After a reversal it falls
     /// to zero at the new edge as $`2 (\mu p - |q|)`$ of a first loading does at its own. Cells that slip help to find the
     /// edge if they stuck until the last step and that step held the normal load. After small steps there may be no such
-    /// cells; after [`set_state`](Self::set_state), after a restart and after a step that rolls they are not known. The edge
-    /// then follows from the values in the stick zone alone. The tables are of forces along one axis: cells that slip on while their traction turns by some
-    /// degrees are not told from those that stuck. Once the friction has been changed the zones are those of the old one.
+    /// cells; after [`set_state`](Self::set_state), after a restart and after a step that rolls they are not known. The
+    /// edge then follows from the values in the stick zone alone. The tables are of forces along one axis: cells that slip
+    /// on while their traction turns by some degrees are not told from those that stuck. Once the friction has been changed
+    /// the zones are those of the old one.
     ///
     /// A sphere, mu = 0.5, centre values, 128 x 128 cells on three contact radii: errors of the stick area, mean and worst
     /// of 8 places, and of the traction (L1, mean), of the cells and found here:

@@ -14,9 +14,9 @@ use crate::ranks::Words;
 use crate::tangential::{Answer, Motion, Zone, at, centre};
 use crate::window::Window;
 
-/// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled along
-/// `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields were last
-/// written in.
+/// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled
+/// along `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields
+/// were last written in.
 pub(super) fn commit(
     answer: Option<&Answer<'_>>,
     motion: Motion,

@@ -83,7 +83,7 @@ impl Travel {
         }
     }
 
-    /// `Ok` if it is one, and these bodies can take it.
+    /// `Ok` if its length is positive and finite and the grid does not repeat along it.
     pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
         positive("cells that a step rolls", self.cells as f64)?;
         let length = finite("length of a rolled step", self.length)?;

@@ -112,8 +112,14 @@ impl RollingSolver {
     fn take_limits(&mut self) {
         let limits = &self.problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
+        let ratio = self.unit / unit;
         for traction in self.traction.iter_mut().flatten() {
-            *traction *= self.unit / unit;
+            // Beside limits so much smaller the old tractions tell nothing.
+            *traction = if ratio.is_finite() {
+                ratio * *traction
+            } else {
+                0.0
+            };
         }
         self.unit = unit;
         for (cell, limit) in limits.cells.iter().enumerate() {
@@ -148,11 +154,12 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Changes the friction of the next solve. [`stiffness`](Self::stiffness) has it after that solve.
+    /// Changes the friction of the next solve. [`stiffness`](Self::stiffness) is about the last answer, if there is one,
+    /// until that solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if the
-    /// limits overflow; [`Error::Memory`]; the friction is then as it was.
+    /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if
+    /// the limits overflow; [`Error::Memory`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
         let mut pressed = self.problem.pressed.try_clone()?;

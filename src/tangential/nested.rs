@@ -80,9 +80,9 @@ where
         })
     }
 
-    /// Interpolated in the stick zone, at the limit where the cells slip. What friction holds beyond the traction falls to
-    /// zero at the edge of that zone as a pressure does at the edge of the contact, which hands the zone down. The direction
-    /// is that of the whole where the interpolated traction is zero.
+    /// Interpolated in the stick zone, at the limit where the cells slip. What friction holds beyond the traction falls
+    /// to zero at the edge of that zone as a pressure does at the edge of the contact, which hands the zone down. The
+    /// direction is that of the whole where the interpolated traction is zero.
     fn refined_start(
         &self,
         levels: Levels<'_>,
