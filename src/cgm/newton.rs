@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use crate::cgm::linear::BASES;
 use crate::cgm::motion::{Linearised, Motion, Row};
 use crate::cgm::progress::Progress;
-use crate::cgm::run::{Run, Start};
+use crate::cgm::run::{Run, SINGLE, Start};
 use crate::cgm::standing::Standing;
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
@@ -95,9 +95,12 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
         let mut keeps_sets = true;
         if merit <= self.monitor.tolerance() {
             // Judge what will be returned.
-            keeps_sets = self.make_feasible();
-            let feasible = self.certificate();
-            merit = self.merit(&feasible);
+            let feasible = self.make_feasible();
+            keeps_sets = feasible.keeps_sets;
+            if !feasible.was_so {
+                let findings = self.certificate();
+                merit = self.merit(&findings);
+            }
             self.shown = self.monitor.is_last().then_some(merit);
         }
         self.judge(merit)?;
@@ -131,22 +134,28 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let reduction = self.progress.reduction(merit, self.monitor.tolerance());
-        if self.problem.operator.is_symmetric() {
+        // The steps change displacements by about the residual, and what they miss of that the gradient misses.
+        let gradient_error = self.product_error + SINGLE * merit;
+        let outcome = if self.problem.operator.is_symmetric() {
             self.conjugate_gradients(reduction)
         } else {
             self.gmres(reduction)
-        }
+        };
+        self.gradient_error = gradient_error;
+        outcome
     }
 
     fn decide(&mut self) -> ControlFlow<Status> {
         let (changes, sums) = self.reclassify();
         self.progress.changes = changes;
         if MotionOf::<K, N>::IS_CURVED || changes > 0 {
+            // Unknowns have moved otherwise than by the steps.
+            self.gradient_error = f64::INFINITY;
             self.list_and_spread();
         }
         self.spread_missing(sums);
         self.ask()?;
-        if !self.is_fresh {
+        if !self.adopt_gradient() {
             if self.progress.is_early() {
                 self.refresh_f32();
             } else {
@@ -164,7 +173,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Solves the linear problem of the cells that move: unknowns, gradient and multipliers follow.
     fn gmres(&mut self, reduction: f64) -> ControlFlow<Status> {
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
         let border = self.totals.border;
         let (mut linear, mut moved) = self.parts();
         let w = &mut *linear.workspace;
@@ -184,7 +193,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     fn mark_and_measure(&mut self) -> ControlFlow<Status> {
         self.mark_start();
         if MotionOf::<K, N>::IS_CURVED {
-            if !self.is_fresh {
+            if !self.is_fresh() {
                 self.restore_totals(true);
                 self.ask()?;
                 self.refresh_f32();
@@ -199,7 +208,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         self.hold_springs();
         self.list_moving();
         self.set_totals();
-        if !self.is_fresh {
+        if !self.is_fresh() {
             let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
             self.spread_missing(sums);
             self.ask()?;
@@ -227,7 +236,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                     // All at once, those that can only lead away would come back in the next step.
                     Some(Standing::Misses(missing)) => self.release(|_, _| [-missing; N]),
                     Some(Standing::Pushed) | None => {
-                        if !self.is_fresh {
+                        if !self.is_fresh() {
                             self.refresh();
                         }
                         self.release(minus);
@@ -313,7 +322,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         // Below this a wrong sign is noise of the inner solution, and would come and go.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
         let self_compliance = self.self_compliance;
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = (

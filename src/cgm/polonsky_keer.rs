@@ -46,7 +46,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
             let free = self.set_mean_of_free();
             let findings = self.certificate();
             let merit = self.merit(&findings);
-            if merit <= self.monitor.tolerance() && !self.is_fresh {
+            if merit <= self.monitor.tolerance() && !self.is_fresh() {
                 since_refresh = REFRESH;
                 continue;
             }
@@ -199,7 +199,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         };
         let [x] = &mut self.x;
         let data = (layout.blocks(x), layout.blocks(&mut w.linear.rows));
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
         let [clipped, entered] = layout.sweep(data, work, Tally::plus);
         Moves { clipped, entered }
     }

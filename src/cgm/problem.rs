@@ -31,6 +31,7 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     datum: [f64; N],
     pub(super) constraint: K,
     pub(super) totals: [Total; N],
+    pub(super) is_examined_elsewhere: bool,
 }
 
 impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Identity, N> {
@@ -47,6 +48,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             datum: [0.0; N],
             constraint,
             totals: [Total::Free; N],
+            is_examined_elsewhere: false,
         }
     }
 }
@@ -91,6 +93,13 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
+    /// Of which the caller examines what is found, by a product of its own: it may then be judged by a product that misses
+    /// a small part of the tolerance, and the one that is kept is such.
+    pub(crate) fn examined_elsewhere(mut self) -> Self {
+        self.is_examined_elsewhere = true;
+        self
+    }
+
     /// With the layout of the operator, also of ranks that all solve the same.
     pub(crate) fn layout(mut self, layout: &Layout) -> Self {
         self.layout.clone_from(layout);
@@ -110,6 +119,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             datum: self.datum,
             constraint: self.constraint,
             totals: self.totals,
+            is_examined_elsewhere: self.is_examined_elsewhere,
         }
     }
 

@@ -7,8 +7,13 @@ const LEAST_REDUCTION: f64 = 1e-6;
 /// Outer steps without progress after which the inner solution is taken for too coarse to decide by.
 const DOUBT: usize = 2;
 
-/// Residual above which single precision tells the sets as well as double does.
-const EARLY: f64 = 1e-3;
+/// Residual above which single precision tells the sets as well as double does, where the residual before is known.
+const EARLY: f64 = 5e-4;
+
+/// Part of the tolerance to which the last inner iteration reduces the residual.
+const LAST: f64 = 0.6;
+/// Reduction of the residual in sight of the tolerance: worth trying though the sets may still change.
+const IN_SIGHT: f64 = 0.02;
 
 /// Outer steps in which neither the residual halves nor fewer entries change sets than ever before after which the
 /// method is stuck, once the sets stand.
@@ -69,10 +74,11 @@ impl Progress {
 
     /// How far the next inner iteration should reduce its residual.
     pub(super) fn reduction(&self, merit: f64, tolerance: f64) -> f64 {
-        if self.changes > 0 {
-            self.inner_reduction
+        let last = (LAST * tolerance / merit).clamp(1e-4, INNER_REDUCTION);
+        if self.changes == 0 || last > IN_SIGHT {
+            last.min(self.inner_reduction)
         } else {
-            (0.3 * tolerance / merit).clamp(1e-4, INNER_REDUCTION)
+            self.inner_reduction
         }
     }
 }

@@ -141,6 +141,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 .arrive(x, at(&direction, i).map(|d| part * d))
         });
         update_cells(&mut w.gradient, |i, g| plus(g, part, at(&image, i)));
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
     }
 }

@@ -147,7 +147,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// What is solved from now on has this stiffness about the centre, and a residual to match.
     fn restrain(&mut self, stiffness: f64) {
-        self.is_fresh &= stiffness.max(self.restraint) == 0.0;
+        if stiffness.max(self.restraint) > 0.0 {
+            self.product_error = f64::INFINITY;
+        }
         self.restraint = stiffness;
         let operator = &self.problem.operator;
         self.lower_bound = operator.lower_bound().max(0.0) + stiffness;

@@ -15,6 +15,12 @@ use crate::operator::Operator;
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
+/// What a product in single precision may miss, of the largest displacement.
+pub(super) const SINGLE: f64 = 1e-6;
+/// Part of the tolerance that a product may miss of what is examined elsewhere: residuals of all cells add up to a larger
+/// error in the energy norm.
+const ACCEPTED: f64 = 0.03;
+
 /// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
 /// Part of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
@@ -62,6 +68,14 @@ pub(super) enum Start {
     Near,
 }
 
+/// What it took to have an iterate within its sets.
+pub(super) struct Feasible {
+    /// Whether the cells stay in the sets they were in.
+    pub(super) keeps_sets: bool,
+    /// Whether nothing has changed, multipliers and product included.
+    pub(super) was_so: bool,
+}
+
 /// One solve under way.
 #[expect(
     missing_debug_implementations,
@@ -73,8 +87,11 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
     pub(super) workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
-    /// Whether `workspace.product` belongs to `x`.
-    pub(super) is_fresh: bool,
+    /// By how much product and gradient may miss those of `x`, in parts of the largest displacement: by nothing after a
+    /// product in double precision, by anything once `x` has moved.
+    pub(super) product_error: f64,
+    /// The same of the gradient alone, which follows the steps of the linear problem.
+    pub(super) gradient_error: f64,
     pub(super) start: Start,
     /// Of the eigenvalues; zero if none is known.
     pub(super) lower_bound: f64,
@@ -122,7 +139,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             problem,
             x,
             workspace,
-            is_fresh: false,
+            product_error: f64::INFINITY,
+            gradient_error: f64::INFINITY,
             start: Start::Unknown,
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
@@ -151,7 +169,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let constraint = &self.problem.constraint;
         if std::mem::replace(&mut self.start, Start::Unknown) != Start::LookedAt {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-            self.is_fresh = false;
+            self.product_error = f64::INFINITY;
         }
         let (x, w) = (slices(&self.x), &mut *self.workspace);
         if MotionOf::<K, N>::IS_STEADY {
@@ -176,7 +194,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             &self.problem.constraint,
             self.problem.totals.map(Total::sum),
         );
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
         let layout = &self.problem.layout;
         K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
@@ -212,13 +230,42 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// `product = (C + D) x`, `gradient = (C + D) x + b`.
     pub(super) fn refresh(&mut self) {
         self.refresh_in(Precision::Double);
-        self.is_fresh = true;
+        self.product_error = 0.0;
     }
 
     /// The same in single precision: good enough to iterate, not to test convergence.
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
-        self.is_fresh = false;
+        self.product_error = SINGLE;
+    }
+
+    /// Whether product and gradient are those of `x`.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.product_error == 0.0
+    }
+
+    /// By how much they may miss those of what is returned: not at all, unless it is [examined
+    /// elsewhere](Problem::examined_elsewhere).
+    fn accepted_error(&self) -> f64 {
+        if self.problem.is_examined_elsewhere {
+            ACCEPTED * self.monitor.tolerance()
+        } else {
+            0.0
+        }
+    }
+
+    /// Takes the gradient for that of `x` where it has followed it closely enough, and the product from it; says whether.
+    pub(super) fn adopt_gradient(&mut self) -> bool {
+        let is_close = self.gradient_error <= self.accepted_error();
+        if is_close {
+            let (w, problem) = (&mut *self.workspace, self.problem);
+            let gradient = slices(&w.gradient);
+            update_cells(&mut w.product, |i, _| {
+                minus(at(&gradient, i), problem.linear(i))
+            });
+            self.product_error = self.gradient_error;
+        }
+        is_close
     }
 
     fn refresh_in(&mut self, precision: Precision) {
@@ -378,16 +425,19 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         Status::Converged
     }
 
-    /// Moves the iterate within its sets and to its sums, if it is not there but for round-off;
-    /// its product is then fresh. Says whether the cells stay in the sets they were in.
-    pub(super) fn make_feasible(&mut self) -> bool {
+    /// Moves the iterate within its sets and to its sums, if it is not there but for round-off; its product is then fresh,
+    /// or as accurate as is needed.
+    pub(super) fn make_feasible(&mut self) -> Feasible {
         let mut keeps_sets = true;
+        let before = self.product_error;
         let constraint = &self.problem.constraint;
         let x = slices(&self.x);
-        let outside = reduce::max(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
+        let outside: f64 = reduce::sum(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
+        let mut was_so = outside == 0.0 && !self.has_springs();
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-            self.is_fresh = false;
+            // No cell displaces another further than itself.
+            self.move_by(self.self_compliance * outside / self.displacement);
         }
         let prescribed = self.sums();
         // At an extreme the bounds themselves are the total.
@@ -398,20 +448,48 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             let missing: [f64; N] =
                 std::array::from_fn(|c| prescribed[c].map_or(0.0, |sum| sum - sums[c]));
             if norm(missing) > 1e-13 * magnitude {
+                let product_error = self.product_error;
                 keeps_sets = self.restore_totals(false);
+                was_so = false;
+                if keeps_sets {
+                    // Displacements change by about the part of the sum that was missing.
+                    self.product_error = product_error;
+                    self.move_by(norm(missing) / magnitude);
+                }
             }
         }
-        if !self.is_fresh {
-            self.refresh();
+        let accepted = self.accepted_error();
+        if self.product_error > accepted {
+            if SINGLE <= accepted {
+                self.refresh_f32();
+            } else {
+                self.refresh();
+            }
         }
         self.hold_springs();
-        keeps_sets
+        Feasible {
+            keeps_sets,
+            was_so: was_so && self.product_error == before,
+        }
+    }
+
+    /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.
+    fn move_by(&mut self, part: f64) {
+        if part > 0.0 && self.problem.is_examined_elsewhere {
+            self.product_error += part;
+        } else {
+            self.product_error = f64::INFINITY;
+        }
+    }
+
+    fn has_springs(&self) -> bool {
+        self.problem.totals.iter().any(|total| total.is_spring())
     }
 
     /// The multipliers of the springs follow what the iterate has become.
     pub(super) fn hold_springs(&mut self) {
         let totals = self.problem.totals;
-        if totals.iter().any(|total| total.is_spring()) {
+        if self.has_springs() {
             let sums = sums_of(self.layout(), &slices(&self.x));
             let multiplier = &mut self.workspace.multiplier;
             *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));

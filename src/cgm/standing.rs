@@ -44,7 +44,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// Frees the cells that a motion along `way`, towards what is missing, would let stick first; says if one of them can
     /// carry it.
     fn free_first(&mut self, way: [f64; N], missing: f64) -> bool {
-        if !self.is_fresh {
+        if !self.is_fresh() {
             self.refresh();
         }
         let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
@@ -88,7 +88,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if missing.abs() > ROUND_OFF * magnitude {
             return Some(Standing::Misses(missing));
         }
-        if !self.is_fresh {
+        if !self.is_fresh() {
             self.refresh();
         }
         let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));

@@ -314,7 +314,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
             w.multiplier[a] += change[a];
         }
-        self.is_fresh = false;
+        self.product_error = f64::INFINITY;
     }
 
     /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the

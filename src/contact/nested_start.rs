@@ -162,7 +162,7 @@ fn solve<S: Scene<N>, const N: usize>(
         None => (size, scene),
     };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
-    let problem = scene.problem(&solver);
+    let problem = scene.problem(&solver).examined_elsewhere();
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
     let from = (unknowns.map(Vec::as_mut_slice), known);
     let rough = conditions.rough();

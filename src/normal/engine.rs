@@ -192,7 +192,7 @@ impl Engine {
             })?,
             ..scene
         };
-        let problem = inside.problem(solver);
+        let problem = inside.problem(solver).examined_elsewhere();
         let from = ([&mut *fields.pressure], known);
         let outcome = solver.minimise(&problem, from, settings, observer);
         if has_iterate(&outcome) {

@@ -110,7 +110,9 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         totals: &TotalsSystem<N>,
         step: Option<&Move<N>>,
     ) -> Residual<N> {
-        self.is_fresh &= step.is_none();
+        if step.is_some() {
+            self.product_error = f64::INFINITY;
+        }
         let w = &mut *self.workspace;
         std::mem::swap(&mut w.linear.residual, &mut w.conjugate.last_residual);
         let (image, multiplier) = (slices(&w.linear.image), w.multiplier);
