@@ -106,14 +106,14 @@ fn twice_the_period_adds_up_to_the_same() {
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.tolerance(3e-13).build().unwrap().solve().unwrap()
+    problem.tolerance(1e-13).build().unwrap().solve().unwrap()
 }
 
 fn shear(normal: &NormalSolution, bodies: &HalfSpace, force: f64) -> stickslip::TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
     let friction = Friction::coulomb(FRICTION).unwrap();
     let problem = TangentialProblem::builder(bodies, normal, friction, load);
-    problem.tolerance(3e-13).build().unwrap().solve().unwrap()
+    problem.tolerance(1e-13).build().unwrap().solve().unwrap()
 }
 
 /// Equal rows are a line, and rough ones are not.

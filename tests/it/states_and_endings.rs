@@ -380,7 +380,7 @@ fn a_warm_start_changes_the_cost_only() {
         solver.solve_into(&mut solution).unwrap();
     }
     assert!(kit::l2_difference(solution.pressure().as_slice(), cold.pressure().as_slice()) < 1e-7);
-    assert!(solution.report().double_precision_products < cold.report().double_precision_products);
+    assert!(solution.report().iterations < cold.report().iterations);
     solver.reset();
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pressure(), cold.pressure());
