@@ -429,7 +429,6 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// or as accurate as is needed.
     pub(super) fn make_feasible(&mut self) -> Feasible {
         let mut keeps_sets = true;
-        let before = self.product_error;
         let constraint = &self.problem.constraint;
         let x = slices(&self.x);
         let outside: f64 = reduce::sum(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
@@ -460,6 +459,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         }
         let accepted = self.accepted_error();
         if self.product_error > accepted {
+            was_so = false;
             if SINGLE <= accepted {
                 self.refresh_f32();
             } else {
@@ -469,7 +469,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.hold_springs();
         Feasible {
             keeps_sets,
-            was_so: was_so && self.product_error == before,
+            was_so,
         }
     }
 
