@@ -467,10 +467,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
             }
         }
         self.hold_springs();
-        Feasible {
-            keeps_sets,
-            was_so,
-        }
+        Feasible { keeps_sets, was_so }
     }
 
     /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.

@@ -10,8 +10,11 @@ use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::levels::halved;
 
-/// Cells at or below which a grid is solved from a plain start.
+/// Cells at or below which a grid is solved from a plain start, and a line.
 const COARSEST: usize = 40 * 40;
+const COARSEST_LINE: usize = 160;
+/// Cells along the shorter side below which a grid that is no line is not coarsened.
+const NARROW: usize = 8;
 
 /// A scene that can be posed on cells twice as large, whose answer is a start for its own.
 pub(crate) trait Scene<const N: usize>: Sized {
@@ -79,6 +82,11 @@ impl Levels<'_> {
         self.bodies.refined_zone(self.coarser, self.size, field)
     }
 
+    /// The area of a finer cell over that of a coarser one.
+    pub(crate) fn part_of_area(&self) -> f64 {
+        self.bodies.grid().cell_area() / self.coarser.grid().cell_area()
+    }
+
     /// How the finer cells lie.
     pub(crate) fn layout(&self) -> Layout {
         self.bodies.layout(self.size)
@@ -102,7 +110,12 @@ pub(crate) fn nested_start<S: Scene<N>, const N: usize>(
 
 /// Whether an answer on cells twice as large is a start worth its cost.
 pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool {
-    let is_small = size[0] * size[1] <= COARSEST || size[0].min(size[1]) < 8;
+    let is_line = bodies.lines().contains(&true);
+    let is_small = if is_line {
+        size[0] * size[1] <= COARSEST_LINE
+    } else {
+        size[0] * size[1] <= COARSEST || size[0].min(size[1]) < NARROW
+    };
     !is_small && bodies.can_be_coarser()
 }
 

@@ -219,7 +219,7 @@ impl<const N: usize> Operator<N> for Convolution<N> {
 
     fn try_workspace(&self) -> Result<ConvolutionWorkspace<N>> {
         Ok(ConvolutionWorkspace {
-            tiles: self.plan.tiles()?,
+            tiles: self.plan.tiles_of_products()?,
             double: self.plan.scratch()?,
             single: None,
         })

@@ -134,6 +134,22 @@ impl<T: Real> Plan<T> {
         }
     }
 
+    /// Whether fields are one row that repeats, whose columns have nothing to transform.
+    fn is_line(&self) -> bool {
+        self.frame.torus[1] == 1 && self.frame.share.is_none()
+    }
+
+    /// Tiles that products work in; a line needs none.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(super) fn tiles_of_products<const N: usize>(&self) -> Result<Tiles<N>> {
+        if self.is_line() {
+            return Tiles::new([0; 2], [0; 2], |_, _| Ok(()));
+        }
+        self.tiles()
+    }
+
     /// Tiles of N fields.
     ///
     /// # Errors
@@ -192,6 +208,15 @@ impl<T: Real> Plan<T> {
         tiles: &mut Tiles<N>,
         scratch: &Scratch<T, N>,
     ) {
+        assert!(
+            x.iter().all(|x| x.len() == self.cells())
+                && out.iter().all(|out| out.len() == self.cells()),
+            "fields must be those of the {:?} cells of the operator",
+            self.frame.size
+        );
+        if self.is_line() {
+            return self.convolve_line(symbol, x, out, scales, &scratch.rows);
+        }
         let (across, down) = (self.tiles_across(), self.tiles_down());
         let along = self.tiles_along();
         let (rows_tiles, columns_tiles) = (across * down, self.own_tile_columns().len() * along);
@@ -202,12 +227,10 @@ impl<T: Real> Plan<T> {
             spare,
         } = tiles;
         assert!(
-            x.iter().all(|x| x.len() == self.cells())
-                && out.iter().all(|out| out.len() == self.cells())
-                && occupied.iter().all(|bands| bands.len() == along)
+            occupied.iter().all(|bands| bands.len() == along)
                 && by_rows.iter().all(|tiles| tiles.len() >= rows_tiles)
                 && by_columns.iter().all(|tiles| tiles.len() >= columns_tiles),
-            "fields and workspace must be those of the {:?} cells of the operator",
+            "a workspace must be that of the {:?} cells of the operator",
             self.frame.size
         );
         let by_rows = by_rows.each_mut().map(|tiles| &mut tiles[..rows_tiles]);

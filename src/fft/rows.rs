@@ -4,9 +4,11 @@ use crate::error::Result;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::real::Real;
+use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile};
 use crate::pool::Pool;
 use num_complex::Complex;
+use std::array::from_fn;
 use std::ops::Range;
 
 #[derive(Debug, Clone)]
@@ -74,22 +76,14 @@ impl<T: Real> Plan<T> {
         band: &mut [Tile],
         scratch: &mut RowScratch<T>,
     ) {
-        let rows = scratch.complex.chunks_exact_mut(self.row_stride());
+        let RowScratch {
+            real,
+            complex,
+            transform,
+        } = scratch;
+        let rows = complex.chunks_exact_mut(self.row_stride());
         for (input, output) in input.chunks_exact(self.frame.size[0]).zip(rows) {
-            let output = &mut output[..self.width()];
-            if is_occupied(input) {
-                for (value, x) in scratch.real.iter_mut().zip(input) {
-                    let scaled: f64 = x * scale;
-                    *value = T::of(scaled);
-                }
-                scratch.real[self.frame.size[0]..].fill(T::zero());
-                // Fails for a wrong length alone; all are from the same plan.
-                self.row_forward
-                    .process_with_scratch(&mut scratch.real, output, &mut scratch.transform)
-                    .expect("the plan sized every buffer");
-            } else {
-                output.fill(zero());
-            }
+            self.forward_row(input, scale, &mut output[..self.width()], real, transform);
         }
         for (column, tile) in (0..).step_by(T::TILE_COLUMNS).zip(band) {
             for (row, values) in tile
@@ -102,6 +96,29 @@ impl<T: Real> Plan<T> {
                 );
             }
         }
+    }
+
+    /// Transforms a row.
+    fn forward_row(
+        &self,
+        input: &[f64],
+        scale: f64,
+        output: &mut [Complex<T>],
+        real: &mut [T],
+        transform: &mut [Complex<T>],
+    ) {
+        if !is_occupied(input) {
+            return output.fill(zero());
+        }
+        for (value, x) in real.iter_mut().zip(input) {
+            let scaled: f64 = x * scale;
+            *value = T::of(scaled);
+        }
+        real[self.frame.size[0]..].fill(T::zero());
+        // Fails for a wrong length alone; all are from the same plan.
+        self.row_forward
+            .process_with_scratch(real, output, transform)
+            .expect("the plan sized every buffer");
     }
 
     /// Transforms the rows back and writes them, times `scale`, to `out`.
@@ -135,22 +152,69 @@ impl<T: Real> Plan<T> {
 
     /// Transforms the rows of a band back from scratch memory.
     fn inverse_band(&self, output: &mut [f64], scale: f64, scratch: &mut RowScratch<T>) {
-        let rows = scratch.complex.chunks_exact_mut(self.row_stride());
+        let RowScratch {
+            real,
+            complex,
+            transform,
+        } = scratch;
+        let rows = complex.chunks_exact_mut(self.row_stride());
         for (row, output) in rows.zip(output.chunks_exact_mut(self.frame.size[0])) {
-            let row = &mut row[..self.width()];
-            // A real row has real ends; round-off must not tell the transform otherwise.
-            row[0].im = T::zero();
-            if self.frame.torus[0] % 2 == 0 {
-                row[self.width() - 1].im = T::zero();
-            }
-            // Fails for a wrong length, or ends that are not real: set to zero above.
-            self.row_inverse
-                .process_with_scratch(row, &mut scratch.real, &mut scratch.transform)
-                .expect("the plan sized every buffer and the ends of the row are real");
-            for (out, value) in output.iter_mut().zip(scratch.real.iter()) {
-                *out = value.double() * scale;
-            }
+            self.inverse_row(&mut row[..self.width()], scale, output, real, transform);
         }
+    }
+
+    /// Transforms a row back.
+    fn inverse_row(
+        &self,
+        row: &mut [Complex<T>],
+        scale: f64,
+        output: &mut [f64],
+        real: &mut [T],
+        transform: &mut [Complex<T>],
+    ) {
+        // A real row has real ends; round-off must not tell the transform otherwise.
+        row[0].im = T::zero();
+        if self.frame.torus[0] % 2 == 0 {
+            row[self.width() - 1].im = T::zero();
+        }
+        // Fails for a wrong length, or ends that are not real: set to zero above.
+        self.row_inverse
+            .process_with_scratch(row, real, transform)
+            .expect("the plan sized every buffer and the ends of the row are real");
+        for (out, value) in output.iter_mut().zip(real.iter()) {
+            *out = value.double() * scale;
+        }
+    }
+
+    /// The whole product of fields that are lines.
+    pub(super) fn convolve_line<const N: usize>(
+        &self,
+        symbol: &Symbol<T, N>,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        scales: [f64; 2],
+        scratch: &Pool<RowScratch<T>>,
+    ) {
+        let make = || self.row_scratch();
+        scratch.lend(make, |scratch| {
+            let RowScratch {
+                real,
+                complex,
+                transform,
+            } = scratch;
+            let mut rows = complex.chunks_exact_mut(self.row_stride());
+            let mut lines: [_; N] = from_fn(|_| match rows.next() {
+                Some(row) => &mut row[..self.width()],
+                None => Default::default(),
+            });
+            for (line, x) in lines.iter_mut().zip(x) {
+                self.forward_row(x, scales[0], line, real, transform);
+            }
+            symbol.multiply_line(&mut lines);
+            for (line, out) in lines.into_iter().zip(out) {
+                self.inverse_row(line, scales[1], out, real, transform);
+            }
+        });
     }
 }
 

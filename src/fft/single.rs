@@ -46,7 +46,7 @@ impl<const N: usize> SingleProduct<N> {
 
     pub(super) fn workspace(&self) -> Result<SingleWorkspace<N>> {
         Ok(SingleWorkspace {
-            tiles: self.plan.tiles()?,
+            tiles: self.plan.tiles_of_products()?,
             scratch: self.scratch()?,
         })
     }

@@ -238,6 +238,18 @@ impl<T: Real, const N: usize> Symbol<T, N> {
         let quarter = from_fn(|i| from_fn(|j| &values[self.shape.entry(i, j)]));
         self.shape.parity.multiply(quarter, columns);
     }
+
+    /// The same of all columns of one wave, which follow one another.
+    pub(super) fn multiply_line(&self, lines: &mut [&mut [Complex<T>]; N]) {
+        if N == 1 {
+            let quarter = from_fn(|_| from_fn(|_| &self.values[..]));
+            return self.shape.parity.multiply(quarter, lines);
+        }
+        for kx in 0..lines[0].len() {
+            let mut waves = lines.each_mut().map(|line| &mut line[kx..=kx]);
+            self.multiply(kx, &mut waves);
+        }
+    }
 }
 
 impl<const N: usize> Parity<N> {

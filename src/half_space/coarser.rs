@@ -18,7 +18,7 @@ const ALONE: usize = 1 << 16;
 
 impl HalfSpace {
     /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
-    /// repeats must be [even](Self::can_be_coarser).
+    /// repeats must be [even](Self::can_be_coarser), or be a single row or column, which stays as wide.
     pub(crate) fn coarser(&self) -> Result<&Self> {
         let Shared {
             grid,
@@ -28,7 +28,8 @@ impl HalfSpace {
         } = &*self.shared;
         get_or_make(coarser, || {
             let [nx, ny] = halved(self.size());
-            let grid = Grid::new(nx, ny, 2.0 * grid.dx(), 2.0 * grid.dy())?;
+            let [wide, high] = self.lines().map(|is_line| if is_line { 1.0 } else { 2.0 });
+            let grid = Grid::new(nx, ny, wide * grid.dx(), high * grid.dy())?;
             let (boundary, cell_value) = (self.boundary(), self.cell_value());
             let share = self.share_of_coarser([nx, ny]);
             let samples = match kernels.samples() {
@@ -50,7 +51,14 @@ impl HalfSpace {
     /// Whether cells of twice the sides fit.
     pub(crate) fn can_be_coarser(&self) -> bool {
         let cells = self.size().into_iter().zip(self.boundary().repeats());
-        cells.into_iter().all(|(n, repeats)| !repeats || n % 2 == 0)
+        let mut fits = cells.map(|(n, repeats)| !repeats || n == 1 || n % 2 == 0);
+        fits.all(|fits| fits)
+    }
+
+    /// Along which axes the grid repeats after a single cell, so that nothing changes along them.
+    pub(crate) fn lines(&self) -> [bool; 2] {
+        let (size, repeats) = (self.size(), self.boundary().repeats());
+        [0, 1].map(|axis| repeats[axis] && size[axis] == 1)
     }
 
     /// How a coarser grid is dealt out, if it is.

@@ -74,7 +74,7 @@ impl Scene<1> for PressureScene<Vec<f64>> {
         Ok(Self {
             gap: levels.coarsened(&self.gap)?,
             limits: self.limits.try_map(|limits| levels.coarsened(limits))?,
-            total: self.total.scaled(0.25),
+            total: self.total.scaled(levels.part_of_area()),
             ..*self
         })
     }
