@@ -117,7 +117,10 @@ impl stickslip_roll {
             spin,
         } = *self;
         // Numbers beside no cells are refused with them, not left out.
-        if cells == 0 && edge == STICKSLIP_PLUS_X && creepage == [0.0; 2] && spin == 0.0 {
+        let creeps = [creepage[0], creepage[1], spin]
+            .iter()
+            .any(|part| part.abs() > 0.0 || part.is_nan());
+        if cells == 0 && edge == STICKSLIP_PLUS_X && !creeps {
             return Ok(None);
         }
         let rolling = Rolling::new(usize::try_from(cells).unwrap_or(usize::MAX))
