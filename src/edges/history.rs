@@ -83,7 +83,8 @@ impl History {
                 let along = qx[i] * x + qy[i] * y;
                 [along, (qx[i] - along * x).hypot(qy[i] - along * y)]
             },
-            // The traction of a cell that slipped before in the same direction has not changed.
+            // The slip counts in cells that stuck before the step. Where a cell slipped before in the same direction, its
+            // traction has not changed, and both energies are the same.
             slip: &|i| {
                 let has_stuck = mid_step[i] < (1.0 - STUCK) * dissipated[i];
                 (is_slip_known && has_stuck).then(|| slip[i])

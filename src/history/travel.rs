@@ -47,7 +47,7 @@ impl Passage {
     }
 
     /// The cells of a line, and how far in it a particle moves: along y all rows are one line.
-    fn line(&self) -> [usize; 2] {
+    pub(crate) fn line(&self) -> [usize; 2] {
         let [nx, ny] = self.size;
         match self.edge.axis() {
             Axis::X => [nx, self.cells],

@@ -40,10 +40,16 @@ impl RollingProblem {
         };
         let total = self.pressed.limits.sum;
         let mut shift = [0.0; 2];
-        let (turning, mut sliding) = least(shift, 0.0);
+        let (mut bound, mut sliding) = least(shift, 0.0);
+        // Beside no prescribed force the contact turns about the origin.
+        let roundings = if sums == [None; 2] {
+            &[][..]
+        } else {
+            &ROUNDINGS
+        };
+        let lever = bound / total;
         // A length that is rounded is longer: the bound stays one.
-        for rounding in ROUNDINGS.map(|part| part * turning / total) {
-            let mut bound;
+        for rounding in roundings.iter().map(|part| part * lever) {
             (bound, sliding) = least(shift, rounding);
             for _ in 0..STEPS {
                 let slope =
@@ -65,7 +71,9 @@ impl RollingProblem {
                 (shift, bound, sliding) = (next, less, at_next);
             }
         }
-        let (bound, _) = least(shift, 0.0);
+        if !roundings.is_empty() {
+            (bound, sliding) = least(shift, 0.0);
+        }
         // The bound is about the middle of the way of the particles.
         let held = [0, 1].map(|axis| sums[axis].unwrap_or(sliding.sums[axis]));
         let [x, y] = self.halfway();

@@ -2,19 +2,45 @@
 
 use crate::history::Passage;
 
+/// Lines that are summed at once.
+const LINES: usize = 4;
+
 impl Passage {
     /// `(1 - T) f` in place; zero in cells whose particles come from beyond the window.
     pub(super) fn difference(&self, field: &mut [f64]) {
-        self.sweep(self.edge.is_positive(), |cell, before| {
-            field[cell] = before.map_or(0.0, |before| field[cell] - field[before]);
-        });
+        let [line, way] = self.line();
+        for line in field.chunks_exact_mut(line) {
+            let (cells, way) = (line.len(), way.min(line.len()));
+            if self.edge.is_positive() {
+                for cell in 0..cells - way {
+                    line[cell] -= line[cell + way];
+                }
+                line[cells - way..].fill(0.0);
+            } else {
+                for cell in (way..cells).rev() {
+                    line[cell] -= line[cell - way];
+                }
+                line[..way].fill(0.0);
+            }
+        }
     }
 
     /// The sum from the leading edge on, the inverse of `1 - T` for fields that vanish there, in place.
     pub(super) fn sum(&self, field: &mut [f64]) {
-        self.sweep(!self.edge.is_positive(), |cell, before| {
-            field[cell] += before.map_or(0.0, |before| field[before]);
-        });
+        let [line, way] = self.line();
+        // Several lines at once, so that additions overlap.
+        for lines in field.chunks_mut(LINES * line) {
+            for place in way..line {
+                let (at, before) = if self.edge.is_positive() {
+                    (line - 1 - place, line - 1 - place + way)
+                } else {
+                    (place, place - way)
+                };
+                for line in lines.chunks_exact_mut(line) {
+                    line[at] += line[before];
+                }
+            }
+        }
     }
 
     /// A cell that is the last on its particles' way.
@@ -23,17 +49,6 @@ impl Passage {
             0
         } else {
             self.size[0] * self.size[1] - 1
-        }
-    }
-
-    /// Visits the cells in the order of their places along the axis, each with that of its particle before.
-    fn sweep(&self, is_ascending: bool, mut visit: impl FnMut(usize, Option<usize>)) {
-        let cells = 0..self.size[0] * self.size[1];
-        let visit = |cell: usize| visit(cell, self.before(cell));
-        if is_ascending {
-            cells.for_each(visit);
-        } else {
-            cells.rev().for_each(visit);
         }
     }
 

@@ -301,6 +301,36 @@ fn friction_changes_between_solves() {
     assert_eq!(solver.stiffness().unwrap(), stiffness);
 }
 
+/// Tractions whose squares leave the range of numbers, one after the other in the same solver.
+#[test]
+fn friction_changes_by_any_factor() {
+    let scene = Scene::across(16);
+    let of = |coefficient: f64| Friction::coulomb(coefficient).unwrap();
+    let creepages = |coefficient: f64| {
+        [0.8, 0.2].map(|part| RollingControl::Creepage(part * coefficient / FRICTION * scene.unit))
+    };
+    let mut solver = RollingProblem::builder(&scene.bodies, &scene.normal, of(1.0))
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap();
+    let mut rolling = solver.new_solution();
+    solver.set_control(creepages(1.0), 0.0).unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    let (ordinary, zones) = (rolling.force(), rolling.zones().to_vec());
+    assert!(0.1 < rolling.stick_ratio() && rolling.stick_ratio() < 0.9);
+    for coefficient in [1e290, 1e-290, 1e160, 1.0, 1e-160, 1e290] {
+        solver.set_friction(&of(coefficient)).unwrap();
+        solver.set_control(creepages(coefficient), 0.0).unwrap();
+        solver.solve_into(&mut rolling).unwrap();
+        for (found, expected) in rolling.force().iter().zip(ordinary) {
+            let ratio = found / coefficient / expected;
+            assert!((ratio - 1.0).abs() < 1e-7, "{coefficient:e}: {ratio}");
+        }
+        assert!(*rolling.zones() == *zones, "{coefficient:e}");
+    }
+}
+
 #[test]
 fn a_solver_that_was_reset_is_as_new() {
     let scene = Scene::across(16);

@@ -14,6 +14,9 @@ module stickslip_bindings
     public :: stickslip_hertz_sphere
     public :: stickslip_cattaneo_mindlin_sphere
     public :: stickslip_carter_cylinder
+    public :: stickslip_bentall_johnson_cylinder
+    public :: stickslip_kalker_coefficients
+    public :: stickslip_vermeulen_johnson_ellipse
     public :: stickslip_history_step_all
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
@@ -103,10 +106,14 @@ module stickslip_bindings
     public :: stickslip_rolling_solver_new
     public :: stickslip_rolling_solver_free
     public :: stickslip_rolling_solver_set_load
+    public :: stickslip_rolling_solver_set_friction
+    public :: stickslip_rolling_solver_reset
     public :: stickslip_rolling_solver_set_settings
     public :: stickslip_rolling_solver_solve
     public :: stickslip_rolling_solver_stiffness
+    public :: stickslip_rolling_solver_stiffness_observed
     public :: stickslip_rolling_solver_creep_forces
+    public :: stickslip_rolling_solver_creep_forces_observed
     public :: stickslip_rolling_solution_new
     public :: stickslip_rolling_solution_free
     public :: stickslip_rolling_solution_field
@@ -543,6 +550,21 @@ module stickslip_bindings
         real(c_double) :: stiffness = 0
     end type stickslip_control
 
+    ! How the bodies roll in a step of a history: the memory of the particles moves through the contact, and body 2 creeps over
+    ! body 1 on the way. All zero: they do not roll. A step that rolls names no shift, no spring and no twist; along an axis on
+    ! which it names a force the creepage follows, and is zero here.
+    type, bind(c), public :: stickslip_roll
+        ! Cells by which the particles of both surfaces move through the contact, one or more.
+        integer(c_int32_t) :: cells = 0
+        ! Where particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+        integer(c_int32_t) :: leading_edge = 0
+        ! The creepages along x and y, what body 2 moves over body 1 for each length rolled (dimensionless).
+        real(c_double) :: creepage(2) = 0
+        ! The spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
+        ! length, positive from x to y); the vector model only.
+        real(c_double) :: spin = 0
+    end type stickslip_roll
+
     ! A step of a history: what it prescribes at its end. All zero holds everything.
     type, bind(c), public :: stickslip_load_step
         ! Normal load.
@@ -559,8 +581,10 @@ module stickslip_bindings
         integer(c_int32_t) :: has_relative_displacement = 0
         ! Amount of the relative displacement, as a multiple of the pattern of the history.
         real(c_double) :: relative_displacement = 0
+        ! How the bodies roll; all zero: they do not.
+        type(stickslip_roll) :: roll
         ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
+        integer(c_int64_t) :: reserved(4) = 0
     end type stickslip_load_step
 
     ! The error that one step makes with a load: its difference from the same in two halves.
@@ -620,6 +644,59 @@ module stickslip_bindings
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_carter
+
+    ! Cylinders of different materials that roll freely, in plane strain and with little friction, by Bentall and Johnson: the
+    ! limit of a friction much less than the size of Dundurs' beta. The leading edge is at the largest x; with that at the
+    ! smallest the creepage has the other sign.
+    type, bind(c), public :: stickslip_bentall_johnson
+        ! Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+        real(c_double) :: half_width = 0
+        ! Pressure at the centre: p0 = 2 P/(pi a).
+        real(c_double) :: max_pressure = 0
+        ! The creepage without a tangential force (dimensionless): 0.9148 beta a/R.
+        real(c_double) :: creepage = 0
+        ! Half-width of the middle strip, at whose ends the slip reverses (a length): 0.4040 a.
+        real(c_double) :: reversal = 0
+        ! Energy that slip dissipates for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+        real(c_double) :: dissipation = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_bentall_johnson
+
+    ! Kalker's coefficients: forces and moment of an elliptic contact that rolls along x with creepages so small that it sticks,
+    ! but at its trailing edge. With semi-axes a along x and b along y, c = (a b)^(1/2) and the shear modulus G of two equal
+    ! bodies the creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
+    ! F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+    type, bind(c), public :: stickslip_kalker
+        ! Force along x by the creepage along x.
+        real(c_double) :: c11 = 0
+        ! Force along y by the creepage along y.
+        real(c_double) :: c22 = 0
+        ! Force along y by the spin; minus the moment by the creepage along y.
+        real(c_double) :: c23 = 0
+        ! Moment by the spin.
+        real(c_double) :: c33 = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_kalker
+
+    ! An elliptic contact that rolls along x with creepages, without spin, by Vermeulen and Johnson with Kalker's slope: a few
+    ! percent less than what is solved.
+    type, bind(c), public :: stickslip_vermeulen_johnson
+        ! Semi-axes of the contact along x and y (lengths).
+        real(c_double) :: semi_axes(2) = 0
+        ! Pressure at the centre.
+        real(c_double) :: max_pressure = 0
+        ! The coefficients of the contact without slip.
+        type(stickslip_kalker) :: coefficients
+        ! The force that the creepages would cause without slip, over the friction limit (dimensionless): x, from 3 on all
+        ! slips.
+        real(c_double) :: relative_creepage = 0
+        ! Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) along that without slip, with the normal force W.
+        real(c_double) :: force(2) = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_vermeulen_johnson
 
     ! A quantity of all cells: one value, or one for each.
     type, bind(c), public :: stickslip_per_cell
@@ -1021,8 +1098,10 @@ module stickslip_bindings
         integer(c_int64_t) :: steps = 0
         ! Energies of the last step.
         type(stickslip_energy) :: energy
+        ! The creepages along x and y of the last step, given or caused by the force (dimensionless); zero if it did not roll.
+        real(c_double) :: creepage(2) = 0
         ! Room for members to come: zero.
-        integer(c_int64_t) :: reserved(8) = 0
+        integer(c_int64_t) :: reserved(6) = 0
     end type stickslip_step_result
 
     ! What limits a jump besides the pressure; stickslip_jump_limits_default() has the defaults.
@@ -1325,6 +1404,46 @@ module stickslip_bindings
             type(stickslip_carter), intent(out), optional :: found
             integer(c_int32_t) :: answer
         end function stickslip_carter_cylinder
+
+        ! Bentall and Johnson's contact of a cylinder of this radius that rolls freely under this force per length, with a
+        ! coefficient of friction. Between bodies whose Dundurs' beta is zero nothing slips.
+        function stickslip_bentall_johnson_cylinder(half_space, radius, force, friction, found) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            real(c_double), value :: radius
+            real(c_double), value :: force
+            real(c_double), value :: friction
+            type(stickslip_bentall_johnson), intent(out), optional :: found
+            integer(c_int32_t) :: answer
+        end function stickslip_bentall_johnson_cylinder
+
+        ! Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
+        ! 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+        ! Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
+        function stickslip_kalker_coefficients(ratio, poisson_ratio, found) result(answer) bind(c)
+            import
+            real(c_double), value :: ratio
+            real(c_double), value :: poisson_ratio
+            type(stickslip_kalker), intent(out), optional :: found
+            integer(c_int32_t) :: answer
+        end function stickslip_kalker_coefficients
+
+        ! Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
+        ! force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
+        ! beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+        function stickslip_vermeulen_johnson_ellipse(half_space, radius_x, radius_y, force, friction, creepage_x, &
+            creepage_y, found) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            real(c_double), value :: radius_x
+            real(c_double), value :: radius_y
+            real(c_double), value :: force
+            real(c_double), value :: friction
+            real(c_double), value :: creepage_x
+            real(c_double), value :: creepage_y
+            type(stickslip_vermeulen_johnson), intent(out), optional :: found
+            integer(c_int32_t) :: answer
+        end function stickslip_vermeulen_johnson_ellipse
 
         ! Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
         ! Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
@@ -1801,8 +1920,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness_observed
 
-        ! The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
-        ! after the history was made from bytes.
+        ! The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
+        ! any and after the history was made from bytes.
         function stickslip_history_result(history, result) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2163,6 +2282,22 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_load
 
+        ! Changes the friction of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY if it does not hold the present load, or holds
+        ! it only by sliding. The stiffness is about the last answer, if there is one, until that solve.
+        function stickslip_rolling_solver_set_friction(solver, friction) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_friction), intent(in), optional :: friction
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_friction
+
+        ! Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
+        function stickslip_rolling_solver_reset(solver) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_reset
+
         ! Changes method, tolerance and limits of the next solve.
         function stickslip_rolling_solver_set_settings(solver, settings) result(answer) bind(c)
             import
@@ -2192,6 +2327,16 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_stiffness
 
+        ! The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+        function stickslip_rolling_solver_stiffness_observed(solver, observer, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_rolling_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_stiffness_observed
+
         ! The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
         ! should be neighbours in the plane. The last point stays prescribed. All are checked before the first is solved. With
         ! STICKSLIP_NOT_CONVERGED the point that failed stays prescribed, and forces are as they were.
@@ -2203,6 +2348,19 @@ module stickslip_bindings
             type(stickslip_creep_force), intent(inout), optional :: forces(*)
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_creep_forces
+
+        ! The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+        ! STICKSLIP_NOT_CONVERGED, the point under way stays prescribed, and forces are as they were.
+        function stickslip_rolling_solver_creep_forces_observed(solver, points, count, observer, &
+            forces) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_creep_point), intent(in), optional :: points(*)
+            integer(c_size_t), value :: count
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_creep_force), intent(inout), optional :: forces(*)
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_creep_forces_observed
 
         ! Makes an empty solution of the right size for a solver.
         function stickslip_rolling_solution_new(solver, solution) result(answer) bind(c)

@@ -16,7 +16,9 @@ module stickslip_rolling
     contains
         procedure :: new => rolling_solver_new
         procedure :: set_load => rolling_solver_set_load
+        procedure :: set_friction => rolling_solver_set_friction
         procedure :: set_settings => rolling_solver_set_settings
+        procedure :: reset => rolling_solver_reset
         procedure :: solve => rolling_solver_solve
         procedure :: stiffness => rolling_solver_stiffness
         procedure :: creep_forces => rolling_solver_creep_forces
@@ -71,6 +73,20 @@ contains
         call report_status(stickslip_rolling_solver_set_load(this%handle, load), status)
     end subroutine rolling_solver_set_load
 
+    subroutine rolling_solver_set_friction(this, friction, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_friction), intent(in) :: friction
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_friction(this%handle, friction), status)
+    end subroutine rolling_solver_set_friction
+
+    ! Forgets the last answer.
+    subroutine rolling_solver_reset(this, status)
+        class(rolling_solver), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_reset(this%handle), status)
+    end subroutine rolling_solver_reset
+
     subroutine rolling_solver_set_settings(this, settings, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_settings), intent(in) :: settings
@@ -94,22 +110,24 @@ contains
     end subroutine rolling_solver_solve
 
     ! Forces and moment by creepages and spin about the last answer, slopes(column, row): the loads are the rows.
-    function rolling_solver_stiffness(this, status) result(stiffness)
+    function rolling_solver_stiffness(this, observer, status) result(stiffness)
         class(rolling_solver), intent(in) :: this
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_rolling_stiffness) :: stiffness
-        call report_status(stickslip_rolling_solver_stiffness(this%handle, stiffness), status)
+        call report_status(stickslip_rolling_solver_stiffness_observed(this%handle, observer, stiffness), status)
     end function rolling_solver_stiffness
 
     ! A creep curve or a creep surface, the loads of each point; the last point stays prescribed.
-    subroutine rolling_solver_creep_forces(this, points, forces, status)
+    subroutine rolling_solver_creep_forces(this, points, forces, observer, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_creep_point), intent(in), contiguous :: points(:)
         type(stickslip_creep_force), allocatable, intent(out) :: forces(:)
+        type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         allocate (forces(size(points)))
-        call report_status(stickslip_rolling_solver_creep_forces(this%handle, points, size(points, kind=c_size_t), &
-            forces), status)
+        call report_status(stickslip_rolling_solver_creep_forces_observed(this%handle, points, &
+            size(points, kind=c_size_t), observer, forces), status)
     end subroutine rolling_solver_creep_forces
 
     ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.

@@ -533,6 +533,21 @@ typedef struct {
     double stiffness;
 } stickslip_control;
 
+// How the bodies roll in a step of a history: the memory of the particles moves through the contact, and body 2 creeps over
+// body 1 on the way. All zero: they do not roll. A step that rolls names no shift, no spring and no twist; along an axis on
+// which it names a force the creepage follows, and is zero here.
+typedef struct {
+    // Cells by which the particles of both surfaces move through the contact, one or more.
+    uint32_t cells;
+    // Where particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    int32_t leading_edge;
+    // The creepages along x and y, what body 2 moves over body 1 for each length rolled (dimensionless).
+    double creepage[2];
+    // The spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
+    // length, positive from x to y); the vector model only.
+    double spin;
+} stickslip_roll;
+
 // A step of a history: what it prescribes at its end. All zero holds everything.
 typedef struct {
     // Normal load.
@@ -549,8 +564,10 @@ typedef struct {
     int32_t has_relative_displacement;
     // Amount of the relative displacement, as a multiple of the pattern of the history.
     double relative_displacement;
+    // How the bodies roll; all zero: they do not.
+    stickslip_roll roll;
     // Room for members to come: zero.
-    uint64_t reserved[8];
+    uint64_t reserved[4];
 } stickslip_load_step;
 
 // The error that one step makes with a load: its difference from the same in two halves.
@@ -610,6 +627,59 @@ typedef struct {
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_carter;
+
+// Cylinders of different materials that roll freely, in plane strain and with little friction, by Bentall and Johnson: the
+// limit of a friction much less than the size of Dundurs' beta. The leading edge is at the largest x; with that at the
+// smallest the creepage has the other sign.
+typedef struct {
+    // Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+    double half_width;
+    // Pressure at the centre: p0 = 2 P/(pi a).
+    double max_pressure;
+    // The creepage without a tangential force (dimensionless): 0.9148 beta a/R.
+    double creepage;
+    // Half-width of the middle strip, at whose ends the slip reverses (a length): 0.4040 a.
+    double reversal;
+    // Energy that slip dissipates for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+    double dissipation;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_bentall_johnson;
+
+// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x with creepages so small that it sticks,
+// but at its trailing edge. With semi-axes a along x and b along y, c = (a b)^(1/2) and the shear modulus G of two equal
+// bodies the creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
+// F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+typedef struct {
+    // Force along x by the creepage along x.
+    double c11;
+    // Force along y by the creepage along y.
+    double c22;
+    // Force along y by the spin; minus the moment by the creepage along y.
+    double c23;
+    // Moment by the spin.
+    double c33;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_kalker;
+
+// An elliptic contact that rolls along x with creepages, without spin, by Vermeulen and Johnson with Kalker's slope: a few
+// percent less than what is solved.
+typedef struct {
+    // Semi-axes of the contact along x and y (lengths).
+    double semi_axes[2];
+    // Pressure at the centre.
+    double max_pressure;
+    // The coefficients of the contact without slip.
+    stickslip_kalker coefficients;
+    // The force that the creepages would cause without slip, over the friction limit (dimensionless): x, from 3 on all
+    // slips.
+    double relative_creepage;
+    // Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) along that without slip, with the normal force W.
+    double force[2];
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_vermeulen_johnson;
 
 // A quantity of all cells: one value, or one for each.
 typedef struct {
@@ -1016,8 +1086,10 @@ typedef struct {
     uint64_t steps;
     // Energies of the last step.
     stickslip_energy energy;
+    // The creepages along x and y of the last step, given or caused by the force (dimensionless); zero if it did not roll.
+    double creepage[2];
     // Room for members to come: zero.
-    uint64_t reserved[8];
+    uint64_t reserved[6];
 } stickslip_step_result;
 
 // What limits a jump besides the pressure; stickslip_jump_limits_default() has the defaults.
@@ -1295,6 +1367,33 @@ stickslip_status stickslip_carter_cylinder(const stickslip_half_space *half_spac
                                            double creepage,
                                            stickslip_carter *found);
 
+// Bentall and Johnson's contact of a cylinder of this radius that rolls freely under this force per length, with a
+// coefficient of friction. Between bodies whose Dundurs' beta is zero nothing slips.
+stickslip_status stickslip_bentall_johnson_cylinder(const stickslip_half_space *half_space,
+                                                    double radius,
+                                                    double force,
+                                                    double friction,
+                                                    stickslip_bentall_johnson *found);
+
+// Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
+// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+// Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
+stickslip_status stickslip_kalker_coefficients(double ratio,
+                                               double poisson_ratio,
+                                               stickslip_kalker *found);
+
+// Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
+// force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
+// beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+stickslip_status stickslip_vermeulen_johnson_ellipse(const stickslip_half_space *half_space,
+                                                     double radius_x,
+                                                     double radius_y,
+                                                     double force,
+                                                     double friction,
+                                                     double creepage_x,
+                                                     double creepage_y,
+                                                     stickslip_vermeulen_johnson *found);
+
 // Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
 // Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
 //
@@ -1544,9 +1643,10 @@ stickslip_status stickslip_history_stiffness_observed(const stickslip_history *h
                                                       const stickslip_observer *observer,
                                                       stickslip_stiffness *stiffness);
 
-// The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
-// after the history was made from bytes.
-stickslip_status stickslip_history_result(const stickslip_history *history, stickslip_step_result *result);
+// The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
+// any and after the history was made from bytes.
+stickslip_status stickslip_history_result(const stickslip_history *history,
+                                          stickslip_step_result *result);
 
 // The numbers of the normal contact.
 stickslip_status stickslip_history_normal_result(const stickslip_history *history, stickslip_normal_result *result);
@@ -1737,6 +1837,14 @@ stickslip_status stickslip_rolling_solver_free(stickslip_rolling_solver *solver)
 stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *solver,
                                                    const stickslip_rolling_load *load);
 
+// Changes the friction of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY if it does not hold the present load, or holds
+// it only by sliding. The stiffness is about the last answer, if there is one, until that solve.
+stickslip_status stickslip_rolling_solver_set_friction(stickslip_rolling_solver *solver,
+                                                       const stickslip_friction *friction);
+
+// Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
+stickslip_status stickslip_rolling_solver_reset(stickslip_rolling_solver *solver);
+
 // Changes method, tolerance and limits of the next solve.
 stickslip_status stickslip_rolling_solver_set_settings(stickslip_rolling_solver *solver,
                                                        const stickslip_settings *settings);
@@ -1754,6 +1862,12 @@ stickslip_status stickslip_rolling_solver_solve(stickslip_rolling_solver *solver
 stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *solver,
                                                     stickslip_rolling_stiffness *stiffness);
 
+// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+stickslip_status stickslip_rolling_solver_stiffness_observed(stickslip_rolling_solver *solver,
+                                                             const stickslip_observer *observer,
+                                                             stickslip_rolling_stiffness *stiffness);
+
 // The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
 // should be neighbours in the plane. The last point stays prescribed. All are checked before the first is solved. With
 // STICKSLIP_NOT_CONVERGED the point that failed stays prescribed, and forces are as they were.
@@ -1761,6 +1875,14 @@ stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver 
                                                        const stickslip_creep_point *points,
                                                        size_t count,
                                                        stickslip_creep_force *forces);
+
+// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+// STICKSLIP_NOT_CONVERGED, the point under way stays prescribed, and forces are as they were.
+stickslip_status stickslip_rolling_solver_creep_forces_observed(stickslip_rolling_solver *solver,
+                                                                const stickslip_creep_point *points,
+                                                                size_t count,
+                                                                const stickslip_observer *observer,
+                                                                stickslip_creep_force *forces);
 
 // Makes an empty solution of the right size for a solver.
 stickslip_status stickslip_rolling_solution_new(const stickslip_rolling_solver *solver,

@@ -1,8 +1,13 @@
 //! Closed forms, to check results by.
 
-use stickslip_rs::analytical::{Carter, CattaneoMindlin, HertzLine, HertzSphere};
+use stickslip_rs::analytical::{
+    BentallJohnson, Carter, CattaneoMindlin, HertzEllipse, HertzLine, HertzSphere,
+    KalkerCoefficients, VermeulenJohnson,
+};
 
+use crate::call::call;
 use crate::half_space::stickslip_half_space;
+use crate::pointer::Place;
 use crate::reading::tell;
 use crate::status::stickslip_status;
 
@@ -133,6 +138,152 @@ pub unsafe extern "C" fn stickslip_carter_cylinder(
                 max_pressure: hertz.max_pressure(),
                 sliding_creepage: own.sliding_creepage(),
                 stick_half_width: own.stick_half_width(),
+                force: own.force(),
+                reserved: [0; 8],
+            })
+        })
+    }
+}
+
+/// Cylinders of different materials that roll freely, in plane strain and with little friction, by Bentall and Johnson: the
+/// limit of a friction much less than the size of Dundurs' beta. The leading edge is at the largest x; with that at the
+/// smallest the creepage has the other sign.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_bentall_johnson {
+    /// Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
+    pub half_width: f64,
+    /// Pressure at the centre: p0 = 2 P/(pi a).
+    pub max_pressure: f64,
+    /// The creepage without a tangential force (dimensionless): 0.9148 beta a/R.
+    pub creepage: f64,
+    /// Half-width of the middle strip, at whose ends the slip reverses (a length): 0.4040 a.
+    pub reversal: f64,
+    /// Energy that slip dissipates for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+    pub dissipation: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+/// Bentall and Johnson's contact of a cylinder of this radius that rolls freely under this force per length, with a
+/// coefficient of friction. Between bodies whose Dundurs' beta is zero nothing slips.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_bentall_johnson_cylinder(
+    half_space: *const stickslip_half_space,
+    radius: f64,
+    force: f64,
+    friction: f64,
+    found: *mut stickslip_bentall_johnson,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(half_space, ("found", found), |of| {
+            let hertz = HertzLine::new(of.pair(), radius, force)?;
+            let own = BentallJohnson::new(hertz, friction)?;
+            Ok(stickslip_bentall_johnson {
+                half_width: hertz.half_width(),
+                max_pressure: hertz.max_pressure(),
+                creepage: own.creepage(),
+                reversal: own.reversal(),
+                dissipation: own.dissipation(),
+                reserved: [0; 8],
+            })
+        })
+    }
+}
+
+/// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x with creepages so small that it sticks,
+/// but at its trailing edge. With semi-axes a along x and b along y, c = (a b)^(1/2) and the shear modulus G of two equal
+/// bodies the creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
+/// F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_kalker {
+    /// Force along x by the creepage along x.
+    pub c11: f64,
+    /// Force along y by the creepage along y.
+    pub c22: f64,
+    /// Force along y by the spin; minus the moment by the creepage along y.
+    pub c23: f64,
+    /// Moment by the spin.
+    pub c33: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+impl From<&KalkerCoefficients> for stickslip_kalker {
+    fn from(coefficients: &KalkerCoefficients) -> Self {
+        Self {
+            c11: coefficients.c11(),
+            c22: coefficients.c22(),
+            c23: coefficients.c23(),
+            c33: coefficients.c33(),
+            reserved: [0; 8],
+        }
+    }
+}
+
+/// Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
+/// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+/// Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_kalker_coefficients(
+    ratio: f64,
+    poisson_ratio: f64,
+    found: *mut stickslip_kalker,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe {
+        let place = Place::new("found", found)?;
+        place.put((&KalkerCoefficients::new(ratio, poisson_ratio)?).into());
+        Ok(())
+    })
+}
+
+/// An elliptic contact that rolls along x with creepages, without spin, by Vermeulen and Johnson with Kalker's slope: a few
+/// percent less than what is solved.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_vermeulen_johnson {
+    /// Semi-axes of the contact along x and y (lengths).
+    pub semi_axes: [f64; 2],
+    /// Pressure at the centre.
+    pub max_pressure: f64,
+    /// The coefficients of the contact without slip.
+    pub coefficients: stickslip_kalker,
+    /// The force that the creepages would cause without slip, over the friction limit (dimensionless): x, from 3 on all
+    /// slips.
+    pub relative_creepage: f64,
+    /// Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) along that without slip, with the normal force W.
+    pub force: [f64; 2],
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+/// Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
+/// force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
+/// beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_vermeulen_johnson_ellipse(
+    half_space: *const stickslip_half_space,
+    radius_x: f64,
+    radius_y: f64,
+    force: f64,
+    friction: f64,
+    creepage_x: f64,
+    creepage_y: f64,
+    found: *mut stickslip_vermeulen_johnson,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(half_space, ("found", found), |of| {
+            let hertz = HertzEllipse::new(of.pair(), radius_x, radius_y, force)?;
+            let own = VermeulenJohnson::new(hertz, friction, [creepage_x, creepage_y])?;
+            Ok(stickslip_vermeulen_johnson {
+                semi_axes: hertz.semi_axes(),
+                max_pressure: hertz.max_pressure(),
+                coefficients: (&own.coefficients()).into(),
+                relative_creepage: own.relative_creepage(),
                 force: own.force(),
                 reserved: [0; 8],
             })

@@ -77,8 +77,10 @@ pub struct stickslip_step_result {
     pub steps: u64,
     /// Energies of the last step.
     pub energy: stickslip_energy,
+    /// The creepages along x and y of the last step, given or caused by the force (dimensionless); zero if it did not roll.
+    pub creepage: [f64; 2],
     /// Room for members to come: zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 6],
 }
 
 impl From<&History> for stickslip_step_result {
@@ -95,13 +97,14 @@ impl From<&History> for stickslip_step_result {
             is_gross_slip: i32::from(step.is_gross_slip()),
             steps: history.steps(),
             energy: step.energy().into(),
-            reserved: [0; 8],
+            creepage: step.creepage().unwrap_or_default(),
+            reserved: [0; 6],
         }
     }
 }
 
-/// The numbers of the state. Stick ratio, gross slip and energies are those of the last step taken, zero before any and
-/// after the history was made from bytes.
+/// The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
+/// any and after the history was made from bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_result(
     history: *const stickslip_history,

@@ -1,10 +1,12 @@
 //! Loads: plain structs of which zero holds everything.
 
+use stickslip_rs::history::Rolling;
 use stickslip_rs::{Axis, LoadStep, NormalControl, TangentialControl, TangentialLoad};
 
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::reserved::known;
+use crate::rolling::{STICKSLIP_PLUS_X, leading_edge};
 
 /// Hold: the pressure, the shift as it is.
 pub const STICKSLIP_HOLD: i32 = 0;
@@ -89,6 +91,46 @@ impl stickslip_tangential_load {
     }
 }
 
+/// How the bodies roll in a step of a history: the memory of the particles moves through the contact, and body 2 creeps over
+/// body 1 on the way. All zero: they do not roll. A step that rolls names no shift, no spring and no twist; along an axis on
+/// which it names a force the creepage follows, and is zero here.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_roll {
+    /// Cells by which the particles of both surfaces move through the contact, one or more.
+    pub cells: u32,
+    /// Where particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    pub leading_edge: i32,
+    /// The creepages along x and y, what body 2 moves over body 1 for each length rolled (dimensionless).
+    pub creepage: [f64; 2],
+    /// The spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
+    /// length, positive from x to y); the vector model only.
+    pub spin: f64,
+}
+
+impl stickslip_roll {
+    fn checked(&self) -> Outcome<Option<Rolling>> {
+        let Self {
+            cells,
+            leading_edge: edge,
+            creepage,
+            spin,
+        } = *self;
+        // Numbers beside no cells are refused with them, not left out.
+        let creeps = [creepage[0], creepage[1], spin]
+            .iter()
+            .any(|part| part.abs() > 0.0 || part.is_nan());
+        if cells == 0 && edge == STICKSLIP_PLUS_X && !creeps {
+            return Ok(None);
+        }
+        let rolling = Rolling::new(usize::try_from(cells).unwrap_or(usize::MAX))
+            .leading_edge(leading_edge(edge)?)
+            .creepage(creepage)
+            .spin(spin);
+        Ok(Some(rolling))
+    }
+}
+
 /// A step of a history: what it prescribes at its end. All zero holds everything.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -107,8 +149,10 @@ pub struct stickslip_load_step {
     pub has_relative_displacement: i32,
     /// Amount of the relative displacement, as a multiple of the pattern of the history.
     pub relative_displacement: f64,
+    /// How the bodies roll; all zero: they do not.
+    pub roll: stickslip_roll,
     /// Room for members to come: zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 4],
 }
 
 impl stickslip_load_step {
@@ -123,6 +167,9 @@ impl stickslip_load_step {
         }
         if self.has_relative_displacement != 0 {
             load = load.relative_displacement(self.relative_displacement);
+        }
+        if let Some(rolling) = self.roll.checked()? {
+            load = load.roll(rolling);
         }
         Ok(load)
     }

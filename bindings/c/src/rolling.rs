@@ -1,4 +1,4 @@
-//! Steady rolling.
+//! Steady rolling; steps of histories that roll are in `loads`.
 
 use stickslip_rs::rolling::{
     CreepForce, LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver,
@@ -15,7 +15,7 @@ use crate::history::{STICKSLIP_GROWTH, touch_rule};
 use crate::inputs::{stickslip_friction, stickslip_settings, stickslip_settings_default};
 use crate::loads::STICKSLIP_FORCE;
 use crate::normal::stickslip_normal_solution;
-use crate::observer::stickslip_observer;
+use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, collected, entries, entries_mut, input, optional};
 use crate::reading::{show, tell};
 use crate::reserved::known;
@@ -89,7 +89,7 @@ pub const STICKSLIP_PLUS_Y: i32 = 2;
 /// At the smallest y.
 pub const STICKSLIP_MINUS_Y: i32 = 3;
 
-fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
+pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
     match value {
         STICKSLIP_PLUS_X => Ok(LeadingEdge::PlusX),
         STICKSLIP_MINUS_X => Ok(LeadingEdge::MinusX),
@@ -194,6 +194,26 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
+/// Changes the friction of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY if it does not hold the present load, or holds
+/// it only by sliding. The stiffness is about the last answer, if there is one, until that solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
+    solver: *mut stickslip_rolling_solver,
+    friction: *const stickslip_friction,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::set_friction(solver, friction, RollingSolver::set_friction) }
+}
+
+/// Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_reset(
+    solver: *mut stickslip_rolling_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::reset(solver, RollingSolver::reset) }
+}
+
 /// Changes method, tolerance and limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
@@ -238,10 +258,24 @@ pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     stiffness: *mut stickslip_rolling_stiffness,
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
+    unsafe { stickslip_rolling_solver_stiffness_observed(solver, std::ptr::null(), stiffness) }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_stiffness_observed(
+    solver: *mut stickslip_rolling_solver,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_rolling_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
     call_on(solver, || unsafe {
         let place = Place::new("stiffness", stiffness)?;
+        let observer = optional("observer", observer)?;
+        let slopes = changing(solver)?.own.stiffness_observed(watch(observer))?;
         place.put(stickslip_rolling_stiffness {
-            slopes: changing(solver)?.own.stiffness()?,
+            slopes,
             reserved: [0; 8],
         });
         Ok(())
@@ -290,15 +324,32 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     count: usize,
     forces: *mut stickslip_creep_force,
 ) -> stickslip_status {
+    let none = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe { stickslip_rolling_solver_creep_forces_observed(solver, points, count, none, forces) }
+}
+
+/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
+/// STICKSLIP_NOT_CONVERGED, the point under way stays prescribed, and forces are as they were.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
+    solver: *mut stickslip_rolling_solver,
+    points: *const stickslip_creep_point,
+    count: usize,
+    observer: *const stickslip_observer,
+    forces: *mut stickslip_creep_force,
+) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call_on(solver, || unsafe {
+        let observer = watch(optional("observer", observer)?);
         let places = entries_mut("forces", forces, count)?;
         let points = entries("points", points, count)?;
         let points = points
             .iter()
             .map(|at| [at.creepage[0], at.creepage[1], at.spin]);
         let points = collected(Vec::new(), points)?;
-        let found = changing(solver)?.own.creep_forces(points)?;
+        let mut solver = changing(solver)?;
+        let found = solver.own.creep_forces_observed(points, observer)?;
         for (place, force) in places.iter_mut().zip(found) {
             *place = force.into();
         }

@@ -12,6 +12,7 @@ static void sizes_stay(void) {
     SIZE(stickslip_normal_load, 16);
     SIZE(stickslip_control, 24);
     SIZE(stickslip_load_step, 160);
+    SIZE(stickslip_roll, 32);
     SIZE(stickslip_step_error, 112);
     SIZE(stickslip_hertz, 88);
     SIZE(stickslip_cattaneo_mindlin, 176);
@@ -53,6 +54,9 @@ static void sizes_stay(void) {
     SIZE(stickslip_creep_point, 24);
     SIZE(stickslip_creep_force, 32);
     SIZE(stickslip_carter, 104);
+    SIZE(stickslip_bentall_johnson, 104);
+    SIZE(stickslip_kalker, 96);
+    SIZE(stickslip_vermeulen_johnson, 208);
     SIZE(stickslip_jump_limits, 88);
     SIZE(stickslip_spot, 136);
 }
@@ -118,6 +122,10 @@ static void unknown_members_are_refused(void) {
 
     READS(stickslip_pair, stickslip_half_space_pair(bodies, &found));
     READS(stickslip_hertz, stickslip_hertz_sphere(bodies, 3.5e-3, 100.0, &found));
+    READS(stickslip_bentall_johnson, stickslip_bentall_johnson_cylinder(bodies, 1.0, 1.0, 0.1, &found));
+    READS(stickslip_kalker, stickslip_kalker_coefficients(1.0, 0.25, &found));
+    READS(stickslip_vermeulen_johnson,
+          stickslip_vermeulen_johnson_ellipse(bodies, 1.0, 1.0, 1.0, 0.1, 1e-3, 0.0, &found));
     READS(stickslip_normal_result, stickslip_normal_solution_result(pressed, &found));
     READS(stickslip_report, stickslip_normal_solution_report(pressed, &found));
     READS(stickslip_normal_stiffness, stickslip_normal_solution_stiffness(pressed, bodies, &found));

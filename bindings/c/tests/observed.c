@@ -36,6 +36,7 @@ typedef struct {
     stickslip_coupled_solution *both;
     stickslip_friction friction;
     stickslip_history *history;
+    stickslip_rolling_solver *roller;
     stickslip_planes *planes;
     stickslip_tractions tractions;
     stickslip_point points[POINTS];
@@ -45,6 +46,7 @@ typedef struct {
     stickslip_normal_stiffness normal;
     stickslip_tangential_stiffness tangential;
     stickslip_stiffness all;
+    stickslip_rolling_stiffness rolling;
     stickslip_response responses[POINTS];
     double values[CELLS];
 } answers;
@@ -65,6 +67,10 @@ static stickslip_status coupled(const objects *of, const stickslip_observer *obs
 
 static stickslip_status history(const objects *of, const stickslip_observer *observer, answers *to) {
     return stickslip_history_stiffness_observed(of->history, observer, &to->all);
+}
+
+static stickslip_status rolling(const objects *of, const stickslip_observer *observer, answers *to) {
+    return stickslip_rolling_solver_stiffness_observed(of->roller, observer, &to->rolling);
 }
 
 static stickslip_status points(const objects *of, const stickslip_observer *observer, answers *to) {
@@ -141,6 +147,7 @@ int main(void) {
     OK(stickslip_coupled_solver_solve(press_and_shear, of.both, NULL));
     OK(stickslip_history_new(of.bodies, ball, CELLS, &of.friction, NULL, &of.history));
     OK(stickslip_history_step(of.history, &step, NULL));
+    OK(stickslip_rolling_solver_new(of.bodies, of.pressed, &of.friction, NULL, NULL, &of.roller));
     of.tractions.pressure = stickslip_normal_solution_field(of.pressed, STICKSLIP_PRESSURE, &of.tractions.count);
     for (int i = 0; i < POINTS; i++) {
         of.points[i].depth = 1e-7 * i;
@@ -152,11 +159,13 @@ int main(void) {
     stops(tangential, &of);
     stops(coupled, &of);
     stops(history, &of);
+    stops(rolling, &of);
     stops(points, &of);
     stops(rough, &of);
     stops(plane, &of);
 
     OK(stickslip_planes_free(of.planes));
+    OK(stickslip_rolling_solver_free(of.roller));
     OK(stickslip_history_free(of.history));
     OK(stickslip_coupled_solution_free(of.both));
     OK(stickslip_coupled_solver_free(press_and_shear));

@@ -14,6 +14,7 @@ program reach
     call shapes()
     call contacts()
     call rolling()
+    call rolled_steps()
     call dissimilar()
     call histories()
     if (.not. good) error stop 1
@@ -210,6 +211,9 @@ contains
         type(rolling_solution) :: rolled
         type(stickslip_hertz) :: hertz
         type(stickslip_carter) :: carter
+        type(stickslip_kalker) :: kalker
+        type(stickslip_vermeulen_johnson) :: curve
+        type(stickslip_bentall_johnson) :: free_rolling
         type(stickslip_report) :: report
         type(stickslip_rolling_stiffness) :: stiffness
         type(stickslip_rolling_result) :: by_motion, by_load
@@ -269,7 +273,41 @@ contains
         call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(roller%address(), before), 'no other rolling solver')
         call roller%set_settings(stickslip_settings(method=STICKSLIP_POLONSKY_KEER), status)
         call check(status == STICKSLIP_METHOD, 'a method of one traction')
+
+        call roller%set_friction(stickslip_coulomb(0.6d0))
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_FORCE, 31)))
+        call roller%solve(rolled)
+        call roller%reset()
+        stiffness = roller%stiffness()
+        status = stickslip_kalker_coefficients(1d0, steel%poisson_ratio, kalker)
+        call check(abs(stiffness%slopes(1, 1) / unit / kalker%c11 - 1) < 0.02d0, 'the coefficient C11 of the table')
+        status = stickslip_vermeulen_johnson_ellipse(bodies%handle, radius, radius, 100d0, 0.3d0, 0d0, 1d0, curve)
+        call check(status == STICKSLIP_OK .and. abs(curve%force(2) / 30 - 1) < 1d-12, 'the force of Vermeulen and Johnson')
+        status = stickslip_bentall_johnson_cylinder(bodies%handle, 10d0, 100d0, 0.01d0, free_rolling)
+        call check(status == STICKSLIP_OK .and. abs(free_rolling%creepage) <= 0, 'the creepage of Bentall and Johnson')
     end subroutine rolling
+
+    ! A history whose bodies roll in each step.
+    subroutine rolled_steps()
+        type(half_space) :: bodies
+        type(contact_history) :: history
+        type(stickslip_step_result) :: once, again
+        integer(c_int32_t) :: status
+        call bodies%new(grid, steel, steel)
+        call history%new(bodies, ball(), stickslip_coulomb(0.3d0), stickslip_history_options(model=STICKSLIP_VECTOR))
+        call history%step(stickslip_load_step(stickslip_normal_load(STICKSLIP_FORCE, 100)))
+        call history%step(stickslip_load_step(roll=stickslip_roll(1, creepage=[1d-4, 0d0])))
+        once = history%result()
+        call history%step(stickslip_load_step(roll=stickslip_roll(1, creepage=[1d-4, 0d0])))
+        again = history%result()
+        call check(once%force(1) > 0 .and. again%force(1) > once%force(1), 'a force that grows as the bodies roll')
+        call check(abs(again%creepage(1) - 1d-4) <= 0, 'the creepage of a step')
+        call history%step(stickslip_load_step(x=stickslip_control(STICKSLIP_FORCE, once%force(1)), roll=stickslip_roll(1)))
+        again = history%result()
+        call check(abs(again%force(1) / once%force(1) - 1) < 1d-8 .and. again%creepage(1) < 1d-4, 'a creepage by a force')
+        call history%step(stickslip_load_step(roll=stickslip_roll(0, spin=1d0)), status=status)
+        call check(status == STICKSLIP_NOT_POSITIVE, 'a spin over no cells')
+    end subroutine rolled_steps
 
     ! Pressure and traction found together.
     subroutine dissimilar()

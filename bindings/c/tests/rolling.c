@@ -1,4 +1,4 @@
-/* Steady rolling against Carter and Kalker, by creepages, forces and moments. */
+/* Rolling, steady and step by step, against Carter and Kalker, by creepages, forces and moments. */
 
 #include <math.h>
 
@@ -199,6 +199,153 @@ static void options_are_chosen(const stickslip_half_space *bodies, const sticksl
     OK(stickslip_rolling_solver_free(turned));
 }
 
+static void friction_changes_and_the_last_answer_is_forgotten(stickslip_rolling_solver *solver,
+                                                              stickslip_rolling_solution *solution) {
+    stickslip_rolling_load load = by_creepage(0.0, 0.0, 0.0);
+    stickslip_friction more = stickslip_coulomb(2.0 * FRICTION), less = stickslip_coulomb(1e-3), own = stickslip_coulomb(FRICTION);
+    stickslip_rolling_stiffness sticking, slipping;
+    load.x.kind = STICKSLIP_FORCE, load.x.value = 0.2;
+    OK(stickslip_rolling_solver_set_load(solver, &load));
+    stickslip_rolling_result before = solve(solver, solution);
+    OK(stickslip_rolling_solver_stiffness(solver, &slipping));
+    OK(stickslip_rolling_solver_set_friction(solver, &more));
+    stickslip_rolling_result after = solve(solver, solution);
+    CLOSE(after.force[0], 0.2, 1e-8);
+    CHECK(after.creepage[0] < before.creepage[0] && after.stick_ratio > before.stick_ratio);
+    CHECK(stickslip_rolling_solver_set_friction(solver, &less) == STICKSLIP_BEYOND_FRICTION_CAPACITY);
+    CHECK(stickslip_rolling_solver_set_friction(solver, NULL) == STICKSLIP_BAD_POINTER);
+    CLOSE(solve(solver, solution).creepage[0], after.creepage[0], 1e-6);
+    OK(stickslip_rolling_solver_set_friction(solver, &own));
+    OK(stickslip_rolling_solver_reset(solver));
+    OK(stickslip_rolling_solver_stiffness(solver, &sticking));
+    CHECK(sticking.slopes[0][0] > 1.2 * slipping.slopes[0][0]);
+    CHECK(stickslip_rolling_solver_reset(NULL) == STICKSLIP_BAD_POINTER);
+}
+
+static int32_t count_down(const stickslip_iteration *iteration, void *user) {
+    (void)iteration;
+    return (*(int *)user)-- > 0;
+}
+
+static void long_calls_ask_their_observer(stickslip_rolling_solver *solver) {
+    stickslip_creep_point points[2] = {{{0.05, 0.0}, 0.0}, {{0.1, 0.0}, 0.0}};
+    stickslip_creep_force forces[2] = {{{7.0, 7.0}, 7.0, 7.0}};
+    int left = 1000, few = 3;
+    stickslip_observer observer = {count_down, &few}, patient = {count_down, &left};
+    CHECK(stickslip_rolling_solver_creep_forces_observed(solver, points, 2, &observer, forces) == STICKSLIP_NOT_CONVERGED);
+    stickslip_report report;
+    OK(stickslip_last_error_report(&report));
+    CHECK(report.status == STICKSLIP_CANCELLED && few == -1 && forces[0].moment == 7.0);
+    OK(stickslip_rolling_solver_creep_forces_observed(solver, points, 2, &patient, forces));
+    CHECK(left < 1000 && forces[1].force[0] > forces[0].force[0]);
+}
+
+static void closed_forms_are_met(const stickslip_half_space *bodies, stickslip_rolling_solver *solver) {
+    stickslip_kalker kalker;
+    stickslip_vermeulen_johnson curve;
+    stickslip_bentall_johnson none;
+    OK(stickslip_kalker_coefficients(1.0, 0.25, &kalker));
+    CLOSE(kalker.c11, 4.12, 5e-3);
+    CLOSE(kalker.c22, 3.67, 5e-3);
+    CLOSE(kalker.c23, 1.47, 5e-3);
+    CHECK(stickslip_kalker_coefficients(32.0, 0.25, &kalker) == STICKSLIP_BELOW);
+    CHECK(stickslip_kalker_coefficients(1.0, 0.6, &kalker) == STICKSLIP_POISSON_RATIO);
+    CHECK(stickslip_kalker_coefficients(1.0, 0.25, NULL) == STICKSLIP_BAD_POINTER);
+    OK(stickslip_vermeulen_johnson_ellipse(bodies, 1.0, 1.0, 1.0, FRICTION, 0.06, 0.03, &curve));
+    CHECK(curve.coefficients.c11 == kalker.c11 && curve.semi_axes[0] == curve.semi_axes[1]);
+    double unit = pow(curve.semi_axes[0], 2) / FRICTION;
+    CLOSE(curve.relative_creepage, hypot(kalker.c11 * 0.06, kalker.c22 * 0.03) * unit, 1e-12);
+    stickslip_creep_point point = {{0.06, 0.03}, 0.0};
+    stickslip_creep_force solved;
+    OK(stickslip_rolling_solver_creep_forces(solver, &point, 1, &solved));
+    CLOSE(curve.force[0], solved.force[0], 0.04);
+    CLOSE(curve.force[1], solved.force[1], 0.04);
+    OK(stickslip_bentall_johnson_cylinder(bodies, 1.0, 1.0, 0.01, &none));
+    CHECK(none.creepage == 0.0 && none.dissipation == 0.0);
+
+    /* Rollers of aluminium and steel that roll freely. */
+    stickslip_material aluminium = {70e3, 0.33, 0.0}, steel = {210e3, 0.3, 0.0};
+    stickslip_grid grid = {4, 4, 1.0, 1.0};
+    stickslip_half_space *rollers = NULL;
+    stickslip_pair pair;
+    stickslip_bentall_johnson rolls;
+    OK(stickslip_half_space_new(&grid, &aluminium, &steel, NULL, &rollers));
+    OK(stickslip_half_space_pair(rollers, &pair));
+    OK(stickslip_bentall_johnson_cylinder(rollers, 10.0, 100.0, 0.01, &rolls));
+    CLOSE(rolls.creepage, 0.9148 * pair.dundurs_beta * rolls.half_width / 10.0, 1e-4);
+    CLOSE(rolls.dissipation, 0.1239 * 0.01 * fabs(pair.dundurs_beta) * 100.0 * rolls.half_width / 10.0, 1e-3);
+    CLOSE(rolls.reversal, 0.4040 * rolls.half_width, 1e-4);
+    CHECK(stickslip_vermeulen_johnson_ellipse(rollers, 1.0, 1.0, 1.0, FRICTION, 0.0, 0.0, &curve) ==
+          STICKSLIP_COUPLED_MATERIALS);
+    OK(stickslip_half_space_free(rollers));
+}
+
+static stickslip_history *pressed_history(const stickslip_half_space *bodies) {
+    stickslip_friction friction = stickslip_coulomb(FRICTION);
+    stickslip_history_options options = stickslip_history_options_default();
+    stickslip_load_step press = {{STICKSLIP_FORCE, 1.0}};
+    stickslip_history *history = NULL;
+    options.model = STICKSLIP_VECTOR;
+    OK(stickslip_history_new(bodies, gap, CELLS, &friction, &options, &history));
+    OK(stickslip_history_step(history, &press, NULL));
+    return history;
+}
+
+static void histories_that_roll_on_end_in_the_steady_state(const stickslip_half_space *bodies,
+                                                           stickslip_rolling_solver *solver,
+                                                           stickslip_rolling_solution *solution) {
+    stickslip_history *history = pressed_history(bodies);
+    stickslip_load_step load = {0};
+    stickslip_step_result step = {0};
+    load.roll = (stickslip_roll){1, STICKSLIP_PLUS_X, {0.05, 0.02}, 0.01};
+    for (int i = 0; i < 120; i++) {
+        double last = step.force[0];
+        OK(stickslip_history_step(history, &load, NULL));
+        OK(stickslip_history_result(history, &step));
+        CHECK(step.force[0] > last - 1e-6 && step.creepage[0] == 0.05 && step.creepage[1] == 0.02);
+    }
+    stickslip_rolling_load steady = by_creepage(0.05, 0.02, 0.01);
+    OK(stickslip_rolling_solver_set_load(solver, &steady));
+    stickslip_rolling_result result = solve(solver, solution);
+    CLOSE(step.force[0], result.force[0], 1e-6);
+    CLOSE(step.force[1], result.force[1], 1e-6);
+    CLOSE(step.moment, result.moment, 1e-6);
+
+    /* The creepage that follows a force, and a step that does not roll. */
+    load.roll.creepage[0] = load.roll.spin = 0.0;
+    load.x.kind = STICKSLIP_FORCE, load.x.value = 0.1;
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_result(history, &step));
+    CLOSE(step.force[0], 0.1, 1e-8);
+    CHECK(step.creepage[0] < 0.05 && step.creepage[1] == 0.02);
+    load.roll = (stickslip_roll){0};
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_result(history, &step));
+    CHECK(step.creepage[0] == 0.0 && step.creepage[1] == 0.0);
+    OK(stickslip_history_free(history));
+}
+
+static void steps_that_cannot_roll_leave_the_history(const stickslip_half_space *bodies) {
+    stickslip_history *history = pressed_history(bodies);
+    stickslip_load_step load = {0};
+    load.roll.cells = N;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_BELOW);
+    load.roll.cells = UINT32_MAX;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_BELOW);
+    load.roll.cells = 0, load.roll.creepage[0] = 0.1;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_POSITIVE);
+    load.roll.cells = 1, load.roll.leading_edge = 4;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NO_SUCH_OPTION);
+    load.roll.leading_edge = 0, load.roll.creepage[0] = NAN;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_FINITE);
+    load.roll.creepage[0] = 0.1, load.x.kind = STICKSLIP_SHIFT, load.x.value = 0.1;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_MODELLED);
+    stickslip_step_result result;
+    OK(stickslip_history_result(history, &result));
+    CHECK(result.steps == 1 && result.force[0] == 0.0);
+    OK(stickslip_history_free(history));
+}
+
 int main(void) {
     a_cylinder_is_carter();
     stickslip_grid grid = {N, N, 3.0 / N, 3.0 / N};
@@ -217,10 +364,15 @@ int main(void) {
     loads_have_the_motions_that_cause_them(solver, solution);
     a_creep_curve_goes_from_nothing_to_sliding(solver);
     what_is_refused_leaves_the_solver(solver, solution);
+    friction_changes_and_the_last_answer_is_forgotten(solver, solution);
+    long_calls_ask_their_observer(solver);
     options_are_chosen(bodies, pressed);
+    closed_forms_are_met(bodies, solver);
+    histories_that_roll_on_end_in_the_steady_state(bodies, solver, solution);
+    steps_that_cannot_roll_leave_the_history(bodies);
     OK(stickslip_rolling_solution_free(solution));
     OK(stickslip_rolling_solver_free(solver));
     OK(stickslip_normal_solution_free(pressed));
     OK(stickslip_half_space_free(bodies));
-    return report("steady rolling");
+    return report("rolling");
 }

@@ -127,7 +127,31 @@ int main() {
     const std::vector<double> lost = rolled.dissipation();
     check(*std::min_element(lost.begin(), lost.end()) == 0.0 && *std::max_element(lost.begin(), lost.end()) > 0.0, "lost");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { roller.set_load(ss::rolling(ss::rolling_force(31.0))); });
-    fails(STICKSLIP_BELOW, [&] { roller.set_load(ss::rolling(ss::creepage(0.0), ss::creepage(0.0), ss::moment(1e3))); });
+    fails(STICKSLIP_BEYOND_FRICTION_CAPACITY,
+          [&] { roller.set_load(ss::rolling(ss::creepage(0.0), ss::creepage(0.0), ss::moment(1e3))); });
+    roller.set_friction(ss::coulomb(0.6));
+    check(roller.solve().result().creepage[0] < rolled.result().creepage[0], "less creepage with more friction");
+    roller.reset();
+    check(std::fabs(roller.stiffness().slopes[0][0] / linear - 1.0) < 1e-9, "all sticks again");
+    const ss::Observe never = [](const ss::Iteration &) { return false; };
+    fails(STICKSLIP_NOT_CONVERGED, [&] { roller.stiffness(never); });
+    fails(STICKSLIP_NOT_CONVERGED, [&] { roller.creep_forces({{{0.1, 0.0}, 0.0}}, never); });
+    const stickslip_kalker kalker = ss::kalker_coefficients(1.0, steel.poisson_ratio);
+    check(std::fabs(kalker.c11 * unit / linear - 1.0) < 0.02, "C11 of the table");
+    const stickslip_vermeulen_johnson slight = ss::vermeulen_johnson_ellipse(bodies, 5.0, 5.0, 100.0, 0.3, 1e-7, 0.0);
+    check(std::fabs(slight.force[0] / (1e-7 * kalker.c11 * unit) - 1.0) < 1e-3, "Vermeulen and Johnson");
+    check(ss::bentall_johnson_cylinder(bodies, 10.0, 100.0, 0.01).creepage == 0.0, "Bentall and Johnson");
+
+    // Step by step.
+    stickslip_history_options in_the_plane = stickslip_history_options_default();
+    in_the_plane.model = STICKSLIP_VECTOR;
+    ss::History rolls(bodies, ss::sphere(grid, 5.0), law, in_the_plane);
+    rolls.step(ss::step(ss::press_by_force(100.0)));
+    const ss::LoadStep roll = ss::rolled(ss::step(ss::held_pressure()), 1, 1e-4);
+    const double once = rolls.step(roll).force[0];
+    const stickslip_step_result twice = rolls.step(roll);
+    check(once > 0.0 && twice.force[0] > once && twice.creepage[0] == 1e-4, "a history that rolls");
+    fails(STICKSLIP_NOT_MODELLED, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;

@@ -84,7 +84,7 @@ mod _stickslip {
         half_space::HalfSpace,
         history::{
             AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath, LoopPoint,
-            LoopPoints, State, StepError, StepResult, archard, energy, max_stable_cycles,
+            LoopPoints, Rolling, State, StepError, StepResult, archard, energy, max_stable_cycles,
             threshold_energy,
         },
         influence::{Rectangle, Table, Tensor},

@@ -7,6 +7,7 @@ use stickslip::{Axis, LoadStep as Step, NormalControl, TangentialControl, Tangen
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
 use crate::due;
+use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
 
@@ -138,6 +139,7 @@ impl Keywords {
         &self,
         normal: Option<NormalControl>,
         relative_displacement: Option<Real>,
+        roll: Option<Rolling>,
     ) -> PyResult<Step> {
         let mut step = Step::hold().normal(normal.unwrap_or(NormalControl::Hold));
         for (axis, control) in [Axis::X, Axis::Y].into_iter().zip(self.controls()?) {
@@ -151,18 +153,24 @@ impl Keywords {
         if let Some(Real(amount)) = relative_displacement {
             step = step.relative_displacement(amount);
         }
+        if let Some(Rolling(rolling)) = roll {
+            step = step.roll(rolling);
+        }
         Ok(step)
     }
 
-    /// The step that is given as an object or by these keywords and the other two.
+    /// The step that is given as an object or by these keywords and the other three.
     pub(crate) fn step_or(
         &self,
         object: Option<LoadStep>,
         normal: Option<NormalControl>,
         relative_displacement: Option<Real>,
+        roll: Option<Rolling>,
     ) -> PyResult<Step> {
-        let is_empty = self.is_empty() && normal.is_none() && relative_displacement.is_none();
-        let by_keywords = self.step(normal, relative_displacement)?;
+        let others_are_empty =
+            normal.is_none() && relative_displacement.is_none() && roll.is_none();
+        let is_empty = self.is_empty() && others_are_empty;
+        let by_keywords = self.step(normal, relative_displacement, roll)?;
         one_of(object.map(|load| load.0), is_empty, by_keywords)
     }
 }
@@ -261,7 +269,7 @@ impl TangentialLoad {
         let twist = (twist != 0.0).then_some(twist);
         Ok(format!(
             "TangentialLoad({})",
-            keywords(NormalControl::Hold, controls, twist, None)
+            keywords(NormalControl::Hold, controls, twist, None).join(", ")
         ))
     }
 }
@@ -274,7 +282,7 @@ fn keywords(
     tangential: [TangentialControl; 2],
     twist: Option<f64>,
     relative_displacement: Option<f64>,
-) -> String {
+) -> Vec<String> {
     let mut shown = Vec::new();
     match normal {
         NormalControl::Force(force) => shown.push(format!("normal_force={}", short(force))),
@@ -300,7 +308,7 @@ fn keywords(
     shown.extend(
         relative_displacement.map(|amount| format!("relative_displacement={}", short(amount))),
     );
-    shown.join(", ")
+    shown
 }
 
 /// What a step of a history prescribes at its end; all that is not named is held.
@@ -324,6 +332,10 @@ fn keywords(
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
 /// relative_displacement : float, optional
 ///     Amount of the relative displacement of the history: a factor of its pattern.
+/// roll : stickslip.history.Rolling, optional
+///     With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way. Along
+///     an axis of which the step names the force the creepage follows; it names no shift, no spring and no twist. Normal
+///     load, gap and friction may change in the same step.
 ///
 /// Examples
 /// --------
@@ -338,7 +350,8 @@ pub(crate) struct LoadStep(pub(crate) Step);
 impl LoadStep {
     #[new]
     #[pyo3(signature = (*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None,
-        force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None))]
+        force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None,
+        roll=None))]
     fn new(
         normal_force: Option<Real>,
         approach: Option<Real>,
@@ -353,6 +366,7 @@ impl LoadStep {
         spring_y: Option<due::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<Real>,
+        roll: Option<Rolling>,
     ) -> PyResult<Self> {
         let keywords = Keywords::new(
             (force, shift, spring),
@@ -362,7 +376,7 @@ impl LoadStep {
             twist,
         );
         let normal = normal(normal_force, approach)?;
-        keywords.step(normal, relative_displacement).map(Self)
+        keywords.step(normal, relative_displacement, roll).map(Self)
     }
 
     /// The tangential half alone, with the twist of the load; the pressure is held.
@@ -378,15 +392,20 @@ impl LoadStep {
             tangential: [TangentialControl; 2],
             twist: Option<f64>,
             relative_displacement: Option<f64>,
+            rolling: Option<stickslip::history::Rolling>,
         }
         let Parts {
             normal,
             tangential,
             twist,
             relative_displacement,
+            rolling,
         } = parts(&self.0)?;
-        let shown = keywords(normal, tangential, twist, relative_displacement);
-        Ok(format!("LoadStep({shown})"))
+        let mut shown = keywords(normal, tangential, twist, relative_displacement);
+        if let Some(rolling) = rolling {
+            shown.push(format!("roll={}", as_keywords(&rolling)?));
+        }
+        Ok(format!("LoadStep({})", shown.join(", ")))
     }
 }
 

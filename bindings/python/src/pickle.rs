@@ -195,6 +195,7 @@ kinds!(
     crate::normal::Hardness,
     crate::history::EnergyBalance,
     crate::history::LoadPath,
+    crate::history::Rolling,
     crate::history::StepResult,
     crate::history::Cycle,
     crate::normal::NormalSolution,

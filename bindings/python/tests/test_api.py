@@ -71,7 +71,6 @@ WITHOUT = {
     "struct ranks::Traffic": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
-    "struct history::Rolling": "rolling steps of histories are in Rust alone so far",
     "trait TryClone": "copies of what Python holds are Python's",
 }
 # Methods that stand for the same in all types, by patterns of their names.
@@ -109,11 +108,9 @@ METHODS = {
     "history::LoadStep": {
         "hold": "LoadStep()",
         "normal": "normal_force= and approach=",
-        "roll": "as history::Rolling",
         "tangential": "force_x= and others",
     },
     "history::State": {"of_slabs": "as ranks::Threads"},
-    "history::StepResult": {"creepage": "as history::Rolling"},
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},

@@ -1,4 +1,4 @@
-"""Steady rolling against Carter and Kalker, by creepages, forces and moments."""
+"""Rolling, steady and step by step, against Carter and Kalker, by creepages, forces and moments."""
 
 import pickle
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import stickslip as ss
+from stickslip.history import Rolling
 from stickslip.rolling import CreepForces, RollingProblem
 
 FRICTION = 0.3
@@ -23,6 +24,12 @@ class Ball:
 
     def problem(self, **options):
         return RollingProblem(self.bodies, self.normal, FRICTION, **options)
+
+    def history(self, **options):
+        gap = ss.surface.sphere(self.bodies.grid, 1.0)
+        history = ss.History(self.bodies, gap, FRICTION, model="vector", **options)
+        history.step(normal_force=1.0)
+        return history
 
 
 @pytest.fixture(scope="module")
@@ -173,7 +180,7 @@ def test_what_is_refused_leaves_the_solver_as_it_was(ball):
     assert (caught.value.force, caught.value.limit) == pytest.approx((0.31, 0.3))
     with pytest.raises(ss.errors.NotFinite, match="creepage"):
         solver.solve(creepage=(0.0, np.nan))
-    with pytest.raises(ss.errors.BeyondFrictionMoment, match="moment of 1e0"):
+    with pytest.raises(ss.errors.BeyondFrictionMoment, match="moment of 1.0"):
         solver.solve(moment=1.0)
     with pytest.raises(ss.errors.NotFinite):
         solver.creep_forces([(0.2, 0.0, 0.0), (np.inf, 0.0, 0.0)])
@@ -204,3 +211,70 @@ def test_what_cannot_roll_is_refused(ball):
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
     with pytest.raises(ss.errors.Below, match="cells ahead of the contact"):
         RollingProblem(ball.bodies, flat, FRICTION)
+
+
+def test_a_history_that_rolls_on_ends_in_the_steady_state(ball):
+    motion = {"creepage": (0.05, 0.02), "spin": 0.01}
+    history, last = ball.history(), 0.0
+    for _ in range(120):
+        step = history.step(roll=Rolling(1, **motion))
+        last, before = step.tangential_force[0], last
+        assert last > before - 1e-6 and step.creepage == (0.05, 0.02)
+    steady = ball.problem(**motion).solve()
+    assert step.tangential_force == pytest.approx(steady.force, rel=1e-6)
+    assert step.moment == pytest.approx(steady.moment, rel=1e-6)
+    assert (history.zones == steady.zones).all()
+    energy = step.energy
+    assert abs(energy.residual) < 1e-9 * energy.work
+    # The motion of each step is the creepage times a cell.
+    assert step.shift == pytest.approx((120 * 0.05 * ball.bodies.grid.dx, 120 * 0.02 * ball.bodies.grid.dx))
+
+
+def test_the_creepage_of_a_step_follows_its_force(ball):
+    history = ball.history()
+    held = history.step(force_x=0.1)
+    assert held.creepage is None
+    for _ in range(120):
+        step = history.step(force_x=0.1, roll=Rolling(1, creepage_y=0.02))
+    assert step.tangential_force[0] == pytest.approx(0.1, rel=1e-9) and step.creepage[1] == 0.02
+    steady = ball.problem(force_x=0.1, creepage_y=0.02).solve()
+    assert step.creepage == pytest.approx(steady.creepage, rel=1e-6)
+    kept = pickle.loads(pickle.dumps(step.keep()))
+    assert kept.creepage == step.creepage
+
+
+def test_a_rolled_step_is_one_by_any_name(ball):
+    back = Rolling(2, creepage=(-0.1, 0.0), leading_edge="minus_x")
+    ahead = Rolling(2, creepage_x=0.1, leading_edge=ss.rolling.LeadingEdge.PLUS_X)
+    one, other = ball.history(), ball.history()
+    load = ss.LoadStep(roll=back)
+    one.step(load)
+    other.step(roll=ahead)
+    assert one.traction[0][:, ::-1] == pytest.approx(-other.traction[0], abs=1e-6)
+    assert load == ss.LoadStep(roll=Rolling(2, creepage_x=-0.1, leading_edge="minus_x")) != ss.LoadStep(roll=ahead)
+    assert repr(load) == "LoadStep(roll=Rolling(2, creepage=(-0.1, 0), spin=0, leading_edge='minus_x'))"
+    # Adaptive steps and batches take loads as histories do.
+    assert ss.History.step_all([one], [load]) == []
+    with pytest.raises(ss.errors.NotModelled, match="adaptive"):
+        ss.history.AdaptiveSteps(one, 0.05).step(one, load)
+
+
+def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
+    history = ball.history()
+    before = history.to_bytes()
+    for given, error in [
+        ({"roll": Rolling(0)}, ss.errors.NotPositive),
+        ({"roll": Rolling(20)}, ss.errors.Below),
+        ({"roll": Rolling(1, creepage_x=np.nan)}, ss.errors.NotFinite),
+        ({"roll": Rolling(1, spin=np.inf)}, ss.errors.NotFinite),
+        ({"roll": Rolling(1), "shift_x": 0.1}, ss.errors.NotModelled),
+        ({"roll": Rolling(1), "twist": 0.1}, ss.errors.NotModelled),
+        ({"roll": Rolling(1, creepage_x=0.1), "force_x": 0.1}, ss.errors.NotModelled),
+    ]:
+        with pytest.raises(error):
+            history.step(**given)
+        assert history.to_bytes() == before
+    with pytest.raises(TypeError, match="one of creepage and creepage_x along x"):
+        Rolling(1, creepage=(0.1, 0.0), creepage_x=0.1)
+    with pytest.raises(TypeError, match="a load or its keywords"):
+        history.step(ss.LoadStep(force_x=0.1), roll=Rolling(1))

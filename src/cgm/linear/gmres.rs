@@ -1,7 +1,7 @@
 //! Right-preconditioned GMRES, restarted, on the cells that move: for problems that are not symmetric, and where a residual
 //! is to fall by many digits.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use crate::buffer;
 use crate::cgm::linear::krylov::{Hessenberg, RESTART};
@@ -15,6 +15,9 @@ use crate::report::Status;
 
 /// The most that one basis, whose products are of single precision, is to reduce a residual to.
 const BASIS_REDUCTION: f64 = 1e-5;
+
+/// Vectors of a basis that are read at once.
+const AT_ONCE: usize = 4;
 
 /// What the unknowns leave of their equations, and what takes their corrections.
 pub(in crate::cgm) trait Equations<C: Operator<N>, P: Operator<N>, R, const N: usize> {
@@ -204,22 +207,8 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         let next = &mut rest[0];
         let mut products = [0.0; RESTART];
         for _ in 0..2 {
-            let parts: [f64; RESTART] = moving.sum(|range| {
-                let mut parts = [0.0; RESTART];
-                for (part, vector) in parts.iter_mut().zip(&*done) {
-                    *part = range
-                        .clone()
-                        .fold(0.0, |sum, k| sum + dot(next[k], vector[k]));
-                }
-                parts
-            });
-            parallel::update(next, |first, chunk| {
-                for (part, vector) in parts.iter().zip(&*done) {
-                    for (value, v) in chunk.iter_mut().zip(&vector[first..]) {
-                        *value = std::array::from_fn(|c| value[c] - part * v[c]);
-                    }
-                }
-            });
+            let parts = moving.sum(|range| products_with(&next[range.clone()], done, range));
+            parallel::update(next, |first, chunk| subtract(chunk, &parts, done, first));
             for (product, part) in products.iter_mut().zip(parts) {
                 *product += part;
             }
@@ -247,6 +236,62 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
                 }
             }
         });
+    }
+}
+
+/// Products of a piece of a vector with the same range of each vector of a basis, of several at once, so that additions
+/// overlap.
+fn products_with<const N: usize>(
+    piece: &[[f64; N]],
+    basis: &[Vec<[f64; N]>],
+    range: Range<usize>,
+) -> [f64; RESTART] {
+    let mut products = [0.0; RESTART];
+    for (products, group) in products.chunks_mut(AT_ONCE).zip(basis.chunks(AT_ONCE)) {
+        if let [a, b, c, d] = group {
+            let vectors = [a, b, c, d].map(|vector| &vector[range.clone()]);
+            let mut sums = [0.0; AT_ONCE];
+            for (k, value) in piece.iter().enumerate() {
+                for (sum, vector) in sums.iter_mut().zip(vectors) {
+                    *sum += dot(*value, vector[k]);
+                }
+            }
+            products.copy_from_slice(&sums);
+        } else {
+            for (product, vector) in products.iter_mut().zip(group) {
+                let pairs = piece.iter().zip(&vector[range.clone()]);
+                *product = pairs.fold(0.0, |sum, (a, b)| sum + dot(*a, *b));
+            }
+        }
+    }
+    products
+}
+
+/// Subtracts these parts of the vectors of a basis from a piece of a vector that begins there.
+fn subtract<const N: usize>(
+    piece: &mut [[f64; N]],
+    parts: &[f64; RESTART],
+    basis: &[Vec<[f64; N]>],
+    first: usize,
+) {
+    let less = |value: [f64; N], part: f64, v: [f64; N]| -> [f64; N] {
+        std::array::from_fn(|c| value[c] - part * v[c])
+    };
+    let range = first..first + piece.len();
+    for (parts, group) in parts.chunks(AT_ONCE).zip(basis.chunks(AT_ONCE)) {
+        if let ([p, q, r, s], [a, b, c, d]) = (parts, group) {
+            let [a, b, c, d] = [a, b, c, d].map(|vector| &vector[range.clone()]);
+            for (k, value) in piece.iter_mut().enumerate() {
+                let two = less(less(*value, *p, a[k]), *q, b[k]);
+                *value = less(less(two, *r, c[k]), *s, d[k]);
+            }
+        } else {
+            for (part, vector) in parts.iter().zip(group) {
+                for (value, v) in piece.iter_mut().zip(&vector[range.clone()]) {
+                    *value = less(*value, *part, *v);
+                }
+            }
+        }
     }
 }
 

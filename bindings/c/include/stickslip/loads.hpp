@@ -3,6 +3,8 @@
 #ifndef STICKSLIP_LOADS_HPP
 #define STICKSLIP_LOADS_HPP
 
+#include <cstdint>
+
 #include "../stickslip.h"
 
 namespace stickslip {
@@ -27,7 +29,15 @@ inline stickslip_tangential_load tangential(stickslip_control x, stickslip_contr
 
 /// A step of a history that holds what it does not name.
 inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
-    return {normal, x, y, 0, 0.0, 0, 0.0, {}};
+    return {normal, x, y, 0, 0.0, 0, 0.0, {}, {}};
+}
+
+/// The same step, in which the bodies roll by so many cells with creepages, from the leading edge at the largest x or
+/// another. Along an axis of which it names a force the creepage follows, and is zero here.
+inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0.0, double creepage_y = 0.0,
+                       double spin = 0.0, std::int32_t leading_edge = STICKSLIP_PLUS_X) {
+    step.roll = {cells, leading_edge, {creepage_x, creepage_y}, spin};
+    return step;
 }
 
 } // namespace stickslip

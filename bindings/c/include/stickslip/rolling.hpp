@@ -75,7 +75,9 @@ class RollingSolver {
           })) {}
 
     void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
+    void set_friction(const stickslip_friction &friction) { check(stickslip_rolling_solver_set_friction(get(), &friction)); }
     void set_settings(const Settings &settings) { check(stickslip_rolling_solver_set_settings(get(), &settings)); }
+    void reset() { check(stickslip_rolling_solver_reset(get())); }
 
     RollingSolution solve(const Observe &observe = nullptr) {
         RollingSolution solution = new_solution();
@@ -92,14 +94,20 @@ class RollingSolver {
         });
     }
     /// About the last answer.
-    stickslip_rolling_stiffness stiffness() {
-        return detail::asked<stickslip_rolling_stiffness>(
-            [&](auto *out) { return stickslip_rolling_solver_stiffness(get(), out); });
+    stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
+        stickslip_rolling_stiffness found{};
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_rolling_solver_stiffness_observed(get(), observer, &found);
+        });
+        return found;
     }
     /// A creep curve or a creep surface; the last point stays prescribed.
-    std::vector<CreepForce> creep_forces(const std::vector<CreepPoint> &points) {
+    std::vector<CreepForce> creep_forces(const std::vector<CreepPoint> &points, const Observe &observe = nullptr) {
         std::vector<CreepForce> forces(points.size());
-        check(stickslip_rolling_solver_creep_forces(get(), points.data(), points.size(), forces.data()));
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_rolling_solver_creep_forces_observed(get(), points.data(), points.size(), observer,
+                                                                  forces.data());
+        });
         return forces;
     }
     stickslip_rolling_solver *get() const { return own_.get(); }
@@ -114,6 +122,30 @@ inline stickslip_carter carter_cylinder(const HalfSpace &bodies, double radius, 
                                         double creepage) {
     return detail::asked<stickslip_carter>([&](auto *out) {
         return stickslip_carter_cylinder(bodies.get(), radius, force, friction, creepage, out);
+    });
+}
+
+/// Bentall and Johnson's contact of a cylinder of another material that rolls freely under a force per length.
+inline stickslip_bentall_johnson bentall_johnson_cylinder(const HalfSpace &bodies, double radius, double force,
+                                                          double friction) {
+    return detail::asked<stickslip_bentall_johnson>([&](auto *out) {
+        return stickslip_bentall_johnson_cylinder(bodies.get(), radius, force, friction, out);
+    });
+}
+
+/// Kalker's coefficients of a contact of this ratio of its semi-axes, along the rolling direction and across it.
+inline stickslip_kalker kalker_coefficients(double ratio, double poisson_ratio) {
+    return detail::asked<stickslip_kalker>(
+        [&](auto *out) { return stickslip_kalker_coefficients(ratio, poisson_ratio, out); });
+}
+
+/// Vermeulen and Johnson's contact of a body with two radii of curvature under a force, with creepages.
+inline stickslip_vermeulen_johnson vermeulen_johnson_ellipse(const HalfSpace &bodies, double radius_x, double radius_y,
+                                                             double force, double friction, double creepage_x,
+                                                             double creepage_y) {
+    return detail::asked<stickslip_vermeulen_johnson>([&](auto *out) {
+        return stickslip_vermeulen_johnson_ellipse(bodies.get(), radius_x, radius_y, force, friction, creepage_x,
+                                                   creepage_y, out);
     });
 }
 

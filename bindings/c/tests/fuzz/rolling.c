@@ -21,7 +21,7 @@ void roll(struct run *run) {
     stickslip_rolling_solver *solver = GET(stickslip_rolling_solver, rolling);
     stickslip_rolling_solution *solution = GET(stickslip_rolling_solution, rolled);
     void *made = NULL;
-    switch (below(run, 10)) {
+    switch (below(run, 12)) {
     case 0:
     case 1: {
         stickslip_rolling_options options = stickslip_rolling_options_default();
@@ -46,7 +46,8 @@ void roll(struct run *run) {
         break;
     case 5: {
         stickslip_rolling_stiffness stiffness;
-        SEEN(stickslip_rolling_solver_stiffness(solver, maybe_out(run, &stiffness)));
+        SEEN(stickslip_rolling_solver_stiffness_observed(solver, below(run, 2) == 0 ? &observer : NULL,
+                                                         maybe_out(run, &stiffness)));
         break;
     }
     case 6: {
@@ -55,8 +56,9 @@ void roll(struct run *run) {
         for (int i = 0; i < POINTS; i++) {
             points[i] = (stickslip_creep_point){{number(run, 0.01), number(run, 0.01)}, number(run, 0.01)};
         }
-        SEEN(stickslip_rolling_solver_creep_forces(solver, maybe(run, points), below(run, POINTS + 1),
-                                                   maybe_out(run, forces)));
+        SEEN(stickslip_rolling_solver_creep_forces_observed(solver, maybe(run, points), below(run, POINTS + 1),
+                                                            below(run, 2) == 0 ? &observer : NULL,
+                                                            maybe_out(run, forces)));
         break;
     }
     case 7: {
@@ -67,6 +69,12 @@ void roll(struct run *run) {
         SEEN(stickslip_rolling_solution_dissipation(solution, maybe_out(run, numbers), count));
         break;
     }
+    case 8:
+        SEEN(stickslip_rolling_solver_set_friction(solver, maybe(run, &law)));
+        break;
+    case 9:
+        SEEN(stickslip_rolling_solver_reset(solver));
+        break;
     default:
         SEEN(stickslip_rolling_solver_solve(solver, solution, below(run, 4) == 0 ? maybe(run, &observer) : NULL));
     }

@@ -63,8 +63,11 @@ void forms(struct run *run) {
     stickslip_hertz hertz;
     stickslip_cattaneo_mindlin found;
     stickslip_carter carter;
+    stickslip_bentall_johnson free_rolling;
+    stickslip_kalker kalker;
+    stickslip_vermeulen_johnson curve;
     stickslip_statistics statistics;
-    switch (below(run, 5)) {
+    switch (below(run, 8)) {
     case 0:
         SEEN(stickslip_hertz_sphere(bodies, number(run, 5.0), number(run, 1.0), maybe_out(run, &hertz)));
         break;
@@ -77,6 +80,18 @@ void forms(struct run *run) {
                                        maybe_out(run, &carter)));
         break;
     case 3:
+        SEEN(stickslip_bentall_johnson_cylinder(bodies, number(run, 5.0), number(run, 1.0), number(run, 0.1),
+                                                maybe_out(run, &free_rolling)));
+        break;
+    case 4:
+        SEEN(stickslip_kalker_coefficients(number(run, 4.0), number(run, 0.5), maybe_out(run, &kalker)));
+        break;
+    case 5:
+        SEEN(stickslip_vermeulen_johnson_ellipse(bodies, number(run, 5.0), number(run, 5.0), number(run, 1.0),
+                                                 number(run, 0.5), number(run, 1e-2), number(run, 1e-2),
+                                                 maybe_out(run, &curve)));
+        break;
+    case 6:
         SEEN(stickslip_surface_statistics(maybe(run, &grid), maybe(run, heights), count, maybe_out(run, &statistics)));
         break;
     default: {

@@ -77,6 +77,7 @@ __all__ = [
     "Report",
     "Response",
     "Responses",
+    "Rolling",
     "RollingProblem",
     "RollingSolution",
     "RollingSolver",
@@ -2382,7 +2383,7 @@ class History:
         """
         A snapshot of the state.
         """
-    def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
+    def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
         Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held.
 
@@ -2390,7 +2391,7 @@ class History:
         ----------
         load : LoadStep, optional
             The step as an object, instead of by keywords.
-        normal_force, approach, force, shift, spring, force_x, ... : optional
+        normal_force, approach, force, shift, spring, force_x, ..., roll : optional
             As of :class:`LoadStep`.
         progress : callable or bool, optional
             As of :meth:`NormalProblem.solve`.
@@ -2735,6 +2736,10 @@ class LoadStep:
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
     relative_displacement : float, optional
         Amount of the relative displacement of the history: a factor of its pattern.
+    roll : stickslip.history.Rolling, optional
+        With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way. Along
+        an axis of which the step names the force the creepage follows; it names no shift, no spring and no twist. Normal
+        load, gap and friction may change in the same step.
 
     Examples
     --------
@@ -2744,7 +2749,7 @@ class LoadStep:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None) -> LoadStep: ...
+    def __new__(cls, /, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None) -> LoadStep: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @staticmethod
@@ -4067,6 +4072,46 @@ class Responses:
         """
 
 @final
+class Rolling:
+    """
+    How the bodies roll in a step of a history: by how many cells, where their particles enter the contact, and what body 2
+    moves over body 1 on the way. Without creepage and spin they roll freely.
+
+    Parameters
+    ----------
+    cells : int
+        Cells by which the particles of both surfaces move through the contact, one or more.
+    creepage : pair of float, optional
+        The creepages along x and y, which body 2 moves over body 1 for each length rolled (dimensionless, default zero). A
+        positive creepage causes a positive force. Along an axis of which the step names the force the creepage follows, and
+        must not be given here.
+    creepage_x, creepage_y : float, optional
+        The same along one axis.
+    spin : float, default 0
+        Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+        positive from x to y). The vector model alone has it.
+    leading_edge : LeadingEdge or str, default "plus_x"
+        Where particles enter the contact.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> body = ss.Material.from_shear_modulus(1.0, 0.25)
+    >>> bodies = ss.HalfSpace(ss.Grid.square(24, 3.0), (body, body))
+    >>> history = ss.History(bodies, ss.surface.sphere(bodies.grid, 1.0), 0.3, model="vector")
+    >>> step = history.step(normal_force=1.0)
+    >>> rolling = ss.history.Rolling(1, creepage_x=0.05)
+    >>> forces = [history.step(roll=rolling).tangential_force[0] for _ in range(5)]
+    >>> forces == sorted(forces), history.last_step.creepage  # the force grows towards that of steady rolling
+    (True, (0.05, 0.0))
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, cells: int, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, spin: float | None = None, leading_edge: LeadingEdge | str | None = None) -> Rolling: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+
+@final
 class RollingProblem:
     """
     Bodies, normal contact, friction, and what is prescribed of their steady rolling.
@@ -4906,6 +4951,12 @@ class StepResult:
     def approach(self, /) -> float:
         """
         Approach at its end (a length).
+        """
+    @property
+    def creepage(self, /) -> tuple[float, float] | None:
+        """
+        The creepages along x and y of a step that rolled, prescribed or caused by the force (dimensionless); ``None`` if it
+        did not roll.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:

@@ -1,4 +1,4 @@
-"""Contacts that remember their load: steps, cycles, fretting loops, adaptive steps."""
+"""Contacts that remember their load: steps, cycles, fretting loops, adaptive steps, steps that roll."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from ._stickslip import (
     LoadStep,
     LoopPoint,
     LoopPoints,
+    Rolling,
     State,
     StepError,
     StepResult,
@@ -163,6 +164,7 @@ __all__ = [
     "LoopPoint",
     "LoopPoints",
     "Regime",
+    "Rolling",
     "State",
     "StepError",
     "StepResult",

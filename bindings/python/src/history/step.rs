@@ -23,6 +23,7 @@ pub(super) struct Numbers {
     moment: f64,
     shift: [f64; 2],
     twist: f64,
+    creepage: Option<[f64; 2]>,
     stick_ratio: f64,
     is_gross_slip: bool,
     normal_report: Option<stickslip::Report>,
@@ -40,6 +41,7 @@ impl Numbers {
             moment: step.moment(),
             shift: step.shift(),
             twist: step.twist(),
+            creepage: step.creepage(),
             stick_ratio: step.stick_ratio(),
             is_gross_slip: step.is_gross_slip(),
             normal_report: step.normal_report().cloned(),
@@ -206,6 +208,13 @@ impl StepResult {
     #[getter]
     fn twist(&self) -> f64 {
         self.numbers.twist
+    }
+
+    /// The creepages along x and y of a step that rolled, prescribed or caused by the force (dimensionless); ``None`` if it
+    /// did not roll.
+    #[getter]
+    fn creepage(&self) -> Option<(f64, f64)> {
+        self.numbers.creepage.map(pair)
     }
 
     /// Stick cells over contact cells at its end.

@@ -11,7 +11,7 @@ use crate::due;
 use crate::error::{OrRaise, raised};
 use crate::held::lock;
 use crate::history::builder::{NAME, Work};
-use crate::history::{History, StepResult};
+use crate::history::{History, Rolling, StepResult};
 use crate::load::{self, Keywords, LoadStep};
 use crate::progress::Progress;
 use crate::real::Real;
@@ -26,7 +26,7 @@ impl History {
     /// ----------
     /// load : LoadStep, optional
     ///     The step as an object, instead of by keywords.
-    /// normal_force, approach, force, shift, spring, force_x, ... : optional
+    /// normal_force, approach, force, shift, spring, force_x, ..., roll : optional
     ///     As of :class:`LoadStep`.
     /// progress : callable or bool, optional
     ///     As of :meth:`NormalProblem.solve`.
@@ -43,7 +43,7 @@ impl History {
     /// NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, NotConverged
     #[pyo3(signature = (load=None, *, normal_force=None, approach=None, force=None, shift=None, spring=None,
         force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
-        relative_displacement=None, progress=None, warn=true))]
+        relative_displacement=None, roll=None, progress=None, warn=true))]
     fn step<'py>(
         slf: &Bound<'py, Self>,
         load: Option<LoadStep>,
@@ -60,6 +60,7 @@ impl History {
         spring_y: Option<due::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<Real>,
+        roll: Option<Rolling>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<StepResult> {
@@ -72,7 +73,7 @@ impl History {
             twist,
         );
         let normal = load::normal(normal_force, approach)?;
-        let load = keywords.step_or(load, normal, relative_displacement)?;
+        let load = keywords.step_or(load, normal, relative_displacement, roll)?;
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
