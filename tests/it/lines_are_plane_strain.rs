@@ -116,6 +116,27 @@ fn shear(normal: &NormalSolution, bodies: &HalfSpace, force: f64) -> stickslip::
     problem.tolerance(1e-13).build().unwrap().solve().unwrap()
 }
 
+/// Starts from coarser cells leave little to do on the finest ones, however many they are.
+#[test]
+fn finer_lines_take_no_more_steps() {
+    let pair = unit_pair(0.3);
+    for nx in [512, 2048, 8192] {
+        let grid = Grid::new(nx, 1, 4.8 / nx as f64, 1.0).unwrap();
+        let bodies = along_y(grid, pair);
+        let gap = surface::cylinder(grid, 20.0).unwrap();
+        let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.06));
+        let normal = normal.tolerance(1e-6).build().unwrap().solve().unwrap();
+        let load = TangentialLoad::force([0.012, 0.0]);
+        let friction = Friction::coulomb(FRICTION).unwrap();
+        let sheared = TangentialProblem::builder(&bodies, &normal, friction, load);
+        let sheared = sheared.tolerance(1e-6).build().unwrap().solve().unwrap();
+        for report in [normal.report(), sheared.report()] {
+            // Measured up to 14.
+            assert!(report.iterations <= 16, "{nx}: {report}");
+        }
+    }
+}
+
 /// Equal rows are a line, and rough ones are not.
 #[test]
 fn equal_rows_answer_as_one() {
