@@ -1,7 +1,7 @@
 //! Several processes, or threads, that solve one contact together.
 //!
-//! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in
-//! [`Ranks::swap`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
+//! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in the
+//! exchanges of [`Ranks`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
@@ -33,7 +33,7 @@
 //! |---|---|
 //! | [`Threads`] | threads of one process, to try and test distributed programs |
 //! | `Mpi` (feature `mpi`) | processes of an MPI program |
-//! | your own | anything that swaps blocks: implement [`Ranks`] |
+//! | your own | anything that swaps blocks: implement [`Ranks::swap`], and what can be done faster than by swaps |
 //!
 //! # The same bits
 //!
@@ -63,9 +63,19 @@
 //! ```
 //!
 //! on a free grid, half of it on a periodic one, and half of either in single precision; bands of 16 rows without
-//! traction are not sent on the way there. A window of the contact has its rows dealt out to all ranks anew. An
+//! traction are not sent on the way there. In either direction a rank sends a block to each other one, all at once
+//! ([`Ranks::all_to_all`]), packed on all threads; of more than 4 MB in up to 16 rounds, so that blocks take little
+//! memory beside what they are made of. A window of the contact has its rows dealt out to all ranks anew. An
 //! iteration adds up seven partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
 //! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
+//!
+//! Columns of the transform are dealt out in sixteens, two cache lines of each row, since both precisions share them:
+//! of $`n \times n`$ cells on a grid that repeats at most $`n/32`$ ranks have columns to transform (a free grid has
+//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row. Ranks beyond these numbers have
+//! nothing to do in that part, and only wait.
+//!
+//! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
+//! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows.
 //!
 //! # Failure
 //!

@@ -96,10 +96,20 @@ impl Team {
 
     /// A decision of the first rank, for all.
     pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
+        let found = self.of_first(decision);
+        (!self.has_failed()).then_some(found)
+    }
+
+    /// The value of the first rank, for all; this rank's own once a call has failed.
+    pub(crate) fn of_first<T: Words>(&self, own: T) -> T {
         let mut counts = vec![0; self.size()];
-        counts[0] = 1;
-        let own: &[u64] = if self.rank() == 0 { &[decision] } else { &[] };
-        self.gather(own, &counts)?.first().copied()
+        counts[0] = T::COUNT;
+        let mut words = Vec::new();
+        if self.rank() == 0 {
+            own.write(&mut words);
+        }
+        let all = self.gather(&words, &counts);
+        all.map_or(own, |all| T::read(&mut &all[..]))
     }
 
     /// What the values of all ranks come to, combined in their order; this rank's own once a call has failed.
