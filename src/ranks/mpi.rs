@@ -190,7 +190,7 @@ impl Post {
                 // MPI may read the block until it is sent.
                 while let Err(pending) = sent.test() {
                     if clock.is_over() {
-                        self.abort(&world, self.silent(to));
+                        Self::abort(&world, self.silent(to));
                     }
                     sent = pending;
                 }
@@ -250,7 +250,7 @@ impl Post {
 
     /// Ends all processes.
     #[expect(clippy::print_stderr, reason = "no error can reach a caller any more")]
-    fn abort(&self, world: &SimpleCommunicator, why: RankFailure) -> ! {
+    fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
         let own = world.rank();
         eprintln!("stickslip: rank {own} gives up: {why}; all ranks are aborted");
         world.abort(1)
@@ -276,7 +276,7 @@ impl Post {
             if let (true, Err(why @ RankFailure::Silent { .. })) =
                 (self.are_given_up[rank], received)
             {
-                self.abort(&world, why);
+                Self::abort(&world, why);
             }
         }
     }
