@@ -45,7 +45,8 @@ LAYERS = [
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
         "operator": {"error", "layout"},
-        "contact_map": {"boundary", "buffer", "error", "grid", "neighbours", "warning"},
+        "contact_map": {"boundary", "buffer", "error", "grid", "neighbours", "survey", "warning"},
+        "survey": {"contact_map", "grid", "parallel", "ranks", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
         "influence": FOUNDATION,
@@ -56,14 +57,14 @@ LAYERS = [
         "io": {"error", "grid", "field", "ranks", "share"},
     }),
     ("the engine, and what it works on", {
-        "half_space": FOUNDATION | {"contact_map", "levels", "operator", "influence", "fft", "io", "surface", "window"},
+        "half_space": FOUNDATION | {"contact_map", "survey", "levels", "operator", "influence", "fft", "io", "surface", "window"},
         "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial", "watch"},
         "contact": ENGINE,
         "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
     }),
     ("the two problems", {
-        "normal": ENGINE | {"contact_map", "contact"},
-        "tangential": ENGINE | {"contact_map", "coupling", "contact", "normal"},
+        "normal": ENGINE | {"contact_map", "survey", "contact"},
+        "tangential": ENGINE | {"contact_map", "survey", "coupling", "contact", "normal"},
     }),
     ("both problems at once", {
         "coupled": ENGINE | {"contact_map", "contact", "normal", "tangential"},

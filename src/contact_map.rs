@@ -6,40 +6,30 @@ use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::neighbours::neighbours;
-use crate::warning::{RESOLVED, Resolution, Warning};
-
-/// The cells of a whole grid that belong to a set, as every rank knows them.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Bits {
-    /// A bit for each cell; every row begins with a word of its own.
-    words: Vec<u64>,
-    columns: usize,
-}
-
-impl Bits {
-    pub(crate) fn new(words: Vec<u64>, columns: usize) -> Self {
-        Self { words, columns }
-    }
-
-    /// Whether a cell belongs to it.
-    pub(crate) fn contain(&self, cell: usize) -> bool {
-        let (column, row) = (cell % self.columns, cell / self.columns);
-        let word = self.words[row * self.columns.div_ceil(64) + column / 64];
-        (word >> (column % 64)) & 1 != 0
-    }
-}
+use crate::survey::Survey;
+use crate::warning::{Resolution, Warning};
 
 /// A map of the cells that belong to a set.
-pub(crate) struct ContactMap<F> {
+pub(crate) struct ContactMap<'a, F> {
     pub(crate) grid: Grid,
     /// Whether it repeats along x and along y.
     pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
+    /// What ranks that hold a slab each have counted together: of their map nothing else is asked.
+    pub(crate) counted: Option<&'a Survey>,
 }
 
-impl<F: Fn(usize) -> bool> ContactMap<F> {
+impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
+    /// All counts.
+    pub(crate) fn counts(&self) -> Survey {
+        self.counted.copied().unwrap_or_else(|| self.survey(None))
+    }
+
     /// Cells in the set.
     pub(crate) fn cells(&self) -> usize {
+        if let Some(counted) = self.counted {
+            return counted.cells;
+        }
         (0..self.grid.cells())
             .filter(|&i| (self.contains)(i))
             .count()
@@ -59,20 +49,11 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
         cells.max(0.0) * self.grid.cell_area()
     }
 
-    /// Columns and rows spanned by the set, from its first to its last cell; on a periodic grid, the smallest span that
-    /// holds all of it, across the edges too. `None` if the set is empty.
-    pub(crate) fn extent(&self) -> Option<[usize; 2]> {
-        let (nx, ny) = (self.grid.nx(), self.grid.ny());
-        let (mut columns, mut rows) = (vec![false; nx], vec![false; ny]);
-        for i in (0..self.grid.cells()).filter(|&i| (self.contains)(i)) {
-            (columns[i % nx], rows[i / nx]) = (true, true);
-        }
-        let [along_x, along_y] = self.repeats;
-        Some([span(&columns, along_x)?, span(&rows, along_y)?])
-    }
-
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
     pub(crate) fn switches(&self) -> usize {
+        if let Some(counted) = self.counted {
+            return counted.switches;
+        }
         let contains = &self.contains;
         (0..self.grid.cells())
             .map(|i| {
@@ -83,68 +64,52 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
             .sum()
     }
 
-    /// All warnings, or the error of memory that cannot be had.
-    pub(crate) fn warnings(&self) -> Result<Vec<Warning>> {
-        if self.cells() == 0 {
-            return Ok(vec![Warning::NoContact]);
+    /// All warnings.
+    pub(crate) fn warnings(&self) -> Vec<Warning> {
+        let Survey {
+            cells,
+            cells_on_edge,
+            spots,
+            ..
+        } = self.counts();
+        if cells == 0 {
+            return vec![Warning::NoContact];
         }
         let mut warnings = Vec::new();
-        let cells = self.cells_on_edge();
-        if cells > 0 {
-            warnings.push(Warning::ContactAtEdge { cells });
+        if cells_on_edge > 0 {
+            warnings.push(Warning::ContactAtEdge {
+                cells: cells_on_edge,
+            });
         }
-        let spots = self.survey_spots()?;
-        let [columns, rows] = self.grid.size();
-        let repeats = self.repeats;
-        let across = |axis: usize| spots.iter().any(|spot| spot.edges[axis] == [true; 2]);
-        let [along_x, along_y] = from_fn(|axis| !repeats[axis] && across(axis));
+        let ([columns, rows], repeats) = (self.grid.size(), self.repeats);
+        let [along_x, along_y] = from_fn(|axis| !repeats[axis] && spots.is_across[axis]);
         if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
             warnings.push(Warning::LineOfCells);
         } else if along_x || along_y {
             warnings.push(Warning::ContactAcross { along_x, along_y });
         }
-        let unresolved = spots.iter().filter(|spot| spot.cells < RESOLVED).count();
-        if unresolved == 0 {
-            let contact = Resolution::of_contact(self.grid, self.cells());
+        if spots.unresolved == 0 {
+            let contact = Resolution::of_contact(self.grid, cells);
             warnings.extend(contact.contact_warning());
         } else {
             warnings.push(Warning::UnresolvedSpots {
-                unresolved,
-                spots: spots.len(),
+                unresolved: spots.unresolved,
+                spots: spots.all,
             });
         }
-        Ok(warnings)
+        warnings
     }
 
     /// Cells on the radius of a spot of mean size, of a line on half its width; zero without spots.
-    pub(crate) fn cells_per_radius(&self) -> Result<f64> {
-        let spots = self.survey_spots()?.len().max(1);
-        let cells = self.cells() as f64 / spots as f64;
+    pub(crate) fn cells_per_radius(&self) -> f64 {
+        let counts = self.counts();
+        let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
         let is_line = self.grid.size().contains(&1);
-        Ok(if is_line {
+        if is_line {
             0.5 * cells
         } else {
             (cells / std::f64::consts::PI).sqrt()
-        })
-    }
-
-    /// Size and place of each spot.
-    fn survey_spots(&self) -> Result<Vec<Surveyed>> {
-        let mut spots: Vec<Surveyed> = Vec::new();
-        let last = self.grid.size().map(|count| signed(count) - 1);
-        self.walk_spots(|spot, _, place| {
-            if spots.len() <= spot {
-                buffer::push(&mut spots, Surveyed::default())?;
-            }
-            let Surveyed { cells, edges } = &mut spots[spot];
-            *cells += 1;
-            for axis in 0..2 {
-                edges[axis][0] |= place[axis] == 0;
-                edges[axis][1] |= place[axis] == last[axis];
-            }
-            Ok(())
-        })?;
-        Ok(spots)
+        }
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
@@ -153,13 +118,19 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
 
     /// Contact cells on the edge of a grid that has edges.
     pub(crate) fn cells_on_edge(&self) -> usize {
-        let ([along_x, along_y], [nx, ny]) = (self.repeats, self.grid.size());
-        let edge = (0..ny).flat_map(|iy| {
-            let is_end = !along_y && (iy == 0 || iy + 1 == ny);
+        if let Some(counted) = self.counted {
+            return counted.cells_on_edge;
+        }
+        let ([along_x, along_y], nx) = (self.repeats, self.grid.nx());
+        let (first, rows) = (self.grid.rows().start, self.grid.whole().ny());
+        let edge = self.grid.rows().flat_map(|row| {
+            let is_end = !along_y && (row == 0 || row + 1 == rows);
             let inner = if along_x { nx } else { (nx - 1).max(1) };
             let stride = if is_end { 1 } else { inner };
-            let first = if is_end || !along_x { 0 } else { nx };
-            (first..nx).step_by(stride).map(move |ix| iy * nx + ix)
+            let start = if is_end || !along_x { 0 } else { nx };
+            (start..nx)
+                .step_by(stride)
+                .map(move |column| (row - first) * nx + column)
         });
         edge.filter(|&i| (self.contains)(i)).count()
     }
@@ -206,27 +177,6 @@ impl<F: Fn(usize) -> bool> ContactMap<F> {
     }
 }
 
-/// A spot as the warnings need it.
-#[derive(Debug, Clone, Copy, Default)]
-struct Surveyed {
-    cells: usize,
-    /// Whether it touches the first column and the last, the first row and the last.
-    edges: [[bool; 2]; 2],
-}
-
-/// Places from the first taken one to the last; where they repeat, all places except the longest run of free ones.
-fn span(taken: &[bool], repeats: bool) -> Option<usize> {
-    let first = taken.iter().position(|taken| *taken)?;
-    let last = taken.iter().rposition(|taken| *taken)?;
-    let within = last + 1 - first;
-    if !repeats {
-        return Some(within);
-    }
-    let runs = taken[first..=last].split(|taken| *taken).map(<[bool]>::len);
-    let longest = runs.max().unwrap_or(0).max(taken.len() - within);
-    Some(taken.len() - longest)
-}
-
 /// A place in memory as a signed one: no slice is longer than `isize::MAX`.
 fn signed(place: usize) -> isize {
     isize::try_from(place).unwrap_or(isize::MAX)
@@ -236,9 +186,20 @@ fn signed(place: usize) -> isize {
 mod tests {
     use super::*;
 
-    fn sizes(map: &ContactMap<impl Fn(usize) -> bool>) -> Vec<usize> {
-        let spots = map.survey_spots().unwrap();
-        spots.iter().map(|spot| spot.cells).collect()
+    fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
+        let mut sizes = Vec::new();
+        map.walk_spots(|spot, ..| {
+            sizes.resize(sizes.len().max(spot + 1), 0);
+            sizes[spot] += 1;
+            Ok(())
+        })
+        .unwrap();
+        let counts = map.survey(None);
+        assert_eq!(counts.spots.all, sizes.len());
+        assert_eq!(counts.switches, map.switches());
+        assert_eq!(counts.cells_on_edge, map.cells_on_edge());
+        assert_eq!(counts.cells, map.cells());
+        sizes
     }
 
     #[test]
@@ -252,11 +213,12 @@ mod tests {
             grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
             repeats: [false; 2],
             contains: |i: usize| cells[i],
+            counted: None,
         };
         assert_eq!(map.cells(), 9);
         assert_eq!(sizes(&map), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
-        assert_eq!(map.extent(), Some([7, 4]));
+        assert_eq!(map.survey(None).extent, Some([7, 4]));
         // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
         assert_eq!(map.switches(), 6 + 6 + 5);
         let unresolved = Warning::UnresolvedSpots {
@@ -264,7 +226,7 @@ mod tests {
             spots: 3,
         };
         assert_eq!(
-            map.warnings().unwrap(),
+            map.warnings(),
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
@@ -272,13 +234,13 @@ mod tests {
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
         // Columns 4, 5 and 7 are free, and no row is.
-        assert_eq!(map.extent(), Some([6, 4]));
+        assert_eq!(map.survey(None).extent, Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {
             unresolved: 1,
             spots: 2,
         };
-        assert_eq!(map.warnings().unwrap(), [unresolved]);
+        assert_eq!(map.warnings(), [unresolved]);
     }
 
     #[test]
@@ -287,9 +249,10 @@ mod tests {
             grid: Grid::new(4, 1, 1.0, 1.0).unwrap(),
             repeats: [true; 2],
             contains: |i: usize| i == 0 || i == 3,
+            counted: None,
         };
         assert_eq!(sizes(&map), [2]);
         assert_eq!(map.switches(), 2);
-        assert_eq!(map.extent(), Some([2, 1]));
+        assert_eq!(map.survey(None).extent, Some([2, 1]));
     }
 }

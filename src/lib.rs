@@ -294,6 +294,7 @@ mod spots;
 pub mod stiffness;
 pub mod subsurface;
 pub mod surface;
+mod survey;
 pub mod tangential;
 mod warning;
 mod watch;

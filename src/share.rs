@@ -3,9 +3,14 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use bytemuck::{cast_slice, cast_slice_mut};
+
 use crate::layout::chunk_of;
 use crate::parallel::{self, Combine, Split, Work};
 use crate::ranks::{Team, Words};
+
+/// Words that a rank wants in one round, about.
+const ROUND_WORDS: usize = 1 << 19;
 
 /// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
 /// of the tree of sums ends.
@@ -172,31 +177,59 @@ impl Share {
         let (own, [own_columns, own_wanted]) = (self.own_rows(), wanted(me));
         let width = own_columns.len();
         let mut found = vec![0.0; own_wanted.len() * width];
-        for step in 0..ranks {
-            let (to, from) = ((me + step) % ranks, (me + ranks - step) % ranks);
-            let [sent_columns, rows] = wanted(to);
-            let row = |row: usize| &field[(row - own.start) * columns..][sent_columns.clone()];
-            let sent = common(&own, &rows).flat_map(row);
-            let received = common(&self.rows_of(from), &own_wanted);
-            let first = (received.start - own_wanted.start) * width;
-            let place = &mut found[first..first + received.len() * width];
-            if step == 0 {
-                place
-                    .iter_mut()
-                    .zip(sent)
-                    .for_each(|(place, x)| *place = *x);
-            } else {
-                // Its length is known to no iterator, and a guess takes up to twice as much.
-                let mut block = Vec::with_capacity(common(&own, &rows).len() * sent_columns.len());
-                block.extend(sent.map(|x| x.to_bits()));
-                let block = self.team.swap(block, to, from);
-                for (place, word) in place.iter_mut().zip(block) {
-                    *place = f64::from_bits(word);
+        let most = (0..ranks).map(|rank| wanted(rank).map(|range| range.len()).iter().product());
+        let rounds = rounds(most.max().unwrap_or(0), ROUND_WORDS);
+        let sent = |rank: usize, round: usize| {
+            let [columns, rows] = wanted(rank);
+            (columns, part(&common(&own, &rows), round, rounds))
+        };
+        let pack = |to: &mut [u64], (sent, rows): (Range<usize>, Range<usize>)| {
+            if !to.is_empty() {
+                parallel::rows(to, sent.len(), |row, to| {
+                    let row = &field[(rows.start + row - own.start) * columns..][sent.clone()];
+                    to.copy_from_slice(cast_slice(row));
+                });
+            }
+        };
+        // The memory of blocks that have come is that of the next to go.
+        let mut blocks = vec![Vec::new(); ranks];
+        for round in 0..rounds {
+            let come = |rank: usize| part(&common(&self.rows_of(rank), &own_wanted), round, rounds);
+            let place = |rank: usize| {
+                let rows = come(rank);
+                let first = (rows.start - own_wanted.start) * width;
+                first..first + rows.len() * width
+            };
+            for rank in (0..ranks).filter(|rank| *rank != me) {
+                let (columns, rows) = sent(rank, round);
+                blocks[rank].resize(columns.len() * rows.len(), 0);
+                pack(&mut blocks[rank], (columns, rows));
+            }
+            pack(cast_slice_mut(&mut found[place(me)]), sent(me, round));
+            let is_expected: Vec<bool> = (0..ranks).map(|rank| !place(rank).is_empty()).collect();
+            blocks = self.team.all_to_all(blocks, &is_expected);
+            for (rank, block) in blocks.iter().enumerate() {
+                // Nothing has come of a rank that is lost.
+                let place = &mut found[place(rank)];
+                if rank != me && block.len() == place.len() {
+                    parallel::copy(cast_slice(block), place);
                 }
             }
         }
         found
     }
+}
+
+/// How many rounds an exchange takes of which a rank sends so many items, if a round has about so many. More than a
+/// sixteenth of them need not be in one, beside all that a rank holds.
+pub(crate) fn rounds(most: usize, of_a_round: usize) -> usize {
+    most.div_ceil(of_a_round).clamp(1, 16)
+}
+
+/// The part of a range that travels in one of several rounds.
+pub(crate) fn part(all: &Range<usize>, round: usize, rounds: usize) -> Range<usize> {
+    let end = |round: usize| all.start + all.len() * round / rounds;
+    end(round)..end(round + 1)
 }
 
 /// What two ranges have in common; an empty range at the start of the second if nothing.

@@ -174,7 +174,7 @@ impl ContactSpots {
 }
 
 impl Sums {
-    fn spot<F: Fn(usize) -> bool>(&self, map: &ContactMap<F>, has_zones: bool) -> Spot {
+    fn spot<F: Fn(usize) -> bool>(&self, map: &ContactMap<'_, F>, has_zones: bool) -> Spot {
         let (grid, cells) = (map.grid, self.cells as f64);
         let whole = grid.whole().size();
         let (area, load) = (cells * grid.cell_area(), self.pressure * grid.cell_area());

@@ -1,6 +1,5 @@
 //! Remarks on a converged solution, and what is resolved.
 
-use crate::error::Result;
 use crate::grid::Grid;
 
 /// A diagnostic on a converged solution that may mislead.
@@ -169,16 +168,14 @@ impl Warning {
     )]
     pub(crate) fn of_discretisation(
         estimate: Option<f64>,
-        radius: impl FnOnce() -> Result<f64>,
-    ) -> Result<Option<Self>> {
-        let Some(estimate) = estimate.filter(|estimate| *estimate > LARGEST_ERROR) else {
-            return Ok(None);
-        };
+        radius: impl FnOnce() -> f64,
+    ) -> Option<Self> {
+        let estimate = estimate.filter(|estimate| *estimate > LARGEST_ERROR)?;
         let finer = (estimate / SMALL_ERROR).cbrt().powi(2);
-        Ok(Some(Self::DiscretisationError {
+        Some(Self::DiscretisationError {
             per_mille: (1e3 * estimate).round() as usize,
-            cells_per_radius: (radius()? * finer).ceil() as usize,
-        }))
+            cells_per_radius: (radius() * finer).ceil() as usize,
+        })
     }
 }
 

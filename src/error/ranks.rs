@@ -36,6 +36,11 @@ pub enum RankFailure {
     /// MPI was initialised before: it can be once in a process.
     #[error("MPI was initialised before in this process")]
     InUse,
+    /// The MPI library serves the thread alone that has initialised it: it grants less than `MPI_THREAD_SERIALIZED`.
+    #[error(
+        "this MPI library can be called by one thread only (it grants less than MPI_THREAD_SERIALIZED)"
+    )]
+    OneThread,
     /// A launcher has started several processes of which MPI knows one only, as that of another MPI does: each would do all
     /// of the work, and write the same files.
     #[error(

@@ -6,25 +6,15 @@ use crate::buffer::or_abort;
 use crate::fft::plan::Plan;
 use crate::fft::real::Real;
 use crate::fft::tiles::{TILE_WORDS, Tile};
+use crate::parallel::{self, Blocks, Work};
 use crate::ranks::Words;
-use crate::share::Share;
+use crate::share::{Share, part, rounds};
 
-/// Tiles of a block, about: it is packed and unpacked beside the tiles themselves.
-const BLOCK_TILES: usize = 2048;
+/// Tiles that a rank sends in one round, about: they are packed and unpacked beside the tiles themselves.
+const ROUND_TILES: usize = 2048;
 
-/// How the tiles of one rank go to another: some columns of them at a time.
-struct Pieces {
-    columns: usize,
-    count: usize,
-}
-
-impl Pieces {
-    /// Those of columns that begin with `all`.
-    fn of(&self, piece: usize, all: &Range<usize>) -> Range<usize> {
-        let first = all.start + piece * self.columns;
-        first.min(all.end)..(first + self.columns).min(all.end)
-    }
-}
+/// Tiles that a task packs or unpacks.
+const TASK_TILES: usize = 16;
 
 impl<T: Real> Plan<T> {
     /// Which tiles of a column are of the rows of a rank.
@@ -45,18 +35,14 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// The same for all ranks, so that all swap as many blocks.
-    fn pieces(&self, share: &Share) -> Pieces {
-        let ranks = 0..share.team().size();
-        let highest = ranks
-            .clone()
-            .map(|rank| self.tile_rows_of(share, rank).len());
-        let widest = ranks.map(|rank| self.tile_columns_of(rank).len());
-        let columns = (BLOCK_TILES / highest.max().unwrap_or(1).max(1)).max(1);
-        Pieces {
-            columns,
-            count: widest.max().unwrap_or(0).div_ceil(columns),
-        }
+    /// How many rounds a hand-over takes, the same on all ranks.
+    fn rounds(&self, share: &Share) -> usize {
+        let tiles = |rank: usize| {
+            let by_rows = self.tile_rows_of(share, rank).len() * self.tiles_across();
+            by_rows.max(self.tile_columns_of(rank).len() * self.tiles_along())
+        };
+        let most = (0..share.team().size()).map(tiles).max();
+        rounds(most.unwrap_or(0), ROUND_TILES)
     }
 
     /// Hands the tiles to who multiplies their columns, and takes those of the columns here. Bands that hold nothing are
@@ -102,54 +88,73 @@ impl<T: Real> Plan<T> {
     ) {
         let team = share.team();
         let (me, ranks) = (team.rank(), team.size());
+        let others = (0..ranks).filter(|rank| *rank != me);
         let [own_columns, own_rows] = sent(me);
         for column in own_columns {
             for row in own_rows.clone() {
                 std::mem::swap(from.at(column, row), to.at(column, row));
             }
         }
-        let pieces = self.pieces(share);
-        // The memory of a block that has come is that of the next to go.
-        let mut block = Vec::new();
-        for step in 1..ranks {
-            let (to_rank, from_rank) = ((me + step) % ranks, (me + ranks - step) % ranks);
-            let ([sent_columns, sent_rows], [new_columns, new_rows]) =
-                (sent(to_rank), received(from_rank));
-            for piece in 0..pieces.count {
-                let tiles_down = sent_rows
-                    .clone()
-                    .filter(|&row| holds(occupied.as_deref(), row));
-                let tiles = tiles_down.count() * pieces.of(piece, &sent_columns).len();
-                block.clear();
-                block.reserve_exact(tiles * TILE_WORDS + sent_rows.len().div_ceil(64));
-                if let Some(occupied) = &occupied {
-                    if piece == 0 && !sent_columns.is_empty() {
-                        block.extend(packed(&occupied[sent_rows.clone()]));
-                    }
-                }
-                for column in pieces.of(piece, &sent_columns) {
-                    for row in sent_rows.clone() {
+        let rounds = self.rounds(share);
+        // The memory of blocks that have come is that of the next to go.
+        let mut blocks = vec![Vec::new(); ranks];
+        let mut is_expected = vec![false; ranks];
+        for round in 0..rounds {
+            // Which bands hold anything is told first.
+            let tells = round == 0 && occupied.is_some();
+            let mut left = Vec::new();
+            for rank in others.clone() {
+                let [columns, rows] = sent(rank);
+                let first = spare.len();
+                for column in part(&columns, round, rounds) {
+                    for row in rows.clone() {
                         let tile = std::mem::take(from.at(column, row));
                         if holds(occupied.as_deref(), row) {
-                            block.extend_from_slice(tile.words());
+                            spare.push(tile);
+                        } else {
+                            left.push(tile);
                         }
-                        spare.push(tile);
                     }
                 }
-                block = team.swap(block, to_rank, from_rank);
-                let mut words = &block[..];
-                if let Some(occupied) = &mut occupied {
-                    if piece == 0 && !new_columns.is_empty() {
-                        unpack(&mut words, &mut occupied[new_rows.clone()]);
+                let told = occupied.as_deref().filter(|_| tells && !columns.is_empty());
+                let bits: Vec<u64> = told.map_or_else(Vec::new, |all| packed(&all[rows]).collect());
+                pack(&mut blocks[rank], &bits, &spare[first..]);
+                let [columns, mut rows] = received(rank);
+                is_expected[rank] = if tells {
+                    !columns.is_empty() && !rows.is_empty()
+                } else {
+                    let comes = |row| holds(occupied.as_deref(), row);
+                    !part(&columns, round, rounds).is_empty() && rows.any(comes)
+                };
+            }
+            spare.append(&mut left);
+            blocks = team.all_to_all(blocks, &is_expected);
+            for rank in others.clone() {
+                let [columns, rows] = received(rank);
+                let mut words = &blocks[rank][..];
+                if let Some(occupied) = occupied
+                    .as_deref_mut()
+                    .filter(|_| tells && !columns.is_empty())
+                {
+                    unpack(&mut words, &mut occupied[rows.clone()]);
+                }
+                let columns = part(&columns, round, rounds);
+                let comes = |row: &usize| holds(occupied.as_deref(), *row);
+                let filled = rows.clone().filter(comes).count() * columns.len();
+                while spare.len() < rows.len() * columns.len() {
+                    spare.push(or_abort(Tile::zero()));
+                }
+                let first = spare.len() - filled;
+                fill(&mut spare[first..], words);
+                // The last tile is taken first.
+                for column in columns.clone().rev() {
+                    for row in rows.clone().rev().filter(comes) {
+                        *to.at(column, row) = spare.pop().unwrap_or_default();
                     }
                 }
-                for column in pieces.of(piece, &new_columns) {
-                    for row in new_rows.clone() {
-                        let mut tile = spare.pop().unwrap_or_else(|| or_abort(Tile::zero()));
-                        if holds(occupied.as_deref(), row) {
-                            fill(&mut tile, &mut words);
-                        }
-                        *to.at(column, row) = tile;
+                for column in columns {
+                    for row in rows.clone().filter(|row| !comes(row)) {
+                        *to.at(column, row) = spare.pop().unwrap_or_default();
                     }
                 }
             }
@@ -194,12 +199,41 @@ fn holds(occupied: Option<&[bool]>, band: usize) -> bool {
     occupied.is_none_or(|occupied| occupied[band])
 }
 
-/// Takes a tile from the words received; it stays as it is where none came, from a rank that is lost.
-fn fill(tile: &mut Tile, words: &mut &[u64]) {
-    if let Some((own, rest)) = words.split_at_checked(TILE_WORDS) {
-        tile.words_mut().copy_from_slice(own);
-        *words = rest;
-    }
+/// Makes a block of some words and the tiles.
+fn pack(block: &mut Vec<u64>, first: &[u64], tiles: &[Tile]) {
+    block.resize(first.len() + tiles.len() * TILE_WORDS, 0);
+    let (head, words) = block.split_at_mut(first.len());
+    head.copy_from_slice(first);
+    let data = Blocks {
+        items: words,
+        width: TASK_TILES * TILE_WORDS,
+    };
+    in_tasks(tiles.len(), data, &|task, part| {
+        let words = part.items.chunks_exact_mut(TILE_WORDS);
+        for (tile, words) in tiles[task * TASK_TILES..].iter().zip(words) {
+            words.copy_from_slice(tile.words());
+        }
+    });
+}
+
+/// Fills tiles with the words received; they stay as they are where none came, from a rank that is lost.
+fn fill(tiles: &mut [Tile], words: &[u64]) {
+    let count = tiles.len();
+    let data = Blocks {
+        items: tiles,
+        width: TASK_TILES,
+    };
+    in_tasks(count, data, &|task, part| {
+        let words = words.chunks_exact(TILE_WORDS).skip(task * TASK_TILES);
+        for (tile, words) in part.items.iter_mut().zip(words) {
+            tile.words_mut().copy_from_slice(words);
+        }
+    });
+}
+
+/// Runs the work on the parts of data that belong to so many tiles.
+fn in_tasks<'a, T: Send>(tiles: usize, data: Blocks<'a, T>, work: &Work<'_, Blocks<'a, T>, ()>) {
+    parallel::sweep(0..tiles.div_ceil(TASK_TILES), data, work, &|(), ()| ());
 }
 
 /// A bit for each band.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::boundary::Boundary;
 use crate::cell_value::CellValue;
-use crate::contact_map::Bits;
+use crate::contact_map::ContactMap;
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
@@ -15,6 +15,7 @@ use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::ranks::{Input, Ranks, Team, Traffic, Words};
 use crate::share::Share;
+use crate::survey::Survey;
 use crate::window::Window;
 
 impl HalfSpace {
@@ -162,25 +163,15 @@ impl HalfSpace {
         self.over_ranks(own, Window::union_of)
     }
 
-    /// The cells of the whole grid that are in a set, of the cells held here; `None` without ranks.
-    pub(crate) fn bits_of_all(&self, contains: impl Fn(usize) -> bool) -> Option<Bits> {
-        let share = self.shared.share.as_ref()?;
-        let nx = self.grid().nx();
-        let own = (0..self.grid().ny()).flat_map(|row| {
-            let contains = &contains;
-            (0..nx).step_by(64).map(move |first| {
-                let columns = (first..nx.min(first + 64)).rev();
-                columns.fold(0, |word, column| {
-                    (word << 1) | u64::from(contains(row * nx + column))
-                })
-            })
-        });
-        let own: Vec<u64> = own.collect();
-        let words = |rank: usize| share.rows_of(rank).len() * nx.div_ceil(64);
-        let counts: Vec<usize> = (0..share.team().size()).map(words).collect();
-        let all = share.team().gather(&own, &counts);
-        let all = all.unwrap_or_else(|| vec![0; counts.iter().sum()]);
-        Some(Bits::new(all, nx))
+    /// Counts of the cells of the whole grid that are in a set, of the cells held here; `None` without ranks.
+    pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<Survey> {
+        let map = ContactMap {
+            grid: self.grid(),
+            repeats: self.boundary().repeats(),
+            contains,
+            counted: None,
+        };
+        self.sharing().map(|team| map.survey(Some(team)))
     }
 
     /// The integral of a field over the whole grid.

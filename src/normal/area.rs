@@ -48,7 +48,7 @@ impl NormalSolution {
     /// ```
     #[must_use]
     pub fn contact_extent(&self) -> Option<[f64; 2]> {
-        let [columns, rows] = self.contact_map().extent()?;
+        let [columns, rows] = self.contact_map().counts().extent?;
         let grid = self.grid();
         Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
     }
@@ -73,9 +73,9 @@ impl NormalSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let cells = self.overloaded_cells();
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
-        let mut warnings = self.contact_map().warnings()?;
+        let mut warnings = self.contact_map().warnings();
         warnings.extend(beyond);
-        warnings.extend(self.discretisation_warning()?);
+        warnings.extend(self.discretisation_warning());
         Ok(warnings)
     }
 
@@ -103,21 +103,18 @@ impl NormalSolution {
         self.contact_map().switches()
     }
 
-    pub(crate) fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+    pub(crate) fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
         let pressure = self.pressure.as_slice();
-        let whole = self.whole.as_ref();
         ContactMap {
             grid: self.grid().whole(),
             repeats: self.boundary.repeats(),
-            contains: move |i| match whole {
-                Some(whole) => whole.contact.contain(i),
-                None => pressure[i] > 0.0,
-            },
+            contains: move |i| pressure[i] > 0.0,
+            counted: self.whole.as_ref().map(|whole| &whole.contact),
         }
     }
 
     /// The map of the cells held here, of a slab without what lies around it.
-    pub(crate) fn own_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+    pub(crate) fn own_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
         let (pressure, grid) = (self.pressure.as_slice(), self.grid());
         let [along_x, along_y] = self.boundary.repeats();
         ContactMap {
@@ -125,6 +122,7 @@ impl NormalSolution {
             // What follows the last row of a slab is not its first.
             repeats: [along_x, along_y && grid == grid.whole()],
             contains: move |i| pressure[i] > 0.0,
+            counted: None,
         }
     }
 }

@@ -1,7 +1,6 @@
 //! How far the pressure of the cells is from that of infinitely small ones.
 
 use crate::discretisation::estimate;
-use crate::error::Result;
 use crate::normal::NormalSolution;
 use crate::warning::Warning;
 
@@ -56,7 +55,7 @@ impl NormalSolution {
     }
 
     /// What the estimate has to be remarked on.
-    pub(super) fn discretisation_warning(&self) -> Result<Option<Warning>> {
+    pub(super) fn discretisation_warning(&self) -> Option<Warning> {
         let radius = || self.contact_map().cells_per_radius();
         Warning::of_discretisation(self.discretisation_estimate(), radius)
     }

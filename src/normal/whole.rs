@@ -1,13 +1,13 @@
 //! What all ranks together have found, kept with the slab of each.
 
 use crate::cgm::reduce;
-use crate::contact_map::Bits;
 use crate::half_space::HalfSpace;
+use crate::survey::Survey;
 
-/// The contact of the whole grid, as every rank knows it.
+/// Counts and sums of the whole grid, as every rank knows it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Whole {
-    pub(super) contact: Bits,
+    pub(super) contact: Survey,
     /// Sums of the pressure, and of x and y times it.
     pub(super) sums: [f64; 3],
     /// Cells beyond what the softer body bears.
@@ -19,7 +19,7 @@ impl Whole {
     pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();
         let columns = grid.nx();
-        let contact = bodies.bits_of_all(|i| pressure[i] > 0.0)?;
+        let contact = bodies.survey(|i| pressure[i] > 0.0)?;
         let layout = bodies.grid_layout();
         let total = reduce::sum(&layout, |i| pressure[i]);
         let moments = reduce::sum(&layout, |i| {

@@ -1,7 +1,7 @@
 //! Several processes, or threads, that solve one contact together.
 //!
-//! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in
-//! [`Ranks::swap`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
+//! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in the
+//! exchanges of [`Ranks`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
@@ -33,7 +33,7 @@
 //! |---|---|
 //! | [`Threads`] | threads of one process, to try and test distributed programs |
 //! | `Mpi` (feature `mpi`) | processes of an MPI program |
-//! | your own | anything that swaps blocks: implement [`Ranks`] |
+//! | your own | anything that swaps blocks: implement [`Ranks::swap`], and what can be done faster than by swaps |
 //!
 //! # The same bits
 //!
@@ -63,9 +63,19 @@
 //! ```
 //!
 //! on a free grid, half of it on a periodic one, and half of either in single precision; bands of 16 rows without
-//! traction are not sent on the way there. A window of the contact has its rows dealt out to all ranks anew. An
+//! traction are not sent on the way there. In either direction a rank sends a block to each other one, all at once
+//! ([`Ranks::all_to_all`]), packed on all threads; of more than 4 MB in up to 16 rounds, so that blocks take little
+//! memory beside what they are made of. A window of the contact has its rows dealt out to all ranks anew. An
 //! iteration adds up seven partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
 //! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
+//!
+//! Columns of the transform are dealt out in sixteens, two cache lines of each row, since both precisions share them:
+//! of $`n \times n`$ cells on a grid that repeats at most $`n/32`$ ranks have columns to transform (a free grid has
+//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row. Ranks beyond these numbers have
+//! nothing to do in that part, and only wait.
+//!
+//! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
+//! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows.
 //!
 //! # Failure
 //!
@@ -83,6 +93,7 @@ mod threads;
 mod words;
 
 use std::fmt::Debug;
+use std::ops::Range;
 
 pub use crate::error::RankFailure;
 #[cfg(feature = "mpi")]
@@ -96,6 +107,8 @@ pub(crate) use words::Words;
 ///
 /// What travels is blocks of 64-bit words. An implementation keeps the order of the blocks between any two ranks. When
 /// a rank leaves, the calls of the others return a [`RankFailure`]: they do not wait without end.
+///
+/// [`Ranks::swap`] is enough: the other exchanges are made of it unless an implementation has a faster way.
 pub trait Ranks: Debug + Send + Sync {
     /// The number of this rank, from zero.
     fn rank(&self) -> usize;
@@ -109,4 +122,56 @@ pub trait Ranks: Debug + Send + Sync {
     /// # Errors
     /// [`RankFailure::Lost`], [`RankFailure::Silent`].
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure>;
+
+    /// Sends `blocks[r]` to each rank `r` and returns the block of each rank at its place. All ranks call at the same time;
+    /// a rank that sends this one any words is one of those with `is_expected[r]`, and sends at least one. A block without
+    /// words need not travel: an empty one is returned for it. What stands at the place of this rank itself is dropped,
+    /// and an empty block returned.
+    ///
+    /// The default swaps blocks with one rank after the other.
+    ///
+    /// # Errors
+    /// Those of [`Ranks::swap`].
+    fn all_to_all(
+        &self,
+        blocks: Vec<Vec<u64>>,
+        is_expected: &[bool],
+    ) -> Result<Vec<Vec<u64>>, RankFailure> {
+        let (own, size) = (self.rank(), self.size());
+        debug_assert_eq!(blocks.len(), is_expected.len());
+        let mut blocks = blocks;
+        let mut received = vec![Vec::new(); size];
+        for step in 1..size {
+            let (to, from) = ((own + step) % size, (own + size - step) % size);
+            received[from] = self.swap(std::mem::take(&mut blocks[to]), to, from)?;
+        }
+        Ok(received)
+    }
+
+    /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, the same numbers on all ranks.
+    ///
+    /// In the default each step doubles the ranks that a rank has heard of: it sends all it knows back by that many ranks
+    /// (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143, <https://doi.org/10.1109/71.642949>).
+    ///
+    /// # Errors
+    /// Those of [`Ranks::swap`]; [`RankFailure::OutOfStep`] if a block is of another length than the counts say.
+    fn all_gather(&self, own: &[u64], counts: &[usize]) -> Result<Vec<u64>, RankFailure> {
+        let (me, ranks) = (self.rank(), self.size());
+        let words_of = |of: Range<usize>| -> usize { of.map(|rank| counts[rank % ranks]).sum() };
+        let (mut known, mut of) = (own.to_vec(), 1);
+        while of < ranks {
+            let new = of.min(ranks - of);
+            let sent = known[..words_of(me..me + new)].to_vec();
+            let from = (me + of) % ranks;
+            let received = self.swap(sent, (me + ranks - of) % ranks, from)?;
+            if received.len() != words_of(me + of..me + of + new) {
+                return Err(RankFailure::OutOfStep { rank: from });
+            }
+            known.extend(received);
+            of += new;
+        }
+        // From this rank on, around; begun with the first.
+        known.rotate_right(words_of(0..me));
+        Ok(known)
+    }
 }

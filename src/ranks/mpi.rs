@@ -1,13 +1,13 @@
 //! Ranks that are processes of an MPI program.
 
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Mutex, PoisonError};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use mpi::Threading;
 use mpi::point_to_point::MatchedReceiveVec;
 use mpi::request::scope;
-use mpi::topology::{Process, SimpleCommunicator};
+use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, Source};
 
 use crate::error::{Error, Result};
@@ -34,28 +34,8 @@ use crate::ranks::{RankFailure, Ranks, launcher};
 pub struct Mpi {
     rank: usize,
     size: usize,
-    /// The connection to the thread that holds the communicator. The lock makes the rank `Sync`, and is never contended.
-    line: Mutex<Line>,
-}
-
-/// Requests to the thread that holds the communicator, and its answers.
-#[derive(Debug)]
-struct Line {
-    requests: Sender<Request>,
-    answers: Receiver<Swapped>,
-}
-
-/// The block received, or the reason why none was.
-type Swapped = Result<Vec<u64>, RankFailure>;
-
-#[derive(Debug)]
-enum Request {
-    Swap {
-        block: Vec<u64>,
-        to: usize,
-        from: usize,
-    },
-    Leave,
+    /// The lock makes the rank `Sync`, keeps calls of MPI apart, and is never contended.
+    post: Arc<Mutex<Post>>,
 }
 
 /// The tags of MPI messages: a block of data, and the last message that a rank sends.
@@ -68,11 +48,15 @@ const EAGER: u32 = 1 << 12;
 const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
-    /// Initialises MPI, runs the work as the rank of this process in a thread of its own, and finalises MPI. A call of the
-    /// work that waits for another rank longer than `patience` returns [`RankFailure::Silent`].
+    /// Initialises MPI, runs the work as the rank of this process, and finalises MPI. A call of the work that waits for
+    /// another rank longer than `patience` returns [`RankFailure::Silent`].
     ///
-    /// The calling thread holds the communicator and exchanges messages for the work. The work uses the rayon pool of its
-    /// process as without MPI.
+    /// The work uses the rayon pool of its process as without MPI. Calls of MPI are made one at a time, by whichever thread
+    /// the work is on, so that the MPI library must grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and those derived from
+    /// them do.
+    ///
+    /// Messages are sent and awaited one by one, all of an exchange at once, not by the collective calls of MPI: those can
+    /// neither be tested for one rank nor be cancelled, so that a rank that is lost would hold the others for ever.
     ///
     /// Only all ranks together can finalise MPI. If a call has waited for a rank in vain, and that rank is still silent for
     /// another `patience` after the work, or a block for it can neither be sent nor cancelled, this function does not return:
@@ -80,62 +64,57 @@ impl Mpi {
     /// without a limit, however long their work takes.
     ///
     /// # Errors
-    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::Apart`] if the process is alone in its
+    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::OneThread`];
+    /// [`RankFailure::Apart`] if the process is alone in its
     /// communicator although several were started, as by the launcher of another MPI or by a batch job of several tasks
     /// (their number is that of the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
     /// `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set).
     ///
     /// # Panics
     /// If the work panics, or more ranks than 2^31 are started.
-    pub fn run<T: Send>(patience: Duration, work: impl FnOnce(Self) -> T + Send) -> Result<T> {
-        let universe = mpi::initialize_with_threading(Threading::Funneled);
-        let (universe, _) = universe.ok_or(Error::Ranks(RankFailure::InUse))?;
-        let world = universe.world();
+    pub fn run<T>(patience: Duration, work: impl FnOnce(Self) -> T) -> Result<T> {
+        // Dropped last, which finalises MPI.
+        let (_universe, granted) = mpi::initialize_with_threading(Threading::Serialized)
+            .ok_or(Error::Ranks(RankFailure::InUse))?;
+        if !matches!(granted, Threading::Serialized | Threading::Multiple) {
+            return Err(Error::Ranks(RankFailure::OneThread));
+        }
+        let world = SimpleCommunicator::world();
         let number = |rank: i32| usize::try_from(rank).expect("ranks are not negative");
-        launcher::check(number(world.size()), |name| std::env::var(name).ok())
-            .map_err(Error::Ranks)?;
-        let (requests, to_serve) = channel();
-        let (served, answers) = channel();
-        let leave = requests.clone();
-        let rank = Self {
-            rank: number(world.rank()),
-            size: number(world.size()),
-            line: Mutex::new(Line { requests, answers }),
+        let (rank, size) = (number(world.rank()), number(world.size()));
+        launcher::check(size, |name| std::env::var(name).ok()).map_err(Error::Ranks)?;
+        let post = Arc::new(Mutex::new(Post {
+            have_left: vec![false; size],
+            are_given_up: vec![false; size],
+            has_parted: false,
+            patience,
+        }));
+        let own = Self {
+            rank,
+            size,
+            post: Arc::clone(&post),
         };
-        Ok(std::thread::scope(|threads| {
-            let worker = threads.spawn(move || {
-                let _leaving = Leaving(leave);
-                work(rank)
-            });
-            let mut post = Post {
-                have_left: vec![false; number(world.size())],
-                are_given_up: vec![false; number(world.size())],
-                world,
-                patience,
-            };
-            for request in to_serve {
-                let Request::Swap { block, to, from } = request else {
-                    break;
-                };
-                if served.send(post.swap(&block, to, from)).is_err() {
-                    break;
-                }
-            }
-            let result = worker.join();
-            post.part();
-            result.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        }))
+        let result = catch_unwind(AssertUnwindSafe(|| work(own)));
+        locked(&post).part();
+        Ok(result.unwrap_or_else(|panic| resume_unwind(panic)))
+    }
+
+    /// Makes a call of MPI, if it has not been finalised.
+    fn call<T>(
+        &self,
+        call: impl FnOnce(&mut Post) -> Result<T, RankFailure>,
+    ) -> Result<T, RankFailure> {
+        let mut post = locked(&self.post);
+        if post.has_parted {
+            return Err(RankFailure::Lost { rank: self.rank });
+        }
+        call(&mut post)
     }
 }
 
-/// Tells the thread with the communicator that the work is done, however it ends.
-struct Leaving(Sender<Request>);
-
-impl Drop for Leaving {
-    fn drop(&mut self) {
-        // Nobody listens if that thread has ended.
-        let _ = self.0.send(Request::Leave);
-    }
+/// A panic under the lock leaves what is known of the others as it is.
+fn locked(post: &Mutex<Post>) -> MutexGuard<'_, Post> {
+    post.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Ranks for Mpi {
@@ -147,67 +126,121 @@ impl Ranks for Mpi {
         self.size
     }
 
-    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Swapped {
-        let line = self.line.lock().unwrap_or_else(PoisonError::into_inner);
-        let lost = RankFailure::Lost { rank: self.rank };
-        let request = Request::Swap { block, to, from };
-        line.requests.send(request).map_err(|_| lost)?;
-        line.answers.recv().map_err(|_| lost)?
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        self.call(|post| {
+            let mut received = Vec::new();
+            post.trade(&[(to, block)], vec![from], |_, block| received = block)?;
+            Ok(received)
+        })
+    }
+
+    fn all_to_all(
+        &self,
+        blocks: Vec<Vec<u64>>,
+        is_expected: &[bool],
+    ) -> Result<Vec<Vec<u64>>, RankFailure> {
+        let sent = blocks.into_iter().enumerate();
+        let sent: Vec<_> = sent
+            .filter(|(to, block)| *to != self.rank && !block.is_empty())
+            .collect();
+        let others = (0..self.size).filter(|rank| *rank != self.rank && is_expected[*rank]);
+        let awaited = others.collect();
+        let mut received = vec![Vec::new(); self.size];
+        self.call(|post| post.trade(&sent, awaited, |from, block| received[from] = block))?;
+        Ok(received)
     }
 }
 
-/// The communication of a rank, in the thread that holds the communicator.
+/// What a rank knows of the others. The communicator is asked for in each call: it cannot go from thread to thread.
+#[derive(Debug)]
 struct Post {
-    world: SimpleCommunicator,
     patience: Duration,
     /// Ranks whose last message has been read.
     have_left: Vec<bool>,
     /// Ranks for which a call has waited longer than the patience.
     are_given_up: Vec<bool>,
+    /// Whether this rank has sent its last messages.
+    has_parted: bool,
 }
 
 impl Post {
-    fn process(&self, rank: usize) -> Process<'_> {
-        self.world.process_at_rank(rank_of(rank))
-    }
-
-    fn swap(&mut self, block: &[u64], to: usize, from: usize) -> Swapped {
+    /// Sends each block to its rank, all at once, and takes one from each of these ranks as they come.
+    fn trade(
+        &mut self,
+        blocks: &[(usize, Vec<u64>)],
+        awaited: Vec<usize>,
+        mut take: impl FnMut(usize, Vec<u64>),
+    ) -> Result<(), RankFailure> {
+        let world = SimpleCommunicator::world();
         scope(|scope| {
-            let target = rank_of(to);
-            let mut sent = self
-                .world
-                .process_at_rank(target)
-                .immediate_send_with_tag(scope, block, BLOCK);
-            let received = self.receive(from);
-            self.are_given_up[from] |= matches!(received, Err(RankFailure::Silent { .. }));
+            let mut sent = Vec::with_capacity(blocks.len());
+            for (to, block) in blocks {
+                let process = world.process_at_rank(rank_of(*to));
+                sent.push((
+                    *to,
+                    process.immediate_send_with_tag(scope, &block[..], BLOCK),
+                ));
+            }
+            let received = self.receive(&world, awaited, &mut take);
+            if let Err(RankFailure::Silent { rank, .. }) = received {
+                self.are_given_up[rank] = true;
+            }
             let mut clock = Clock::new(self.patience);
-            // MPI may read the block until it is sent.
-            while let Err(pending) = sent.test() {
-                if clock.is_over() {
-                    self.abort(self.silent(to));
+            for (to, mut sent) in sent {
+                // MPI may read the block until it is sent.
+                while let Err(pending) = sent.test() {
+                    if clock.is_over() {
+                        Self::abort(&world, self.silent(to));
+                    }
+                    sent = pending;
                 }
-                sent = pending;
             }
             received
         })
     }
 
-    fn receive(&mut self, from: usize) -> Swapped {
+    /// A block of each of these ranks, in any order.
+    fn receive(
+        &mut self,
+        world: &SimpleCommunicator,
+        mut awaited: Vec<usize>,
+        take: &mut dyn FnMut(usize, Vec<u64>),
+    ) -> Result<(), RankFailure> {
         let mut clock = Clock::new(self.patience);
-        while !self.have_left[from] {
-            if let Some(message) = self.process(from).immediate_matched_probe() {
-                let (block, status) = message.matched_receive_vec();
-                if status.tag() == BLOCK {
-                    return Ok(block);
+        while let Some(&next) = awaited.last() {
+            for place in (0..awaited.len()).rev() {
+                if let Some(block) = self.arrived(world, awaited[place])? {
+                    take(awaited.swap_remove(place), block);
+                    clock = Clock::new(self.patience);
                 }
-                self.have_left[from] = true;
-                break;
             }
-            if clock.is_over() {
-                return Err(self.silent(from));
+            if !awaited.is_empty() && clock.is_over() {
+                return Err(self.silent(next));
             }
         }
-        Err(RankFailure::Lost { rank: from })
+        Ok(())
+    }
+
+    /// The next block of a rank, if it has come.
+    fn arrived(
+        &mut self,
+        world: &SimpleCommunicator,
+        from: usize,
+    ) -> Result<Option<Vec<u64>>, RankFailure> {
+        let lost = RankFailure::Lost { rank: from };
+        if self.have_left[from] {
+            return Err(lost);
+        }
+        let process = world.process_at_rank(rank_of(from));
+        let Some(message) = process.immediate_matched_probe() else {
+            return Ok(None);
+        };
+        let (block, status) = message.matched_receive_vec();
+        if status.tag() == BLOCK {
+            return Ok(Some(block));
+        }
+        self.have_left[from] = true;
+        Err(lost)
     }
 
     fn silent(&self, rank: usize) -> RankFailure {
@@ -217,30 +250,33 @@ impl Post {
 
     /// Ends all processes.
     #[expect(clippy::print_stderr, reason = "no error can reach a caller any more")]
-    fn abort(&self, why: RankFailure) -> ! {
-        let own = self.world.rank();
+    fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
+        let own = world.rank();
         eprintln!("stickslip: rank {own} gives up: {why}; all ranks are aborted");
-        self.world.abort(1)
+        world.abort(1)
     }
 
     /// Sends the last message to every other rank, and reads theirs, so that no rank waits for this one and no message is left
     /// unread when MPI is finalised. Aborts if a rank that was given up is still silent: to finalise would wait for it for ever.
     fn part(&mut self) {
-        let own = self.world.rank();
+        self.has_parted = true;
+        let world = SimpleCommunicator::world();
+        let own = world.rank();
         let others = (0..self.have_left.len()).filter(move |rank| rank_of(*rank) != own);
         for rank in others.clone() {
             let last: [u64; 0] = [];
-            self.process(rank).send_with_tag(&last[..], LEFT);
+            let process = world.process_at_rank(rank_of(rank));
+            process.send_with_tag(&last[..], LEFT);
         }
         for rank in others {
-            let mut received = self.receive(rank);
+            let mut received = Ok(());
             while received.is_ok() {
-                received = self.receive(rank);
+                received = self.receive(&world, vec![rank], &mut |_, _| ());
             }
             if let (true, Err(why @ RankFailure::Silent { .. })) =
                 (self.are_given_up[rank], received)
             {
-                self.abort(why);
+                Self::abort(&world, why);
             }
         }
     }

@@ -1,7 +1,6 @@
 //! The ranks as the crate uses them: calls cannot fail one by one, a failure stays, and traffic is counted.
 
 use std::fmt::Debug;
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -17,6 +16,7 @@ pub(crate) struct Team {
     failure: OnceLock<RankFailure>,
     blocks: AtomicU64,
     words: AtomicU64,
+    exchanges: AtomicU64,
     gathers: AtomicU64,
     /// Agreements that some rank has refused.
     refusals: AtomicU64,
@@ -33,6 +33,8 @@ pub struct Traffic {
     pub blocks: u64,
     /// Their bytes.
     pub bytes: u64,
+    /// Times that blocks were sent to all ranks that want any, and those of others awaited.
+    pub exchanges: u64,
     /// Partial results gathered from all ranks: sums, maxima, decisions.
     pub gathers: u64,
 }
@@ -44,6 +46,7 @@ impl Team {
             failure: OnceLock::new(),
             blocks: AtomicU64::new(0),
             words: AtomicU64::new(0),
+            exchanges: AtomicU64::new(0),
             gathers: AtomicU64::new(0),
             refusals: AtomicU64::new(0),
         }
@@ -61,61 +64,52 @@ impl Team {
         Traffic {
             blocks: self.blocks.load(Ordering::Relaxed),
             bytes: 8 * self.words.load(Ordering::Relaxed),
+            exchanges: self.exchanges.load(Ordering::Relaxed),
             gathers: self.gathers.load(Ordering::Relaxed),
         }
     }
 
-    /// Sends a block and receives one; an empty one once a call has failed.
-    pub(crate) fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Vec<u64> {
+    /// Sends a block to each rank and returns those of all, as [`Ranks::all_to_all`]; empty ones once a call has failed.
+    pub(crate) fn all_to_all(&self, blocks: Vec<Vec<u64>>, is_expected: &[bool]) -> Vec<Vec<u64>> {
+        let none = || vec![Vec::new(); self.size()];
         if self.has_failed() {
-            return Vec::new();
+            return none();
         }
+        let sent = blocks.iter().filter(|block| !block.is_empty());
+        self.exchanges.fetch_add(1, Ordering::Relaxed);
         self.blocks
-            .fetch_add(u64::from(!block.is_empty()), Ordering::Relaxed);
-        self.words.fetch_add(block.len() as u64, Ordering::Relaxed);
-        let received = self.ranks.swap(block, to, from);
-        self.kept(received).unwrap_or_default()
+            .fetch_add(sent.clone().count() as u64, Ordering::Relaxed);
+        let words: usize = sent.map(Vec::len).sum();
+        self.words.fetch_add(words as u64, Ordering::Relaxed);
+        let received = self.ranks.all_to_all(blocks, is_expected);
+        self.kept(received).unwrap_or_else(none)
     }
 
     /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, if no call has failed.
-    ///
-    /// Each step doubles the ranks that a rank has heard of: it sends all it knows back by that many ranks (Bruck et al.,
-    /// IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143, <https://doi.org/10.1109/71.642949>).
     pub(crate) fn gather(&self, own: &[u64], counts: &[usize]) -> Option<Vec<u64>> {
-        let (me, ranks) = (self.rank(), self.size());
-        let words_of =
-            |ranks: Range<usize>| -> usize { ranks.map(|rank| counts[rank % self.size()]).sum() };
         if self.has_failed() {
             return None;
         }
         self.gathers.fetch_add(1, Ordering::Relaxed);
-        let (mut known, mut of) = (own.to_vec(), 1);
-        while of < ranks {
-            let new = of.min(ranks - of);
-            let sent = known[..words_of(me..me + new)].to_vec();
-            let received = self.kept(self.ranks.swap(
-                sent,
-                (me + ranks - of) % ranks,
-                (me + of) % ranks,
-            ))?;
-            if received.len() != words_of(me + of..me + of + new) {
-                let rank = (me + of) % ranks;
-                return self.kept(Err(RankFailure::OutOfStep { rank }));
-            }
-            known.extend(received);
-            of += new;
-        }
-        // From this rank on, around; begun with the first.
-        known.rotate_right(words_of(0..me));
-        Some(known)
+        self.kept(self.ranks.all_gather(own, counts))
     }
 
     /// A decision of the first rank, for all.
     pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
+        let found = self.of_first(decision);
+        (!self.has_failed()).then_some(found)
+    }
+
+    /// The value of the first rank, for all; this rank's own once a call has failed.
+    pub(crate) fn of_first<T: Words>(&self, own: T) -> T {
         let mut counts = vec![0; self.size()];
-        counts[0] = 1;
-        let own: &[u64] = if self.rank() == 0 { &[decision] } else { &[] };
-        self.gather(own, &counts)?.first().copied()
+        counts[0] = T::COUNT;
+        let mut words = Vec::new();
+        if self.rank() == 0 {
+            own.write(&mut words);
+        }
+        let all = self.gather(&words, &counts);
+        all.map_or(own, |all| T::read(&mut &all[..]))
     }
 
     /// What the values of all ranks come to, combined in their order; this rank's own once a call has failed.

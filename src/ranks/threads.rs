@@ -42,24 +42,42 @@ pub struct Threads {
     office: Arc<Office>,
 }
 
-/// Where blocks wait for their receivers.
+/// Where blocks wait, of each receiver.
+type Office = Vec<Mailbox>;
+
+/// Where the blocks for one rank wait.
 #[derive(Debug)]
-struct Office {
+struct Mailbox {
     post: Mutex<Post>,
     has_changed: Condvar,
 }
 
 #[derive(Debug)]
 struct Post {
-    /// By sender and receiver.
+    /// By sender.
     blocks: Vec<VecDeque<Vec<u64>>>,
     has_left: Vec<bool>,
 }
 
-impl Office {
+impl Mailbox {
+    fn new(size: usize) -> Self {
+        Self {
+            post: Mutex::new(Post {
+                blocks: vec![VecDeque::new(); size],
+                has_left: vec![false; size],
+            }),
+            has_changed: Condvar::new(),
+        }
+    }
+
     fn post(&self) -> MutexGuard<'_, Post> {
         // What panics under the lock leaves queues of whole blocks.
         self.post.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Post)) {
+        change(&mut self.post());
+        self.has_changed.notify_all();
     }
 }
 
@@ -71,8 +89,9 @@ struct Leaving<'a> {
 
 impl Drop for Leaving<'_> {
     fn drop(&mut self) {
-        self.office.post().has_left[self.rank] = true;
-        self.office.has_changed.notify_all();
+        for mailbox in self.office {
+            mailbox.change(|post| post.has_left[self.rank] = true);
+        }
     }
 }
 
@@ -88,13 +107,8 @@ impl Threads {
         patience: Duration,
         work: impl Fn(Self) -> T + Sync,
     ) -> Vec<T> {
-        let office = Arc::new(Office {
-            post: Mutex::new(Post {
-                blocks: vec![VecDeque::new(); size * size],
-                has_left: vec![false; size],
-            }),
-            has_changed: Condvar::new(),
-        });
+        let mailboxes = (0..size).map(|_| Mailbox::new(size));
+        let office: Arc<Office> = Arc::new(mailboxes.collect());
         let work = |rank: usize| {
             let _leaving = Leaving {
                 rank,
@@ -123,31 +137,34 @@ impl Threads {
     }
 
     fn send(&self, block: Vec<u64>, to: usize) {
-        self.office.post().blocks[self.rank * self.size + to].push_back(block);
-        self.office.has_changed.notify_all();
+        self.office[to].change(|post| post.blocks[self.rank].push_back(block));
     }
 
-    fn receive(&self, from: usize) -> Result<Vec<u64>, RankFailure> {
+    /// A block from each of these ranks, in their order.
+    fn receive(&self, from: impl Iterator<Item = usize>) -> Result<Vec<Vec<u64>>, RankFailure> {
         let start = Instant::now();
-        let mut post = self.office.post();
-        loop {
-            if let Some(block) = post.blocks[from * self.size + self.rank].pop_front() {
-                return Ok(block);
+        let mailbox = &self.office[self.rank];
+        let mut post = mailbox.post();
+        let mut received = Vec::new();
+        for from in from {
+            while post.blocks[from].is_empty() {
+                if post.has_left[from] {
+                    return Err(RankFailure::Lost { rank: from });
+                }
+                let left = self.patience.saturating_sub(start.elapsed());
+                if left.is_zero() {
+                    let seconds = self.patience.as_secs_f64();
+                    return Err(RankFailure::Silent {
+                        rank: from,
+                        seconds,
+                    });
+                }
+                let waited = mailbox.has_changed.wait_timeout(post, left);
+                post = waited.unwrap_or_else(PoisonError::into_inner).0;
             }
-            if post.has_left[from] {
-                return Err(RankFailure::Lost { rank: from });
-            }
-            let left = self.patience.saturating_sub(start.elapsed());
-            if left.is_zero() {
-                let seconds = self.patience.as_secs_f64();
-                return Err(RankFailure::Silent {
-                    rank: from,
-                    seconds,
-                });
-            }
-            let waited = self.office.has_changed.wait_timeout(post, left);
-            post = waited.unwrap_or_else(PoisonError::into_inner).0;
+            received.extend(post.blocks[from].pop_front());
         }
+        Ok(received)
     }
 }
 
@@ -162,6 +179,36 @@ impl Ranks for Threads {
 
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
         self.send(block, to);
-        self.receive(from)
+        Ok(self.receive([from].into_iter())?.remove(0))
+    }
+
+    fn all_to_all(
+        &self,
+        blocks: Vec<Vec<u64>>,
+        is_expected: &[bool],
+    ) -> Result<Vec<Vec<u64>>, RankFailure> {
+        for (to, block) in blocks.into_iter().enumerate() {
+            if to != self.rank && !block.is_empty() {
+                self.send(block, to);
+            }
+        }
+        let comes = |from: &usize| *from != self.rank && is_expected[*from];
+        let senders = (0..self.size).filter(comes);
+        let mut received = vec![Vec::new(); self.size];
+        for (from, block) in senders.clone().zip(self.receive(senders)?) {
+            received[from] = block;
+        }
+        Ok(received)
+    }
+
+    /// By one hand-over to each rank.
+    fn all_gather(&self, own: &[u64], counts: &[usize]) -> Result<Vec<u64>, RankFailure> {
+        let is_expected: Vec<bool> = counts.iter().map(|count| *count > 0).collect();
+        let mut all = self.all_to_all(vec![own.to_vec(); self.size], &is_expected)?;
+        all[self.rank] = own.to_vec();
+        match (0..self.size).find(|rank| all[*rank].len() != counts[*rank]) {
+            Some(rank) => Err(RankFailure::OutOfStep { rank }),
+            None => Ok(all.concat()),
+        }
     }
 }

@@ -344,13 +344,13 @@ impl TangentialSolution {
     /// # Errors
     /// [`Error::Memory`].
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
-        let mut warnings = self.contact_map().warnings()?;
+        let mut warnings = self.contact_map().warnings();
         warnings.extend(self.zone_warnings());
         let radius = || self.contact_map().cells_per_radius();
         warnings.extend(Warning::of_discretisation(
             self.discretisation_estimate(),
             radius,
-        )?);
+        ));
         Ok(warnings)
     }
 
@@ -362,14 +362,12 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    fn contact_map(&self) -> ContactMap<impl Fn(usize) -> bool + '_> {
+    fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
         ContactMap {
             grid: self.grid().whole(),
             repeats: self.boundary.repeats(),
-            contains: |i: usize| match &self.whole {
-                Some(whole) => whole.contact.contain(i),
-                None => self.zones[i] != Zone::Separated,
-            },
+            contains: |i: usize| self.zones[i] != Zone::Separated,
+            counted: self.whole.as_ref().map(|whole| &whole.contact),
         }
     }
 

@@ -1,10 +1,10 @@
 //! What all ranks together have found, kept with the slab of each.
 
 use crate::cgm::reduce;
-use crate::contact_map::Bits;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::layout::Layout;
+use crate::survey::Survey;
 use crate::tangential::Zone;
 use crate::tangential::motion::centre;
 
@@ -51,10 +51,10 @@ impl Sums {
     }
 }
 
-/// The contact of the whole grid, as every rank knows it.
+/// Counts and sums of the whole grid, as every rank knows it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Whole {
-    pub(super) contact: Bits,
+    pub(super) contact: Survey,
     pub(super) sums: Sums,
 }
 
@@ -66,7 +66,7 @@ impl Whole {
         slip: &[Field; 2],
         zones: &[Zone],
     ) -> Option<Box<Self>> {
-        let contact = bodies.bits_of_all(|i| zones[i] != Zone::Separated)?;
+        let contact = bodies.survey(|i| zones[i] != Zone::Separated)?;
         let sums = Sums::of(&bodies.grid_layout(), traction, slip, zones);
         Some(Box::new(Self { contact, sums }))
     }

@@ -85,6 +85,7 @@ mod pressures_at_centres;
 mod problems_take_every_load;
 #[cfg(feature = "dense")]
 mod random_scenes_are_right;
+mod ranks_exchange_blocks;
 mod ranks_fail_together;
 mod ranks_share_a_contact;
 mod ranks_share_a_coupled_contact;

@@ -183,6 +183,33 @@ fn rough_surfaces_have_the_same_bits() {
     }
 }
 
+/// Counts of the whole contact, of spots that several slabs cut and that meet across the edges of the grid too.
+#[test]
+fn every_rank_knows_the_whole_contact() {
+    let rough = SelfAffine::with_rms_slope(0.3).seed(5);
+    for boundary in boundaries(Grid::new(60, 130, 0.5, 0.5).unwrap()) {
+        let count = |bodies: &HalfSpace| {
+            let gap = rough.generate_on(bodies).unwrap().map(|z| -z);
+            let force = NormalControl::Force(0.03 * bodies.grid().whole().area());
+            let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
+            let contact = problem.solve().unwrap();
+            let area = (contact.contact_area(), contact.contact_area_corrected());
+            let extent = contact.contact_extent();
+            (contact.contact_cells(), area, extent, contact.warnings())
+        };
+        let grid = Grid::new(60, 130, 0.5, 0.5).unwrap();
+        let alone = count(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
+        for size in RANKS {
+            let found = Threads::run(size, PATIENCE, |rank| {
+                count(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
+            });
+            for found in found {
+                assert_eq!(found, alone, "{size} ranks, {boundary:?}");
+            }
+        }
+    }
+}
+
 /// Presses a ball, with an observer that ends the solve at this iteration.
 fn watched(bodies: &HalfSpace, settings: Settings, last: usize) -> Result<NormalSolution, Error> {
     let gap = Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y));

@@ -1,0 +1,107 @@
+//! Exchanges between ranks bring each block where it belongs, with those that an implementation adds and without.
+
+use std::sync::Arc;
+
+use stickslip::influence::Component;
+use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::*;
+
+use crate::ranks_share_a_contact::{PATIENCE, pair, same};
+
+/// Ranks that can do no more than they must.
+#[derive(Debug)]
+struct Swaps(Threads);
+
+impl Ranks for Swaps {
+    fn rank(&self) -> usize {
+        self.0.rank()
+    }
+
+    fn size(&self) -> usize {
+        self.0.size()
+    }
+
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        self.0.swap(block, to, from)
+    }
+}
+
+/// The work on ranks of both kinds.
+fn on_both<T: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> T + Sync) -> [Vec<T>; 2] {
+    [
+        Threads::run(size, PATIENCE, |rank| work(Arc::new(rank))),
+        Threads::run(size, PATIENCE, |rank| work(Arc::new(Swaps(rank)))),
+    ]
+}
+
+/// The words that one rank sends another: none to some.
+fn words(from: usize, to: usize) -> Vec<u64> {
+    let count = if from == to { 0 } else { 3 * from * to % 4 };
+    vec![(100 * from + to) as u64; count]
+}
+
+#[test]
+fn every_block_arrives() {
+    for size in [2, 3, 5, 8] {
+        for outcomes in on_both(size, |ranks| {
+            let own = ranks.rank();
+            // Twice, so that a rank may be ahead of another.
+            for _ in 0..2 {
+                let blocks = (0..size).map(|to| words(own, to)).collect();
+                let expected: Vec<_> = (0..size).map(|from| words(from, own)).collect();
+                let comes: Vec<bool> = expected.iter().map(|block| !block.is_empty()).collect();
+                assert_eq!(ranks.all_to_all(blocks, &comes)?, expected);
+                let counts: Vec<usize> = (0..size).map(|rank| words(rank, 1).len()).collect();
+                let all: Vec<_> = (0..size).flat_map(|rank| words(rank, 1)).collect();
+                assert_eq!(ranks.all_gather(&words(own, 1), &counts)?, all);
+            }
+            Ok::<(), RankFailure>(())
+        }) {
+            assert!(outcomes.iter().all(Result::is_ok), "{outcomes:?}");
+        }
+    }
+}
+
+#[test]
+fn who_gathers_other_counts_is_told() {
+    for outcomes in on_both(2, |ranks| {
+        let counts = [1, 1 + ranks.rank()];
+        ranks.all_gather(&vec![7; counts[ranks.rank()]], &counts)
+    }) {
+        let told = Err(RankFailure::OutOfStep { rank: 1 });
+        assert_eq!(outcomes[0], told);
+        assert_eq!(outcomes[1], Ok(vec![7; 3]));
+    }
+}
+
+/// A product waits for others twice: for what its columns need, and for what its rows do. Each rank sends a block to each
+/// other one there.
+#[test]
+fn a_product_takes_two_exchanges() {
+    let (size, grid) = (4, Grid::square(256, 8.0).unwrap());
+    let product = |bodies: &HalfSpace| {
+        let operator = bodies.operator(Component::ZZ).unwrap();
+        let traction = Field::from_fn(bodies.grid(), |x, y| (3.0 * x).sin() + (5.0 * y).cos());
+        let mut out = Field::zeros(bodies.grid());
+        let (x, u) = ([traction.as_slice()], [out.as_mut_slice()]);
+        operator.apply(x, u, &mut operator.workspace());
+        out.into_vec()
+    };
+    let alone = product(&HalfSpace::new(grid, pair()).unwrap());
+    for outcomes in on_both(size, |ranks| {
+        let bodies = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, ranks).unwrap();
+        // The symbol is sampled by the first one.
+        let mut sent = bodies.traffic();
+        let mut slab = Vec::new();
+        for _ in 0..2 {
+            sent = bodies.traffic();
+            slab = product(&bodies);
+        }
+        let now = bodies.traffic();
+        assert_eq!(now.exchanges - sent.exchanges, 2);
+        assert_eq!(now.blocks - sent.blocks, 2 * (size as u64 - 1));
+        slab
+    }) {
+        same(&outcomes.concat(), &alone).unwrap();
+    }
+}
