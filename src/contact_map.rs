@@ -188,7 +188,7 @@ mod tests {
 
     fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
         let mut sizes = Vec::new();
-        map.walk_spots(|spot, ..| {
+        map.walk_spots(|spot, _, _| {
             sizes.resize(sizes.len().max(spot + 1), 0);
             sizes[spot] += 1;
             Ok(())
