@@ -331,8 +331,8 @@ impl ElasticPair {
         let thickest: f64 = layers().map(Layer::thickness).sum();
         let thinnest = layers().map(Layer::thickness).fold(f64::INFINITY, f64::min);
         let (longest, shortest) = (1e-3 / thickest, 20.0 / thinnest);
-        let octaves = (shortest / longest).log2();
-        let waves = (0..=(4.0 * octaves) as u32).map(|n| longest * (0.25 * f64::from(n)).exp2());
+        let waves = std::iter::successors(Some(longest), |k| Some(k * 0.25_f64.exp2()));
+        let waves = waves.take_while(|k| *k < shortest);
         waves.fold(near, |strongest, k| {
             let found = self.times_k(k);
             let ratio = found.coupling / (found.normal * found.along).sqrt();

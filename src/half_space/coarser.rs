@@ -44,7 +44,7 @@ impl HalfSpace {
             };
             let dealt = (self.team().cloned(), share);
             let made = (samples, kernels.rest().cloned());
-            let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, made);
+            let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
             Ok(Self::of_kernels(kernels, dealt))
         })
     }

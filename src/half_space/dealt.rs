@@ -48,7 +48,7 @@ impl HalfSpace {
         )?;
         let dealt = (Some(team), Some(share));
         let made = (None, Rest::of(&pair).map(Arc::new));
-        let kernels = Kernels::new(grid, pair, boundary, CellValue::default(), made);
+        let kernels = Kernels::new(grid, &pair, boundary, CellValue::default(), made);
         Ok(Self::of_kernels(kernels, dealt))
     }
 

@@ -27,14 +27,14 @@ pub(super) struct Kernels {
 impl Kernels {
     pub(super) fn new(
         grid: Grid,
-        pair: ElasticPair,
+        pair: &ElasticPair,
         boundary: Boundary,
         cell_value: CellValue,
         (samples, rest): (Option<Arc<Samples>>, Option<Arc<Rest>>),
     ) -> Self {
         Self {
             grid,
-            pair,
+            pair: *pair,
             boundary,
             // The symbols of waves have values at the centres.
             cell_value: match boundary {

@@ -121,7 +121,7 @@ impl HalfSpace {
         let (cell_value, rest) = (CellValue::default(), Rest::of(&pair).map(Arc::new));
         let dealt = (None, rest.as_ref());
         let samples = samples(grid, boundary, cell_value, grid.size(), dealt)?.map(Arc::new);
-        let kernels = Kernels::new(grid, pair, boundary, cell_value, (samples, rest));
+        let kernels = Kernels::new(grid, &pair, boundary, cell_value, (samples, rest));
         Ok(Self::of_kernels(kernels, (None, None)))
     }
 
@@ -171,7 +171,7 @@ impl HalfSpace {
             None => samples(grid, boundary, cell_value, grid.size(), (None, rest))?.map(Arc::new),
         };
         let made = (samples, rest.cloned());
-        let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, made);
+        let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
         Ok(Self::of_kernels(kernels, (team.clone(), share.clone())))
     }
 
@@ -322,7 +322,7 @@ impl HalfSpace {
             .agreed(samples(grid, boundary, cell_value, size, (sharing, rest)))?
             .map(Arc::new);
         let made = (samples, rest.cloned());
-        make(Kernels::new(grid, *self.pair(), boundary, cell_value, made).of(components)?)
+        make(Kernels::new(grid, self.pair(), boundary, cell_value, made).of(components)?)
     }
 
     /// `Ok` if what has a meaning of the values of cells has that of these.

@@ -5,7 +5,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use crate::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, Rule};
 use crate::influence::Component;
-use crate::layers::Response;
+use crate::layers::{Layer, Response};
 use crate::material::{Compliances, ElasticPair, Material};
 
 /// The kernels of the response of a pair less that of its outermost layers as half-spaces, times two pi: of a point
@@ -313,7 +313,7 @@ impl Rest {
         })
     }
 
-    /// The forces at depths z: of $`e^{-kz}/k`$ the kernels of Bessel's J_0, J_1/r and J_2/r^2.
+    /// The forces at depths z: of $`e^{-kz}/k`$ the kernels of Bessel's $`J_0`$, $`J_1/r`$ and $`J_2/r^2`$.
     fn point_images(&self, r: f64) -> [f64; 4] {
         let mut sum = [0.0; 4];
         for (depth, part) in &self.images {
@@ -357,9 +357,12 @@ impl Rest {
         let gone = GONE / self.scale;
         let is_cut = near * gone > 156.0;
         let last = if is_cut { 156.0 / near } else { gone };
-        let weight = |k: f64| match is_cut {
-            true => 0.5 * libm::erfc((k * near - 78.0) / 12.5),
-            false => 1.0,
+        let weight = |k: f64| {
+            if is_cut {
+                0.5 * libm::erfc((k * near - 78.0) / 12.5)
+            } else {
+                1.0
+            }
         };
         let mut waves = Vec::new();
         let mut start = 0.0;
@@ -367,8 +370,10 @@ impl Rest {
             let end = (SQRT_2 * start).max(self.least).min(last);
             let panels = ((end - start) * far / PHASE).ceil().max(1.0);
             let half = 0.5 * (end - start) / panels;
-            for panel in 0..panels as u32 {
-                let middle = start + half * (2.0 * f64::from(panel) + 1.0);
+            let mut panel = 0.0;
+            while panel < panels {
+                let middle = start + half * (2.0 * panel + 1.0);
+                panel += 1.0;
                 waves.extend(GAUSS_12.map(|[node, part]| {
                     let k = middle + half * node;
                     let factor = half * part * weight(k);
@@ -393,14 +398,9 @@ fn times_k(compliances: Compliances) -> Response {
 /// A length beyond which a body is its base: all layers, as thick as their contrast makes them.
 fn slowest(body: &Material) -> f64 {
     let layers = body.layers().iter();
-    let thickness: f64 = layers.clone().map(|layer| layer.thickness()).sum();
+    let thickness: f64 = layers.clone().map(Layer::thickness).sum();
     let base = (!body.youngs_modulus().is_infinite()).then(|| body.shear_modulus());
-    let moduli = || {
-        layers
-            .clone()
-            .map(|layer| layer.shear_modulus())
-            .chain(base)
-    };
+    let moduli = || layers.clone().map(Layer::shear_modulus).chain(base);
     let (most, least) = (
         moduli().fold(0.0, f64::max),
         moduli().fold(f64::INFINITY, f64::min),

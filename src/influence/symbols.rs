@@ -12,12 +12,12 @@ use crate::material::{Compliances, ElasticPair};
 /// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is
 /// real for the components even or odd in both axes, imaginary for the others. The displacement under a
 /// mean traction, a wave of infinite length, is undefined; zero is used.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Symbols {
     component: Component,
     compliances: Compliances,
     /// Bodies whose symbols are no sums of those of half-spaces.
-    coated: Option<ElasticPair>,
+    coated: Option<Box<ElasticPair>>,
     size: [usize; 2],
     /// Wave numbers of one period over the grid.
     steps: [f64; 2],
@@ -30,7 +30,7 @@ impl Symbols {
         Self {
             component,
             compliances: pair.compliances(),
-            coated: pair.is_coated().then_some(*pair),
+            coated: pair.is_coated().then(|| Box::new(*pair)),
             size,
             steps: sides.map(|side| TAU / side),
         }

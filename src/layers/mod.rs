@@ -23,7 +23,7 @@
 //! # Frequency responses
 //!
 //! A wave of traction with the wave vector k moves the surface of a layered body by four functions of its length,
-//! [`Response`]: $`C_n`$ (u_z from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and across k) and
+//! [`Response`]: $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and across k) and
 //! $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
 //!
 //! ```math

@@ -155,7 +155,7 @@ impl Surface {
 }
 
 /// The series of `cosh 2a` (even) or `sinh 2a` (odd) from a power on, for a below one.
-fn tail(a: f64, first: u32) -> f64 {
+fn tail(a: f64, first: i32) -> f64 {
     let x = 2.0 * a;
     let mut sum = 0.0;
     let mut power = first + 24;
@@ -163,6 +163,6 @@ fn tail(a: f64, first: u32) -> f64 {
         sum = (sum + 1.0) * x * x / f64::from(power * (power - 1));
         power -= 2;
     }
-    let factorial: u32 = (1..=first).product();
-    (1.0 + sum) * x.powi(first.cast_signed()) / f64::from(factorial)
+    let factorial: i32 = (1..=first).product();
+    (1.0 + sum) * x.powi(first) / f64::from(factorial)
 }
