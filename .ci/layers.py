@@ -10,7 +10,7 @@ import sys
 # The modules of the crate by layer, lowest first, and the modules each may use: those named, of its own layer or of
 # a lower one.
 FOUNDATION = {
-    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "material", "parallel", "per_cell", "pool", "serial", "warning",
+    "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "layers", "material", "parallel", "per_cell", "pool", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
 ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window"}
@@ -40,7 +40,8 @@ LAYERS = [
         "grid": {"error", "layout"},
         "warning": {"error", "grid"},
         "field": {"buffer", "error", "grid", "layout", "parallel", "per_cell", "serial", "shown"},
-        "material": {"error", "serial"},
+        "layers": {"error"},
+        "material": {"error", "layers", "serial"},
         "coupling": {"material"},
     }),
     ("operators, kernels, transforms, closed forms, shapes; no physics of contact; and pages to read", {
@@ -77,7 +78,7 @@ LAYERS = [
         | {"contact_map", "coupling", "contact", "normal", "tangential", "coupled", "stiffness", "io"},
     }),
     ("what is told of all of these", {
-        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "history", "neighbours", "normal", "parallel", "shown", "spots", "tangential"},
+        "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "history", "layers", "neighbours", "normal", "parallel", "shown", "spots", "tangential"},
         "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
         "rolling": ENGINE | {"contact", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},

@@ -8,7 +8,7 @@ mod show;
 
 pub(crate) use check::{
     all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
-    positive, samples_obey,
+    poisson_ratio, positive, samples_obey,
 };
 pub use {place::Place, ranks::RankFailure, result::Result};
 
@@ -80,6 +80,33 @@ pub enum Error {
     /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
     BothRigid,
+    /// More layers than a coated body may have.
+    #[error("a body of {found} layers exceeds the limit of {limit}")]
+    TooManyLayers {
+        /// Layers given.
+        found: usize,
+        /// Layers allowed.
+        limit: usize,
+    },
+    /// Asked of coated bodies, but known of homogeneous ones alone.
+    #[error("{quantity} is not modelled for coated bodies: {remedy}")]
+    Coated {
+        /// What was asked for, in words.
+        quantity: &'static str,
+        /// What to do instead.
+        remedy: &'static str,
+    },
+    /// The least eigenvalue of the compliance of coated bodies is not positive on this grid: nothing could be certified. The page
+    /// of [`layers`](crate::layers#limits-of-the-model) tells where this is so.
+    #[error(
+        "the least eigenvalue of the compliance, {eigenvalue:e}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats"
+    )]
+    NotDefinite {
+        /// The least eigenvalue (a length over a pressure).
+        eigenvalue: f64,
+        /// Sides of a cell (lengths).
+        sides: [f64; 2],
+    },
     /// Stress or displacement of a body that is rigid: nothing determines them.
     #[error("{0} is rigid: nothing determines its stress")]
     RigidBody(&'static str),
@@ -91,7 +118,7 @@ pub enum Error {
         "the pair couples pressure and traction (Dundurs beta = {beta:e}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
     )]
     CoupledMaterials {
-        /// Dundurs' second parameter of the pair.
+        /// Dundurs' second parameter of the pair; of coated bodies the like of it for the waves that couple most.
         beta: f64,
     },
     /// Cells so much longer than wide that the least eigenvalue of the compliance is round-off: no error is certified.

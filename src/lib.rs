@@ -226,7 +226,7 @@
 //! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
-//! Not modelled: layers, plasticity, adhesion, viscosity, heat.
+//! Bodies are homogeneous or coated ([`layers`]). Not modelled: plasticity, adhesion, viscosity, heat.
 //!
 //! # Sources of the formulas
 //!
@@ -273,6 +273,7 @@ pub mod history;
 pub mod influence;
 pub mod io;
 mod jacobi;
+pub mod layers;
 mod layout;
 mod levels;
 mod material;

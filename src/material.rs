@@ -1,13 +1,14 @@
 //! Elastic constants of one body and of a pair.
 
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, poisson_ratio as check_poisson_ratio, positive};
+use crate::layers::{Base, Coating, Layer, Response, Waves};
 
 /// Dundurs' beta at or below which pressure and traction count as uncoupled.
 const UNCOUPLED: f64 = 1e-12;
 
-/// A linear elastic, isotropic, homogeneous half-space.
+/// A linear elastic, isotropic half-space, homogeneous or [coated](Self::coated).
 ///
-/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`.
+/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`. Those of a coated body are its substrate's.
 ///
 /// ```
 /// let steel = stickslip::Material::new(210e9, 0.3)?;
@@ -28,6 +29,8 @@ pub struct Material {
     /// Infinite where none is stated.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     hardness: f64,
+    #[cfg_attr(feature = "serde", serde(rename = "layers"))]
+    coating: Coating,
 }
 
 /// The values read, before they are checked.
@@ -39,6 +42,8 @@ struct UncheckedMaterial {
     poisson_ratio: f64,
     #[serde(default = "unstated", with = "crate::serial::number")]
     hardness: f64,
+    #[serde(default)]
+    layers: Vec<Layer>,
 }
 
 #[cfg(feature = "serde")]
@@ -57,7 +62,7 @@ impl TryFrom<UncheckedMaterial> for Material {
         } else {
             Self::new(read.youngs_modulus, read.poisson_ratio)?
         };
-        body.stating(read.hardness)
+        body.coated(&read.layers)?.stating(read.hardness)
     }
 }
 
@@ -73,6 +78,7 @@ impl Material {
             youngs_modulus,
             poisson_ratio,
             hardness: f64::INFINITY,
+            coating: Coating::NONE,
         }
         .checked(youngs_modulus)
     }
@@ -88,6 +94,7 @@ impl Material {
             youngs_modulus: 2.0 * (1.0 + poisson_ratio) * shear_modulus,
             poisson_ratio,
             hardness: f64::INFINITY,
+            coating: Coating::NONE,
         }
         .checked(shear_modulus)
     }
@@ -111,7 +118,43 @@ impl Material {
             youngs_modulus: f64::INFINITY,
             poisson_ratio: 0.0,
             hardness: f64::INFINITY,
+            coating: Coating::NONE,
         }
+    }
+
+    /// This body under layers that are bonded to it, the outermost first; over the layers it has, if it is coated
+    /// already. On a [rigid](Self::rigid) body it is a bed on a rigid base. What is known of such bodies, and what is
+    /// not, is on the page of [`layers`](crate::layers).
+    ///
+    /// ```
+    /// use stickslip::{ElasticPair, Material, layers::Layer};
+    /// let steel = Material::new(210e9, 0.3)?;
+    /// let hard = steel.coated(&[Layer::new(400e9, 0.25, 2e-6)?])?;
+    /// let response = |waves_per_metre| ElasticPair::new(hard, Material::rigid())?.response(waves_per_metre);
+    /// // Waves long beside the coating see the steel, short ones the coating.
+    /// let plane = |modulus: f64, nu: f64| modulus / (1.0 - nu * nu);
+    /// assert!((response(1.0)?.normal * 0.5 * plane(210e9, 0.3) - 1.0).abs() < 1e-4);
+    /// assert!((response(1e8)?.normal * 0.5e8 * plane(400e9, 0.25) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::TooManyLayers`] beyond [`layers::LIMIT`](crate::layers::LIMIT).
+    pub fn coated(mut self, layers: &[Layer]) -> Result<Self> {
+        self.coating = self.coating.under(layers)?;
+        Ok(self)
+    }
+
+    /// The layers of a coated body, the outermost first; none of a homogeneous one.
+    #[must_use]
+    pub fn layers(&self) -> &[Layer] {
+        self.coating.layers()
+    }
+
+    /// Whether the body is coated.
+    #[must_use]
+    pub fn is_coated(&self) -> bool {
+        !self.layers().is_empty()
     }
 
     /// The strain of the bulk along x under the stress `stress` along x, without strain along y and stress along z:
@@ -147,10 +190,10 @@ impl Material {
         self.hardness
     }
 
-    /// Whether the body does not deform.
+    /// Whether the body does not deform: it is rigid, and not coated.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
-        self.youngs_modulus.is_infinite()
+        self.youngs_modulus.is_infinite() && !self.is_coated()
     }
 
     /// Young's modulus `E` (a pressure); infinite for a rigid body.
@@ -176,22 +219,31 @@ impl Material {
         2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// The three constants that the influence coefficients need.
+    /// The three constants that the influence coefficients of short waves need: those of the outermost layer, if any.
     pub(crate) fn compliances(&self) -> Compliances {
-        let compliance = self.compliance();
-        Compliances {
-            normal: (1.0 - self.poisson_ratio) * compliance,
-            lateral: self.poisson_ratio * compliance,
-            coupling: (1.0 - 2.0 * self.poisson_ratio) * compliance,
+        match self.layers() {
+            [] => self.base_compliances(),
+            [outermost, ..] => {
+                Compliances::new(1.0 / outermost.shear_modulus(), outermost.poisson_ratio())
+            }
         }
     }
-}
 
-fn check_poisson_ratio(poisson_ratio: f64) -> Result<()> {
-    if poisson_ratio > -1.0 && poisson_ratio <= 0.5 {
-        Ok(())
-    } else {
-        Err(Error::PoissonRatio(poisson_ratio))
+    /// Those of long waves: of what lies below all layers.
+    pub(crate) fn base_compliances(&self) -> Compliances {
+        Compliances::new(self.compliance(), self.poisson_ratio)
+    }
+
+    /// The response of the body to waves.
+    pub(crate) fn waves(&self) -> Waves<'_> {
+        Waves {
+            layers: self.layers(),
+            base: if self.youngs_modulus.is_infinite() {
+                Base::Rigid
+            } else {
+                Base::Elastic([self.shear_modulus(), self.poisson_ratio])
+            },
+        }
     }
 }
 
@@ -221,6 +273,8 @@ pub struct ElasticPair {
     bodies: [Material; 2],
     #[cfg_attr(feature = "serde", serde(skip_serializing))]
     compliances: Compliances,
+    #[cfg_attr(feature = "serde", serde(skip_serializing))]
+    coupling: f64,
 }
 
 /// The values read, before they are checked.
@@ -251,18 +305,84 @@ impl ElasticPair {
             return Err(Error::BothRigid);
         }
         let (one, two) = (body_1.compliances(), body_2.compliances());
-        let pair = Self {
+        let mut pair = Self {
             bodies: [body_1, body_2],
             compliances: Compliances {
                 normal: one.normal + two.normal,
                 lateral: one.lateral + two.lateral,
                 coupling: one.coupling - two.coupling,
             },
+            coupling: 0.0,
         };
         positive("contact modulus of the pair", pair.contact_modulus())?;
         positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
         finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
+        pair.coupling = pair.strongest_coupling();
         Ok(pair)
+    }
+
+    /// The largest ratio of the coupling to the mean of normal and tangential response, of waves of any length.
+    fn strongest_coupling(&self) -> f64 {
+        let near = self.dundurs_beta();
+        let layers = || self.bodies.iter().flat_map(Material::layers);
+        if !self.is_coated() {
+            return near;
+        }
+        let thickest: f64 = layers().map(Layer::thickness).sum();
+        let thinnest = layers().map(Layer::thickness).fold(f64::INFINITY, f64::min);
+        let (longest, shortest) = (1e-3 / thickest, 20.0 / thinnest);
+        let waves = std::iter::successors(Some(longest), |k| Some(k * 0.25_f64.exp2()));
+        let waves = waves.take_while(|k| *k < shortest);
+        waves.fold(near, |strongest, k| {
+            let found = self.times_k(k);
+            let ratio = found.coupling / (found.normal * found.along).sqrt();
+            if ratio.abs() > strongest.abs() {
+                ratio
+            } else {
+                strongest
+            }
+        })
+    }
+
+    /// The response of the relative displacement `u_1 - u_2` to waves of traction of the wave number `k` (one over a
+    /// length); of homogeneous bodies the constants of the [`influence`](crate::influence) page over k.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    pub fn response(&self, k: f64) -> Result<Response> {
+        positive("wave number", k)?;
+        Ok(self.times_k(k).map(|value| value / k))
+    }
+
+    /// The wave number k > 0 times the response to waves of it.
+    pub(crate) fn times_k(&self, k: f64) -> Response {
+        let [one, two] = self.bodies.each_ref().map(|body| body.waves().times_k(k));
+        one.and_second(two)
+    }
+
+    /// Whether a body is coated.
+    #[must_use]
+    pub fn is_coated(&self) -> bool {
+        self.bodies.iter().any(Material::is_coated)
+    }
+
+    /// `Ok` for homogeneous bodies, of what knows no others.
+    pub(crate) fn check_homogeneous(
+        &self,
+        quantity: &'static str,
+        remedy: &'static str,
+    ) -> Result<()> {
+        if self.is_coated() {
+            Err(Error::Coated { quantity, remedy })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The same of a closed form.
+    pub(crate) fn check_closed_form(&self) -> Result<()> {
+        let remedy = "solve the contact on a grid";
+        self.check_homogeneous("a closed form with one modulus", remedy)
     }
 
     /// Hardness of the softer body (a pressure); infinite where none is stated.
@@ -314,11 +434,17 @@ impl ElasticPair {
         0.5 * self.compliances.coupling / self.compliances.normal
     }
 
-    /// Whether pressure moves the surfaces tangentially and shear moves them normally: [`dundurs_beta`](Self::dundurs_beta)
-    /// is more than 1e-12 in size.
+    /// Whether pressure moves the surfaces tangentially and shear moves them normally:
+    /// [`dundurs_beta`](Self::dundurs_beta) is more than 1e-12 in size; of coated bodies the ratio
+    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) is, for waves of some length.
     #[must_use]
     pub fn is_coupled(&self) -> bool {
-        self.dundurs_beta().abs() > UNCOUPLED
+        self.coupling.abs() > UNCOUPLED
+    }
+
+    /// Dundurs' beta; of coated bodies the like of it for the waves that couple most.
+    pub(crate) fn coupling_strength(&self) -> f64 {
+        self.coupling
     }
 
     /// The sums that the influence coefficients of the pair need.
@@ -336,4 +462,15 @@ pub(crate) struct Compliances {
     pub(crate) lateral: f64,
     /// `(1 - 2 nu)/G`, body 1 minus body 2.
     pub(crate) coupling: f64,
+}
+
+impl Compliances {
+    /// Of one body, by one over its modulus of shear.
+    fn new(compliance: f64, poisson_ratio: f64) -> Self {
+        Self {
+            normal: (1.0 - poisson_ratio) * compliance,
+            lateral: poisson_ratio * compliance,
+            coupling: (1.0 - 2.0 * poisson_ratio) * compliance,
+        }
+    }
 }

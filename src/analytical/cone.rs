@@ -49,6 +49,7 @@ impl Cone {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is
     /// not positive and finite.
     pub fn new(pair: &ElasticPair, slope: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("slope", slope)?;
         positive("load", load)?;
         let a = (FRAC_2_PI * (load / pair.contact_modulus()) / slope).sqrt();

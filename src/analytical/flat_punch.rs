@@ -45,6 +45,7 @@ impl FlatPunch {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
     /// not positive and finite.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius", radius)?;
         positive("load", load)?;
         Ok(Self {

@@ -50,6 +50,7 @@ impl MindlinFullStick {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius,
     /// [`Error::NotFinite`](crate::Error::NotFinite) for the force or the shift.
     pub fn new(pair: &ElasticPair, contact_radius: f64, force: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("contact radius", contact_radius)?;
         finite("tangential force", force)?;
         let compliance = (2.0 - pair.equivalent_poisson_ratio())

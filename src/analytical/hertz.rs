@@ -46,6 +46,7 @@ impl HertzSphere {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
     /// not positive and finite.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius", radius)?;
         positive("load", load)?;
         let a = (0.75 * (load / pair.contact_modulus()) * radius).cbrt();
@@ -197,6 +198,7 @@ impl HertzEllipse {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if a radius, the load or a result is not
     /// positive and finite.
     pub fn new(pair: &ElasticPair, radius_x: f64, radius_y: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius along x", radius_x)?;
         positive("radius along y", radius_y)?;
         positive("load", load)?;

@@ -41,6 +41,7 @@ impl NoSlipPunch {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or approach is not positive and finite.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius", radius)?;
         positive("load", load)?;
         let approach = 0.5 * (load / pair.contact_modulus()) / radius / factor(pair);
@@ -103,6 +104,7 @@ impl NoSlipSphere {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or a result is not positive and finite.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius", radius)?;
         positive("load", load)?;
         let moment = moment(pair);

@@ -57,6 +57,7 @@ impl Persson {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or the reduced pressure is not
     /// positive and finite.
     pub fn new(pair: &ElasticPair, rms_slope: f64, mean_pressure: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("root-mean-square slope", rms_slope)?;
         positive("mean pressure", mean_pressure)?;
         let reduced = mean_pressure / pair.contact_modulus() / rms_slope;

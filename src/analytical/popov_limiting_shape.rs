@@ -65,6 +65,7 @@ impl PopovLimitingShape {
     /// $`a`$, [`Error::Negative`](crate::Error::Negative) for the stick radius or the load,
     /// [`Error::Below`](crate::Error::Below) if the stick radius exceeds $`a`$.
     pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("radius", radius)?;
         positive("approach", approach)?;
         let c = non_negative("stick radius", stick_radius)?;

@@ -57,6 +57,7 @@ impl RoundedPunch {
     /// [`Error::Below`](crate::Error::Below) if the load is less than a millionth of $`E^* b^2/4R`$, where the contact is
     /// that of the flat.
     pub fn new(pair: &ElasticPair, flat: f64, radius: f64, load: f64) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("half-width of the flat", flat)?;
         positive("radius of the edges", radius)?;
         positive("load per length", load)?;

@@ -66,6 +66,7 @@ impl SpencePressing {
         friction: f64,
         function: impl Fn(f64, Moduli) -> f64,
     ) -> Result<Self> {
+        pair.check_closed_form()?;
         let ratio = non_negative("coefficient of friction", friction)? / pair.dundurs_beta().abs();
         if pair.dundurs_beta() == 0.0 || friction == 0.0 {
             let stick_radius = if friction == 0.0 && pair.dundurs_beta() != 0.0 {

@@ -57,6 +57,7 @@ impl Westergaard {
         wavelength: f64,
         mean_pressure: f64,
     ) -> Result<Self> {
+        pair.check_closed_form()?;
         positive("amplitude", amplitude)?;
         positive("wavelength", wavelength)?;
         positive("mean pressure", mean_pressure)?;

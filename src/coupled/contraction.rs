@@ -26,7 +26,7 @@ pub(super) struct Contraction {
     pub(super) coupling: f64,
     /// $`c`$.
     pub(super) spread: f64,
-    /// Dundurs' beta, without its sign.
+    /// Dundurs' beta, without its sign; of coated bodies that of the waves that couple most.
     pub(super) beta: f64,
 }
 

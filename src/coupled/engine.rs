@@ -142,7 +142,7 @@ impl OnWindow for Engine {
             plane: ElasticSolver::new(bodies, [x, y], size)?,
             is_bounded: bodies.boundary() != Boundary::Periodic,
             contraction: Contraction {
-                beta: bodies.pair().dundurs_beta().abs(),
+                beta: bodies.pair().coupling_strength().abs(),
                 coupling: tensor.coupling(),
                 spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
             },

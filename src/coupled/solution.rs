@@ -100,7 +100,7 @@ impl CoupledSolution {
             .fill(bodies, None, &increment.answer(), increment.report());
         let pair = bodies.pair();
         self.tangential
-            .set_coupled(pair.is_coupled().then(|| pair.dundurs_beta()));
+            .set_coupled(pair.is_coupled().then(|| pair.coupling_strength()));
         for (field, values) in self.displacement.iter_mut().zip(increment.displacement()) {
             field.as_mut_slice().copy_from_slice(values);
         }

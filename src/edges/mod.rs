@@ -87,6 +87,7 @@ use crate::cell_value::CellValue;
 use crate::error::{Error, RankFailure, Result};
 use crate::field::Field;
 use crate::grid::Grid;
+use crate::layers::Layer;
 use crate::normal::NormalSolution;
 use crate::shown::shown;
 
@@ -184,10 +185,12 @@ impl NormalSolution {
     /// The edge of the contact inside the cells, and the pressure there; the page of [`edges`](crate::edges) tells how.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Ranks`] for a slab of a grid that ranks share.
+    /// [`Error::Memory`]; [`Error::Ranks`] for a slab of a grid that ranks share; [`Error::Coated`] where an outermost
+    /// layer is thinner than four cells.
     pub fn edges(&self) -> Result<Edges> {
         let grid = self.grid();
         check_whole(grid)?;
+        check_resolved(self)?;
         let modulus = self.pair().contact_modulus();
         Search {
             grid,
@@ -201,6 +204,25 @@ impl NormalSolution {
         }
         .edges()
     }
+}
+
+/// Cells that the outermost layer is thick at least: in it the pressure falls to zero as on a half-space of it.
+const THINNEST: f64 = 4.0;
+
+/// `Ok` if the edges of a contact are those of its outermost layers.
+fn check_resolved(normal: &NormalSolution) -> Result<()> {
+    let grid = normal.grid();
+    let bodies = normal.pair().bodies();
+    let outermost = bodies.iter().filter_map(|body| body.layers().first());
+    let thinnest = outermost
+        .map(Layer::thickness)
+        .fold(f64::INFINITY, f64::min);
+    if thinnest < THINNEST * grid.dx().max(grid.dy()) {
+        let quantity = "an edge inside the cells, on layers thinner than four of them,";
+        let remedy = "take smaller cells, or the areas of the cells";
+        normal.pair().check_homogeneous(quantity, remedy)?;
+    }
+    Ok(())
 }
 
 /// `Ok` if a grid is no slab of one that ranks share.

@@ -30,6 +30,15 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
+/// `Ok` if an isotropic body of this ratio is stable.
+pub(crate) fn poisson_ratio(value: f64) -> Result<()> {
+    if value > -1.0 && value <= 0.5 {
+        Ok(())
+    } else {
+        Err(Error::PoissonRatio(value))
+    }
+}
+
 /// `Ok` if every sample is finite.
 pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> {
     samples_obey(quantity, samples, "must be finite", f64::is_finite)

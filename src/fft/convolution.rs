@@ -13,7 +13,7 @@ use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
 use crate::grid::Grid;
-use crate::influence::{Component, Kernel, Samples, Symbols};
+use crate::influence::{Component, Kernel, Rest, Samples, Symbols};
 use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::operator::Operator;
@@ -52,6 +52,7 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
+    least: f64,
     lower_bound: f64,
     upper_bound: f64,
     /// Whether single precision resolves the smallest eigenvalue beside the largest.
@@ -71,7 +72,8 @@ impl Convolution {
     /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
-        let samples = Samples::new(grid, reach)?;
+        let rest = Rest::of(pair).map(Arc::new);
+        let samples = Samples::new(grid, reach)?.coated(rest);
         parallel::enter_with(grid.cells(), || {
             let table = Kernel::Table(samples.table(grid, pair, component)?);
             Self::of_kernels(grid.size(), None, [[&table]])
@@ -134,6 +136,7 @@ impl<const N: usize> Convolution<N> {
         Ok(Self {
             plan,
             single: SingleProduct::new(frame, &symbol)?,
+            least: range[0],
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
@@ -143,6 +146,11 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
+    /// The least eigenvalue of the periodic continuation, of whatever sign.
+    pub(crate) fn least_eigenvalue(&self) -> f64 {
+        self.least
+    }
+
     /// The largest eigenvalue of the periodic continuation, a bound for the cells cut out of it.
     pub(crate) fn upper_bound(&self) -> f64 {
         self.upper_bound
@@ -170,13 +178,13 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
 }
 
 /// The integrals of all coefficients at every distance that the transform of `size` cells of `grid` reaches; none for
-/// a grid that repeats along both axes, which has symbols. Ranks deal out the distances along y.
+/// a grid that repeats along both axes, which has symbols. Ranks deal out the distances along y; coated bodies add a rest.
 pub(crate) fn samples(
     grid: Grid,
     boundary: Boundary,
     cell_value: CellValue,
     size: [usize; 2],
-    team: Option<&Arc<Team>>,
+    (team, rest): (Option<&Arc<Team>>, Option<&Arc<Rest>>),
 ) -> Result<Option<Samples>> {
     let reach = reach(size, boundary);
     let samples = match boundary {
@@ -185,7 +193,9 @@ pub(crate) fn samples(
         Boundary::Periodic => return Ok(None),
     };
     let share = team.map(|team| Arc::new(Share::new(team, reach)));
-    Ok(Some(samples.of(cell_value).shared(share)))
+    Ok(Some(
+        samples.of(cell_value).shared(share).coated(rest.cloned()),
+    ))
 }
 
 /// Distances along each axis from nothing to half around the torus.
@@ -256,7 +266,7 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
     /// periodic grid that on fields of mean zero. Zero for a single component between two directions; and
     /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
-    /// continuation is not definite though the operator is.
+    /// continuation is not definite though the operator is; likewise for stiff layers on soft bodies.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

@@ -38,12 +38,14 @@ impl HalfSpace {
                     Some(Arc::clone(samples))
                 }
                 _ => {
-                    let samples = samples(grid, boundary, cell_value, grid.size(), None);
+                    let dealt = (None, kernels.rest());
+                    let samples = samples(grid, boundary, cell_value, grid.size(), dealt);
                     self.agreed(samples)?.map(Arc::new)
                 }
             };
             let dealt = (self.team().cloned(), share);
-            let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, samples);
+            let made = (samples, kernels.rest().cloned());
+            let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
             Ok(Self::of_kernels(kernels, dealt))
         })
     }

@@ -32,8 +32,12 @@ impl HalfSpace {
         // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
         let grid = self.grid();
         if N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1 {
-            return Err(Error::CellsTooLong {
-                sides: [grid.dx(), grid.dy()],
+            let sides = [grid.dx(), grid.dy()];
+            return Err(if self.pair().is_coated() {
+                let eigenvalue = operator.least_eigenvalue();
+                Error::NotDefinite { eigenvalue, sides }
+            } else {
+                Error::CellsTooLong { sides }
             });
         }
         let inverse = self.made(components, size, |size, share, kernels| {

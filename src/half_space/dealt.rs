@@ -11,6 +11,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, check};
+use crate::influence::Rest;
 use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::ranks::{Input, Ranks, Team, Traffic, Words};
@@ -39,7 +40,7 @@ impl HalfSpace {
         let share = Arc::new(Share::new(&team, grid.size()));
         let own = [grid.nx(), share.own_rows().len()];
         team.agreed_alike(
-            check(grid, boundary, own),
+            check(grid, &pair, boundary, own),
             &[
                 ("grid", &grid),
                 ("pair of bodies", &pair),
@@ -47,7 +48,8 @@ impl HalfSpace {
             ],
         )?;
         let dealt = (Some(team), Some(share));
-        let kernels = Kernels::new(grid, pair, boundary, CellValue::default(), None);
+        let made = (None, Rest::of(&pair).map(Arc::new));
+        let kernels = Kernels::new(grid, &pair, boundary, CellValue::default(), made);
         Ok(Self::of_kernels(kernels, dealt))
     }
 

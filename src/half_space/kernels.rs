@@ -6,7 +6,7 @@ use crate::boundary::Boundary;
 use crate::cell_value::CellValue;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Component, Kernel, Samples, Symbols};
+use crate::influence::{Component, Kernel, Rest, Samples, Symbols};
 use crate::material::ElasticPair;
 use crate::parallel::get_or_make;
 
@@ -19,20 +19,22 @@ pub(super) struct Kernels {
     cell_value: CellValue,
     /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
+    /// What coated bodies add to their outermost layers.
+    rest: Option<Arc<Rest>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }
 
 impl Kernels {
     pub(super) fn new(
         grid: Grid,
-        pair: ElasticPair,
+        pair: &ElasticPair,
         boundary: Boundary,
         cell_value: CellValue,
-        samples: Option<Arc<Samples>>,
+        (samples, rest): (Option<Arc<Samples>>, Option<Arc<Rest>>),
     ) -> Self {
         Self {
             grid,
-            pair,
+            pair: *pair,
             boundary,
             // The symbols of waves have values at the centres.
             cell_value: match boundary {
@@ -40,6 +42,7 @@ impl Kernels {
                 _ => cell_value,
             },
             samples,
+            rest,
             made: Default::default(),
         }
     }
@@ -55,6 +58,10 @@ impl Kernels {
 
     pub(super) fn samples(&self) -> Option<&Arc<Samples>> {
         self.samples.as_ref()
+    }
+
+    pub(super) fn rest(&self) -> Option<&Arc<Rest>> {
+        self.rest.as_ref()
     }
 
     pub(super) fn boundary(&self) -> Boundary {

@@ -18,7 +18,7 @@ use crate::cell_value::CellValue;
 use crate::error::{Error, Result, at_least, finite, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Component, Direction, Kernel};
+use crate::influence::{Component, Direction, Kernel, Rest};
 use crate::material::ElasticPair;
 use crate::ranks::Team;
 use crate::share::Share;
@@ -114,12 +114,14 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
+    /// As [`HalfSpace::new`]; [`Error::Coated`] for coated bodies on several rows that repeat along y alone;
+    /// [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
-        check(grid, boundary, grid.size())?;
-        let cell_value = CellValue::default();
-        let samples = samples(grid, boundary, cell_value, grid.size(), None)?.map(Arc::new);
-        let kernels = Kernels::new(grid, pair, boundary, cell_value, samples);
+        check(grid, &pair, boundary, grid.size())?;
+        let (cell_value, rest) = (CellValue::default(), Rest::of(&pair).map(Arc::new));
+        let dealt = (None, rest.as_ref());
+        let samples = samples(grid, boundary, cell_value, grid.size(), dealt)?.map(Arc::new);
+        let kernels = Kernels::new(grid, &pair, boundary, cell_value, (samples, rest));
         Ok(Self::of_kernels(kernels, (None, None)))
     }
 
@@ -163,11 +165,13 @@ impl HalfSpace {
             grid, team, share, ..
         } = &*self.shared;
         let grid = grid.whole();
+        let rest = self.shared.kernels.rest();
         let samples = match share {
             Some(_) => None,
-            None => samples(grid, boundary, cell_value, grid.size(), None)?.map(Arc::new),
+            None => samples(grid, boundary, cell_value, grid.size(), (None, rest))?.map(Arc::new),
         };
-        let kernels = Kernels::new(grid, *self.pair(), boundary, cell_value, samples);
+        let made = (samples, rest.cloned());
+        let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
         Ok(Self::of_kernels(kernels, (team.clone(), share.clone())))
     }
 
@@ -313,11 +317,12 @@ impl HalfSpace {
             return make(kernels.of(components)?);
         }
         let grid = grid.whole();
-        let sharing = self.sharing();
+        let (sharing, rest) = (self.sharing(), kernels.rest());
         let samples = self
-            .agreed(samples(grid, boundary, cell_value, size, sharing))?
+            .agreed(samples(grid, boundary, cell_value, size, (sharing, rest)))?
             .map(Arc::new);
-        make(Kernels::new(grid, *self.pair(), boundary, cell_value, samples).of(components)?)
+        let made = (samples, rest.cloned());
+        make(Kernels::new(grid, self.pair(), boundary, cell_value, made).of(components)?)
     }
 
     /// `Ok` if what has a meaning of the values of cells has that of these.
@@ -362,9 +367,15 @@ impl HalfSpace {
 }
 
 /// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
-fn check(grid: Grid, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
+fn check(grid: Grid, pair: &ElasticPair, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
     if let Boundary::PeriodicAlongY { datum } = boundary {
+        if grid.ny() > 1 {
+            let quantity = "a grid of several rows that repeats along y alone";
+            let remedy =
+                "take a line of cells, or a grid that repeats along both axes or not at all";
+            pair.check_homogeneous(quantity, remedy)?;
+        }
         let length = grid.dx() * grid.nx() as f64;
         finite("distance of the datum", datum)?;
         at_least(

@@ -53,6 +53,9 @@
 //! D_X = \pi \int_{-a}^{a} \operatorname{sgn}(x - s)\,\mathrm{d}s .
 //! ```
 //!
+//! Bodies that are [coated](crate::layers) have these coefficients with the constants of their outermost layers, and what the
+//! page of [`layers`](crate::layers) adds to them; their symbols are those of its responses.
+//!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
 //! (2021) 106947, with the printed errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
@@ -63,6 +66,7 @@ pub(crate) mod images;
 mod integrals;
 mod kernel;
 mod rectangle;
+mod rest;
 mod samples;
 mod symbols;
 mod table;
@@ -70,6 +74,7 @@ mod table;
 pub use direction::Direction;
 pub(crate) use kernel::Kernel;
 pub use rectangle::{Rectangle, Tensor};
+pub(crate) use rest::Rest;
 pub(crate) use samples::Samples;
 pub(crate) use symbols::Symbols;
 pub use table::Table;

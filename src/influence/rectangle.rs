@@ -1,8 +1,10 @@
 //! The nine influence coefficients of one rectangular cell, near and far.
 
+use std::f64::consts::TAU;
+
 use crate::error::{Error, Result, positive};
-use crate::influence::Component;
 use crate::influence::integrals::Cell;
+use crate::influence::{Component, Rest};
 use crate::material::{Compliances, ElasticPair, Material};
 
 /// A cell of half sides `a` along x and `b` along y, centred on the origin.
@@ -78,7 +80,10 @@ impl Rectangle {
     /// The error is about 1e-15 of `C_zz` at any distance.
     #[must_use]
     pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
-        self.assemble(material.compliances(), x, y)
+        match ElasticPair::new(*material, Material::rigid()) {
+            Ok(pair) if pair.is_coated() => self.pair_tensor(&pair, x, y),
+            _ => self.assemble(material.compliances(), None, x, y),
+        }
     }
 
     /// The coefficients of the relative displacement `u_1 - u_2` of two bodies.
@@ -87,11 +92,17 @@ impl Rectangle {
     /// add, the normal-shear terms `xz`, `yz`, `zx`, `zy` subtract.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
-        self.assemble(pair.compliances(), x, y)
+        self.assemble(pair.compliances(), Rest::of(pair).as_ref(), x, y)
     }
 
-    fn assemble(&self, compliances: Compliances, x: f64, y: f64) -> Tensor {
-        let of = |component| self.coefficient(component, compliances, x, y);
+    fn assemble(&self, compliances: Compliances, rest: Option<&Rest>, x: f64, y: f64) -> Tensor {
+        let of = |component| {
+            let near = self.coefficient(component, compliances, x, y);
+            match rest {
+                Some(rest) => near + rest.over_cell(component, self.half_sides(), x, y) / TAU,
+                None => near,
+            }
+        };
         let (xy, zx, zy) = (of(Component::XY), of(Component::ZX), of(Component::ZY));
         Tensor {
             xx: of(Component::XX),
@@ -116,8 +127,13 @@ impl Rectangle {
         sum * self.scale()
     }
 
+    /// The half sides along x and y (lengths).
+    pub(super) fn half_sides(&self) -> [f64; 2] {
+        [self.cell.a * self.unit, self.cell.b * self.unit]
+    }
+
     /// The factor from an integral in that unit to a coefficient.
     pub(super) fn scale(&self) -> f64 {
-        self.unit / (2.0 * std::f64::consts::PI)
+        self.unit / TAU
     }
 }

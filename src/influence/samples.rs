@@ -9,7 +9,7 @@ use crate::error::{Result, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
 use crate::influence::integrals::Integral;
-use crate::influence::{Component, Rectangle, Table};
+use crate::influence::{Component, Rectangle, Rest, Table};
 use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
 use crate::share::Share;
@@ -28,6 +28,25 @@ pub(crate) struct Samples {
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
+    /// What coated bodies add to each coefficient, in the same unit.
+    rest: Option<Arc<Rest>>,
+    rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
+}
+
+/// What is sampled.
+#[derive(Debug, Clone, Copy)]
+enum Sampled {
+    Integral(Integral),
+    Rest(Component),
+}
+
+impl Sampled {
+    fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::Integral(integral) => integral.is_odd(),
+            Self::Rest(component) => component.is_odd(),
+        }
+    }
 }
 
 impl Samples {
@@ -46,6 +65,8 @@ impl Samples {
             images: None,
             cell_value: CellValue::default(),
             values: Default::default(),
+            rest: None,
+            rests: Default::default(),
         })
     }
 
@@ -73,9 +94,14 @@ impl Samples {
         Self { cell_value, ..self }
     }
 
+    /// The same for bodies that add so much to the coefficients of their outermost layers.
+    pub(crate) fn coated(self, rest: Option<Arc<Rest>>) -> Self {
+        Self { rest, ..self }
+    }
+
     /// Whether they are those of cells of any size.
     pub(crate) fn have_no_scale(&self) -> bool {
-        self.images.is_none()
+        self.images.is_none() && self.rest.is_none()
     }
 
     /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
@@ -91,36 +117,42 @@ impl Samples {
         let scale = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?.scale();
         let parts = component.parts(pair.compliances());
         let parts = parts.map(|(weight, integral)| {
-            let make = || self.sample(integral).map(Arc::new);
+            let make = || self.sample(Sampled::Integral(integral)).map(Arc::new);
             let values = get_or_make(&self.values[integral as usize], make)?;
             Ok((weight, Arc::clone(values)))
         });
+        let mut parts = parts.collect::<Result<Vec<_>>>()?;
+        if self.rest.is_some() {
+            let make = || self.sample(Sampled::Rest(component)).map(Arc::new);
+            let values = get_or_make(&self.rests[component as usize], make)?;
+            parts.push((1.0, Arc::clone(values)));
+        }
         Ok(Table::new(
             component,
             self.size,
             self.share.clone(),
             scale,
-            parts.collect::<Result<_>>()?,
+            parts,
         ))
     }
 
-    fn sample(&self, integral: Integral) -> Result<Vec<f64>> {
+    fn sample(&self, sampled: Sampled) -> Result<Vec<f64>> {
         let [nx, ny] = self.size;
         let rows = self.share.as_ref().map_or(0..ny, |share| share.own_rows());
         match self.cell_value {
             CellValue::Uniform => {
                 let row = |row: usize| (rows.start + row, false);
-                self.integrals(integral, [nx, rows.len()], row)
+                self.integrals(sampled, [nx, rows.len()], row)
             }
-            CellValue::Centre => self.at_centres(integral, rows),
+            CellValue::Centre => self.at_centres(sampled, rows),
         }
     }
 
-    /// The integral at the distances of some columns from zero on, and of rows that are told by their numbers, each with
-    /// whether the sign is the other one.
+    /// The integral, or the rest, at the distances of some columns from zero on, and of rows that are told by their
+    /// numbers, each with whether the sign is the other one.
     fn integrals(
         &self,
-        integral: Integral,
+        sampled: Sampled,
         [columns, rows]: [usize; 2],
         row: impl Fn(usize) -> (usize, bool) + Sync,
     ) -> Result<Vec<f64>> {
@@ -131,9 +163,12 @@ impl Samples {
         parallel::rows(&mut values, columns, |index, out| {
             let (row, is_negative) = row(index);
             let y = distance(row, 1);
-            match self.images {
-                None => cell.along_row(integral, &xs, y, out),
-                Some((images, _)) => images.along_row(cell, integral, &xs, y, out),
+            match (sampled, self.images) {
+                (Sampled::Integral(integral), None) => cell.along_row(integral, &xs, y, out),
+                (Sampled::Integral(integral), Some((images, _))) => {
+                    images.along_row(cell, integral, &xs, y, out);
+                }
+                (Sampled::Rest(component), _) => self.rests_along_row(component, &xs, y, out),
             }
             if is_negative {
                 for value in out {
@@ -144,10 +179,32 @@ impl Samples {
         Ok(values)
     }
 
+    /// What coated bodies add to a coefficient, at the points of a row; of a grid that repeats along y, of a line of
+    /// cells.
+    fn rests_along_row(&self, component: Component, xs: &[f64], y: f64, out: &mut [f64]) {
+        let Some(rest) = &self.rest else {
+            return out.fill(0.0);
+        };
+        let unit = self.rectangle.unit;
+        let sides @ [a, _] = self.rectangle.half_sides();
+        let lengths: Vec<f64> = xs.iter().map(|x| x * unit).collect();
+        match self.images {
+            None => rest.along_row(component, sides, &lengths, y * unit, out),
+            Some((images, _)) => {
+                for (out, x) in out.iter_mut().zip(&lengths) {
+                    *out = rest.over_strip(component, a, *x, images.datum * unit);
+                }
+            }
+        }
+        for out in out {
+            *out /= unit;
+        }
+    }
+
     /// The integral less its second differences over 24, from samples that go one distance further on all sides.
-    fn at_centres(&self, integral: Integral, rows: Range<usize>) -> Result<Vec<f64>> {
+    fn at_centres(&self, sampled: Sampled, rows: Range<usize>) -> Result<Vec<f64>> {
         let [nx, _] = self.size;
-        let (width, [odd_x, odd_y]) = (nx + 1, integral.is_odd());
+        let (width, [odd_x, odd_y]) = (nx + 1, sampled.is_odd());
         let folded = |row: usize| {
             // The rows before the first one and after the last one belong to those held here.
             let (row, is_before) = match (rows.start + row).checked_sub(1) {
@@ -160,7 +217,7 @@ impl Samples {
                 None => (row, odd_y && is_before),
             }
         };
-        let wider = self.integrals(integral, [width, rows.len() + 2], folded)?;
+        let wider = self.integrals(sampled, [width, rows.len() + 2], folded)?;
         let mut values = buffer::zeros(nx * rows.len())?;
         parallel::rows(&mut values, nx, |row, out| {
             let [below, own, above] = [0, 1, 2].map(|k| &wider[(row + k) * width..][..width]);

@@ -12,10 +12,12 @@ use crate::material::{Compliances, ElasticPair};
 /// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is
 /// real for the components even or odd in both axes, imaginary for the others. The displacement under a
 /// mean traction, a wave of infinite length, is undefined; zero is used.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Symbols {
     component: Component,
     compliances: Compliances,
+    /// Bodies whose symbols are no sums of those of half-spaces.
+    coated: Option<Box<ElasticPair>>,
     size: [usize; 2],
     /// Wave numbers of one period over the grid.
     steps: [f64; 2],
@@ -28,6 +30,7 @@ impl Symbols {
         Self {
             component,
             compliances: pair.compliances(),
+            coated: pair.is_coated().then(|| Box::new(*pair)),
             size,
             steps: sides.map(|side| TAU / side),
         }
@@ -46,10 +49,33 @@ impl Symbols {
             return 0.0;
         }
         let [x, y] = [0, 1].map(|axis| self.steps[axis] * periods[axis] as f64);
+        if let Some(pair) = &self.coated {
+            return self.component.symbol(pair, [x, y]);
+        }
         let parts = self.component.parts(self.compliances);
         parts
             .map(|(weight, integral)| weight * integral.symbol(x, y))
             .sum()
+    }
+}
+
+impl Component {
+    /// The symbol of a pair, or its imaginary part, of the wave vector.
+    fn symbol(self, pair: &ElasticPair, [x, y]: [f64; 2]) -> f64 {
+        let k = x.hypot(y);
+        let (x, y) = (x / k, y / k);
+        let found = pair.times_k(k);
+        let value = match self {
+            Self::ZZ => found.normal,
+            Self::XX => found.along * x * x + found.across * y * y,
+            Self::YY => found.along * y * y + found.across * x * x,
+            Self::XY | Self::YX => (found.along - found.across) * x * y,
+            Self::ZX => -found.coupling * x,
+            Self::ZY => -found.coupling * y,
+            Self::XZ => found.coupling * x,
+            Self::YZ => found.coupling * y,
+        };
+        value / k
     }
 }
 

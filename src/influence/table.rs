@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Component, Samples};
+use crate::influence::{Component, Rest, Samples};
 use crate::material::ElasticPair;
 use crate::parallel;
 use crate::share::Share;
@@ -48,7 +48,8 @@ impl Table {
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let samples = Samples::new(grid, grid.size())?;
+        let rest = Rest::of(pair).map(Arc::new);
+        let samples = Samples::new(grid, grid.size())?.coated(rest);
         parallel::enter_with(grid.cells(), || samples.table(grid, pair, component))
     }
 

@@ -177,7 +177,7 @@ impl NormalSolution {
 
     /// `Ok` if the pressure is that of the gap and the approach alone.
     pub(crate) fn check_uncoupled(&self) -> Result<()> {
-        let beta = self.pair.dundurs_beta();
+        let beta = self.pair.coupling_strength();
         if self.is_coupled {
             return Err(Error::CoupledMaterials { beta });
         }

@@ -49,6 +49,12 @@ impl Body {
             Self::One => (one, "body 1"),
             Self::Two => (two, "body 2"),
         };
+        if material.is_coated() {
+            return Err(Error::Coated {
+                quantity: "stress below the surface",
+                remedy: "ask for that of the body that is not coated, or give both bodies one material",
+            });
+        }
         if material.is_rigid() {
             return Err(Error::RigidBody(name));
         }

@@ -237,7 +237,7 @@ impl TangentialModel {
 /// `Ok` if the pressure may be given.
 fn check_coupling(bodies: &HalfSpace, coupling: Coupling) -> Result<()> {
     if coupling.is_joint(bodies.pair()) {
-        let beta = bodies.pair().dundurs_beta();
+        let beta = bodies.pair().coupling_strength();
         return Err(Error::CoupledMaterials { beta });
     }
     Ok(())

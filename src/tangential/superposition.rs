@@ -39,7 +39,7 @@ impl JaegerSuperposition {
     /// The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
+    /// [`Error::Coated`]; [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
     /// [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts differ in these, [`Error::MaterialMismatch`] if
     /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
     /// [`Error::EmptyContact`] if `full` carries no pressure.
@@ -50,6 +50,7 @@ impl JaegerSuperposition {
         friction: f64,
     ) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
+        pair.check_homogeneous("the superposition", "solve the tangential problem")?;
         let grid = full.grid();
         grid.expect("lighter contact", stick.grid())?;
         if stick.boundary() != full.boundary() {

@@ -29,6 +29,7 @@ mod bulk_strain_moves_the_stick_zone;
 mod close_to_sliding_in_the_plane;
 mod closed_forms;
 mod coarse_answers_hand_down_their_edges;
+mod coated_bodies;
 mod contact_spots_add_up;
 mod contacts_that_shrink_need_no_more_than_they_are;
 #[cfg(feature = "dense")]

@@ -13,6 +13,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};
 use stickslip::cgm::{Method, Settings};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::influence::{Component, Rectangle};
+use stickslip::layers::Layer;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
@@ -339,8 +340,8 @@ fn by_the_words_of_their_constructors() {
         &field,
         &json!({"grid": as_json, "samples": [1.5, "Infinity"]}),
     );
-    let steel = json!({"youngs_modulus": 213e9, "poisson_ratio": 0.29, "hardness": "Infinity"});
-    let rigid = json!({"youngs_modulus": "Infinity", "poisson_ratio": 0.0, "hardness": "Infinity"});
+    let steel = json!({"youngs_modulus": 213e9, "poisson_ratio": 0.29, "hardness": "Infinity", "layers": []});
+    let rigid = json!({"youngs_modulus": "Infinity", "poisson_ratio": 0.0, "hardness": "Infinity", "layers": []});
     let pair = ElasticPair::new(Table2::pair().bodies()[0], Material::rigid()).unwrap();
     is_written(&pair, &json!({"bodies": [steel, rigid]}));
     is_written(
@@ -529,7 +530,7 @@ proptest! {
             Ok(_) if modulus == f64::INFINITY => Ok(Material::rigid()),
             _ => Material::new(modulus, nu),
         };
-        agrees(constructed, &text, &(modulus, nu, f64::INFINITY));
+        agrees(constructed, &text, &(modulus, nu, f64::INFINITY, [0_u8; 0].as_slice()));
     }
 
     #[test]
@@ -538,6 +539,8 @@ proptest! {
             let material = material.unwrap();
             survives(&material);
             survives(&ElasticPair::new(material, Material::rigid()).unwrap());
+            let coated = material.coated(&[Layer::new(2.0 * modulus, nu, 0.1).unwrap()]).unwrap();
+            survives(&ElasticPair::new(coated, Material::rigid()).unwrap());
         }
     }
 

@@ -21,6 +21,7 @@ use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::history::relative::Relative;
 use crate::history::state::State;
+use crate::layers::{LIMIT, Layer};
 use crate::material::{ElasticPair, Material};
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
@@ -47,6 +48,8 @@ pub(super) struct Host {
     cell_value: CellValue,
     /// Young's modulus, Poisson's ratio and hardness of each body.
     materials: [[f64; 3]; 2],
+    /// Young's modulus, Poisson's ratio and thickness of each layer of each body, the outermost first.
+    layers: [Vec<[f64; 3]>; 2],
 }
 
 impl Host {
@@ -61,6 +64,11 @@ impl Host {
             boundary: state.boundary(),
             cell_value: state.normal().cell_value(),
             materials: state.pair().bodies().map(constants),
+            layers: state.pair().bodies().map(|body| {
+                let constants =
+                    |of: &Layer| [of.youngs_modulus(), of.poisson_ratio(), of.thickness()];
+                body.layers().iter().map(constants).collect()
+            }),
         }
     }
 
@@ -82,20 +90,36 @@ impl Host {
             codec.number("Poisson's ratio", ratio, FINITE)?;
             codec.number("hardness of a body", hardness, POSITIVE_OR_INFINITE)?;
         }
+        for layers in &mut self.layers {
+            let mut count = layers.len();
+            codec.count("number of layers", &mut count, ..=LIMIT as u64)?;
+            layers.resize(count, [0.0; 3]);
+            for [modulus, ratio, thickness] in layers {
+                codec.number("Young's modulus of a layer", modulus, POSITIVE)?;
+                codec.number("Poisson's ratio of a layer", ratio, FINITE)?;
+                codec.number("thickness of a layer", thickness, POSITIVE)?;
+            }
+        }
         Ok(())
     }
 
     /// A state to read into, of which only the bodies are right. Its memory is that of the cells, so their
     /// number must have been checked against the bytes at hand.
     pub(super) fn blank(&self, grid: Grid) -> Result<State> {
-        let [one, two] = self.materials.map(|[modulus, ratio, hardness]| {
-            if modulus.is_infinite() {
-                Material::rigid().stating(hardness)
+        let body = |n: usize| {
+            let [modulus, ratio, hardness] = self.materials[n];
+            let layers = self.layers[n].iter();
+            let layers =
+                layers.map(|&[modulus, ratio, thickness]| Layer::new(modulus, ratio, thickness));
+            let base = if modulus.is_infinite() {
+                Material::rigid()
             } else {
-                Material::new(modulus, ratio)?.stating(hardness)
-            }
-        });
-        let pair = one.and_then(|one| ElasticPair::new(one, two?));
+                Material::new(modulus, ratio)?
+            };
+            base.coated(&layers.collect::<Result<Vec<_>>>()?)?
+                .stating(hardness)
+        };
+        let pair = body(0).and_then(|one| ElasticPair::new(one, body(1)?));
         let pair = pair.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
         let (friction, settings) = (Friction::coulomb(0.0)?, Settings::default());
         let gap = Field::try_zeros(grid)?;

@@ -1,0 +1,252 @@
+//! Coated bodies: elastic layers bonded to each other and to a substrate.
+//!
+//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base; the pair then
+//! goes the way of any other: pressure, traction, both at once, histories, stiffness, rolling, on free grids, on grids
+//! that repeat and on lines of cells. A homogeneous body costs, and is, as before.
+//!
+//! ```
+//! use stickslip::layers::Layer;
+//! use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem};
+//! // A bed of rubber on a rigid base carries what its oedometric modulus says where it is thin.
+//! let bed = Layer::new(1.0, 0.3, 0.02)?;
+//! let pair = ElasticPair::new(Material::rigid().coated(&[bed])?, Material::rigid())?;
+//! let grid = Grid::square(64, 3.0)?;
+//! let bodies = HalfSpace::new(grid, pair)?;
+//! let ball = stickslip::surface::sphere(grid, 100.0)?;
+//! let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(0.005)).build()?.solve()?;
+//! let oedometric = 0.7 / (1.3 * 0.4);
+//! let centre = contact.pressure().max();
+//! assert!((centre / (oedometric * 0.005 / 0.02) - 1.0).abs() < 0.01);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+//!
+//! # Frequency responses
+//!
+//! A wave of traction with the wave vector k moves the surface of a layered body by four functions of its length,
+//! [`Response`]: $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and across k) and
+//! $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
+//!
+//! ```math
+//! \hat C_{zz} = C_n, \quad \hat C_{xx} = C_l c^2 + C_t s^2, \quad \hat C_{yy} = C_l s^2 + C_t c^2, \quad
+//! \hat C_{xy} = (C_l - C_t)\,c s, \quad \hat C_{zx} = -\hat C_{xz} = -\mathrm{i}\,C_c\,c, \quad
+//! \hat C_{zy} = -\hat C_{yz} = -\mathrm{i}\,C_c\,s .
+//! ```
+//!
+//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. Through a layer of thickness
+//! h the five minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) are carried by a
+//! linear map whose entries, but for those of c, are sums of positive terms: nothing cancels at any contrast of moduli
+//! and any k h, and Poisson's ratio 1/2 is no exception. Across k, $`G k C_t`$ goes from x to
+//! $`(x + \tanh kh)/(1 + x \tanh kh)`$. For one layer of modulus $`G_1`$ on a base of $`G_2`$, $`m = G_1/G_2`$,
+//! $`a = kh`$, $`t = e^{-2a}`$, $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$,
+//! $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, it is
+//!
+//! ```math
+//! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
+//! ```
+//!
+//! Limits: the substrate for $`k \to 0`$, the outermost layer for $`k \to \infty`$; on a rigid base
+//! $`C_n \to h (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ of an
+//! incompressible layer. The matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k
+//! (energy), as is $`C_t`$.
+//!
+//! # From waves to cells
+//!
+//! With A of the outermost layer and B of the base, both as half-spaces, and H twice the thickness of that layer,
+//!
+//! ```math
+//! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
+//! ```
+//!
+//! The first part is the closed form of the [influence](crate::influence) page with the constants of the outermost
+//! layer. The second belongs to a force at the depth H, and the rest is smooth and gone by $`kH = 40`$: Hankel
+//! integrals by Gauss-Legendre panels, tabulated once for a pair in the distance r (Chebyshev, two pieces up to H, then
+//! one an octave). Its integral over a cell is by Gauss rules, over parts of the cell where that is wider than the
+//! layer. Nothing is sampled on a padded grid in k: there is no aliasing, and no pole at k = 0. A grid that repeats
+//! takes the response itself.
+//!
+//! # Limits of the model
+//!
+//! - Layers are bonded, their surfaces plane, and [`LIMIT`] in number at most.
+//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) coated bodies are those of a line of
+//!   cells; the displacement far from the load is that of the substrate with the datum given, and goes to zero on a
+//!   rigid base.
+//! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
+//!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
+//!   operator is: of ten times the modulus and incompressible, sheared on cells as wide as two thicknesses; of 1000
+//!   times, pressed on 256 x 256 cells over sixty thicknesses. Such grids are
+//!   [refused](crate::Error::NotDefinite). Grids that repeat along both axes have no such limit, and where pressure and
+//!   traction are found together it is the eigenvalues of each alone that count.
+//! - On a grid that repeats along both axes a mean traction moves nothing, also on a rigid base, where
+//!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure might be added to the approach.
+//! - Moduli of a pair that are one number ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
+//!   Dundurs' beta) are those of the outermost layers: what waves much shorter than a layer is thick see. Closed forms,
+//!   which have no other, [refuse](crate::Error::Coated) coated bodies, as do stresses below the surface.
+//!
+//! Sources: J. W. Dunkin, Bull. Seismol. Soc. Am. 55 (1965) 335 (minors); T. C. O'Sullivan and R. B. King, J. Tribology
+//! 110 (1988) 235, <https://doi.org/10.1115/1.3261591> (one layer); T. Nogi and T. Kato, J. Tribology 119 (1997) 493,
+//! <https://doi.org/10.1115/1.2833525>.
+
+mod response;
+
+pub use response::Response;
+pub(crate) use response::{Base, Waves};
+
+use std::fmt;
+
+use crate::error::{Error, Result, poisson_ratio as checked_ratio, positive};
+
+/// Most layers of a coating.
+pub const LIMIT: usize = 8;
+
+/// An elastic, isotropic layer bonded to what lies below it.
+///
+/// ```
+/// use stickslip::{Material, layers::Layer};
+/// let oxide = Layer::new(380e9, 0.22, 5e-6)?;
+/// let anodised = Material::new(70e9, 0.33)?.coated(&[oxide])?;
+/// assert_eq!(anodised.layers()[0].thickness(), 5e-6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "UncheckedLayer")
+)]
+pub struct Layer {
+    youngs_modulus: f64,
+    poisson_ratio: f64,
+    thickness: f64,
+}
+
+/// The values read, before they are checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct UncheckedLayer {
+    youngs_modulus: f64,
+    poisson_ratio: f64,
+    thickness: f64,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<UncheckedLayer> for Layer {
+    type Error = Error;
+
+    fn try_from(read: UncheckedLayer) -> Result<Self> {
+        Self::new(read.youngs_modulus, read.poisson_ratio, read.thickness)
+    }
+}
+
+impl Layer {
+    /// A layer of Young's modulus `youngs_modulus` (a pressure), Poisson's ratio `poisson_ratio` and `thickness` (a
+    /// length).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for modulus and thickness, [`Error::PoissonRatio`] for the ratio.
+    pub fn new(youngs_modulus: f64, poisson_ratio: f64, thickness: f64) -> Result<Self> {
+        positive("Young's modulus of the layer", youngs_modulus)?;
+        checked_ratio(poisson_ratio)?;
+        positive("thickness of the layer", thickness)?;
+        let layer = Self {
+            youngs_modulus,
+            poisson_ratio,
+            thickness,
+        };
+        if layer.shear_modulus().is_normal() && (1.0 / layer.shear_modulus()).is_normal() {
+            return Ok(layer);
+        }
+        Err(Error::NotPositive {
+            quantity: "the modulus of the layer, and its reciprocal,",
+            value: youngs_modulus,
+        })
+    }
+
+    /// Young's modulus (a pressure).
+    #[must_use]
+    pub fn youngs_modulus(&self) -> f64 {
+        self.youngs_modulus
+    }
+
+    /// Poisson's ratio.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> f64 {
+        self.poisson_ratio
+    }
+
+    /// Thickness (a length).
+    #[must_use]
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    /// Shear modulus (a pressure).
+    #[must_use]
+    pub fn shear_modulus(&self) -> f64 {
+        self.youngs_modulus / (2.0 * (1.0 + self.poisson_ratio))
+    }
+}
+
+/// The layers of a body, the outermost first; none of a homogeneous one.
+#[derive(Clone, Copy)]
+pub(crate) struct Coating {
+    layers: [Layer; LIMIT],
+    count: usize,
+}
+
+impl Coating {
+    pub(crate) const NONE: Self = Self {
+        layers: [Layer {
+            youngs_modulus: 1.0,
+            poisson_ratio: 0.0,
+            thickness: 1.0,
+        }; LIMIT],
+        count: 0,
+    };
+
+    /// With layers over those that are there.
+    pub(crate) fn under(self, layers: &[Layer]) -> Result<Self> {
+        let found = layers.len() + self.count;
+        if found > LIMIT {
+            return Err(Error::TooManyLayers {
+                found,
+                limit: LIMIT,
+            });
+        }
+        let mut all = Self::NONE;
+        for (place, layer) in all
+            .layers
+            .iter_mut()
+            .zip(layers.iter().chain(self.layers()))
+        {
+            *place = *layer;
+        }
+        all.count = found;
+        Ok(all)
+    }
+
+    pub(crate) fn layers(&self) -> &[Layer] {
+        &self.layers[..self.count]
+    }
+}
+
+impl PartialEq for Coating {
+    fn eq(&self, other: &Self) -> bool {
+        self.layers() == other.layers()
+    }
+}
+
+impl fmt::Debug for Coating {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.layers().fmt(f)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Coating {
+    fn serialize<S: serde::Serializer>(
+        &self,
+        serializer: S,
+    ) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.layers())
+    }
+}

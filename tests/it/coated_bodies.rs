@@ -1,0 +1,546 @@
+//! Coated bodies are layers on a base: their coefficients are those of an independent evaluation, and contacts of them what
+//! the limits of the layers say.
+
+use kit::{Random, energy_difference, l2_difference, max_abs, max_difference, press, rough, shear};
+use stickslip::cgm::Method;
+#[cfg(feature = "dense")]
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Direction::{X, Y, Z};
+use stickslip::influence::{Component, Rectangle, Table};
+use stickslip::layers::{LIMIT, Layer};
+use stickslip::subsurface::{Body, Tractions, at_points};
+use stickslip::{
+    Axis, Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, Operator, TangentialControl, TangentialLoad, analytical,
+    surface,
+};
+
+/// Made by mpmath at 60 digits from Papkovich-Neuber potentials, the factor of a cell and the angle of its waves integrated in
+/// Fourier space: no formula of the library's.
+const CELLS: &str = include_str!("../data/layers/cells.csv");
+const RESPONSES: &str = include_str!("../data/layers/responses.csv");
+const STACKS: &str = include_str!("../data/layers/stacks.csv");
+
+fn number(text: &str) -> f64 {
+    text.parse().unwrap()
+}
+
+/// From the moduli of shear.
+fn layer(shear_modulus: f64, nu: f64, thickness: f64) -> Layer {
+    Layer::new(2.0 * (1.0 + nu) * shear_modulus, nu, thickness).unwrap()
+}
+
+fn base(text: &str) -> Material {
+    match text.split_once('/') {
+        Some((modulus, nu)) => Material::from_shear_modulus(number(modulus), number(nu)).unwrap(),
+        None => Material::rigid(),
+    }
+}
+
+fn stack(layers: &str, below: &str) -> Material {
+    let layers: Vec<Layer> = layers
+        .split(';')
+        .map(|of| {
+            let of: Vec<f64> = of.split('/').map(number).collect();
+            layer(of[0], of[1], of[2])
+        })
+        .collect();
+    base(below).coated(&layers).unwrap()
+}
+
+fn on_rigid(body: Material) -> ElasticPair {
+    ElasticPair::new(body, Material::rigid()).unwrap()
+}
+
+fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
+    table.lines().skip(1).map(|line| line.split(',').collect())
+}
+
+#[test]
+fn responses_are_those_of_an_independent_evaluation() {
+    let near = |found: f64, expected: &str, unit: f64| {
+        assert!(
+            (found - number(expected)).abs() < 2e-14 * unit,
+            "{found:e} for {expected}"
+        );
+    };
+    let mut count = 0;
+    for row in rows(RESPONSES) {
+        let [kh, m, nu_1, nu_2] = [0, 1, 2, 3].map(|n| row[n]);
+        let below = if m == "0" || m == "rigid" || m == "0.0" {
+            Material::rigid()
+        } else {
+            Material::from_shear_modulus(1.0 / number(m), number(nu_2)).unwrap()
+        };
+        let body = below.coated(&[layer(1.0, number(nu_1), 1.0)]).unwrap();
+        let k = number(kh);
+        let found = on_rigid(body).response(k).unwrap();
+        near(k * found.normal, row[4], k * found.normal);
+        near(k * found.along, row[5], k * found.along);
+        near(k * found.across, row[6], k * found.across);
+        near(
+            k * found.coupling,
+            row[7],
+            k * (found.normal * found.along).sqrt(),
+        );
+        count += 1;
+    }
+    for row in rows(STACKS) {
+        let found = on_rigid(stack(row[1], row[2]))
+            .response(number(row[0]))
+            .unwrap();
+        near(found.normal, row[3], found.normal);
+        near(found.along, row[4], found.along);
+        near(found.across, row[5], found.across);
+        near(found.coupling, row[6], (found.normal * found.along).sqrt());
+        count += 1;
+    }
+    assert!(count >= 100);
+}
+
+#[test]
+fn coefficients_are_those_of_an_independent_evaluation() {
+    let mut count = 0;
+    for row in rows(CELLS) {
+        let [a, b, x, y] = [2, 3, 4, 5].map(|n| number(row[n]));
+        let cell = Rectangle::new(a, b).unwrap();
+        let body = stack(row[0], row[1]);
+        let found = cell.tensor(&body, x, y);
+        let own = cell.tensor(&body, 0.0, 0.0);
+        let unit = own.zz.max(own.xx).max(own.yy);
+        let found = [found.zz, found.xx, found.yy, found.xy, found.zx, found.zy];
+        for (found, expected) in found.iter().zip(&row[6..]) {
+            let error = (found - number(expected)).abs() / unit;
+            assert!(error < 1e-12, "{row:?}: {found:e}, {error:e}");
+        }
+        count += 1;
+    }
+    assert!(count >= 28);
+}
+
+/// All nine obey reciprocity, for a pair of two coated bodies too, and a pair adds up its bodies.
+#[test]
+fn pairs_add_up_their_bodies() {
+    let one = stack("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
+    let two = stack("0.3/0.4/1.5", "rigid");
+    let pair = ElasticPair::new(one, two).unwrap();
+    let cell = Rectangle::new(0.3, 0.2).unwrap();
+    for [x, y] in [[0.0, 0.0], [0.6, 0.0], [-1.2, 0.8], [30.0, -7.0]] {
+        let [a, b, sum] = [
+            cell.tensor(&one, x, y),
+            cell.tensor(&two, x, y),
+            cell.pair_tensor(&pair, x, y),
+        ];
+        let back = cell.pair_tensor(&pair, -x, -y);
+        let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14);
+        near(sum.xx, a.xx + b.xx);
+        near(sum.yy, a.yy + b.yy);
+        near(sum.zz, a.zz + b.zz);
+        near(sum.xy, a.xy + b.xy);
+        near(sum.zx, a.zx - b.zx);
+        near(sum.zy, a.zy - b.zy);
+        near(sum.xz, back.zx);
+        near(sum.yz, back.zy);
+        near(sum.xy, back.yx);
+    }
+}
+
+/// All nine coefficients of two pairs on one grid.
+fn assert_same(one: ElasticPair, other: ElasticPair, grid: Grid, tolerance: f64) {
+    let unit = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy()).unwrap();
+    let unit = unit.pair_tensor(&one, 0.0, 0.0).zz;
+    for component in Component::ALL {
+        let [one, other] = [one, other].map(|pair| Table::sample(grid, &pair, component).unwrap());
+        for i in 0..grid.nx() as isize {
+            for j in 0..grid.ny() as isize {
+                let difference = one.get(i, j).unwrap() - other.get(i, j).unwrap();
+                let is_small = difference.abs() < tolerance * unit;
+                assert!(is_small, "{component:?} {i} {j}: {difference:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_layer_of_its_substrate_is_no_layer() {
+    let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    let coated = body
+        .coated(&[layer(1.0, 0.3, 0.7), layer(1.0, 0.3, 0.1)])
+        .unwrap();
+    let grid = Grid::new(24, 9, 0.2, 0.35).unwrap();
+    assert_same(on_rigid(body), on_rigid(coated), grid, 1e-13);
+
+    let same = ElasticPair::new(coated, coated).unwrap();
+    assert!(!same.is_coupled() && on_rigid(coated).is_coupled());
+    let [plain, layered] = [on_rigid(body), on_rigid(coated)].map(|pair| {
+        let bodies = HalfSpace::new(Grid::square(48, 12.0).unwrap(), pair).unwrap();
+        let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
+        press(
+            &bodies,
+            &gap,
+            NormalControl::Force(4.0),
+            1e-10,
+            Method::ActiveSet,
+        )
+    });
+    let [plain, layered] = [plain, layered].map(|of| of.pressure().clone());
+    assert!(l2_difference(layered.as_slice(), plain.as_slice()) < 1e-9);
+}
+
+/// Thin beside the cells a layer is not there, thick beside the grid it is all.
+#[test]
+fn thin_and_thick_layers_are_their_limits() {
+    let [soft, hard] = [1.0, 5.0].map(|g| Material::from_shear_modulus(g, 0.3).unwrap());
+    let grid = Grid::new(12, 9, 0.2, 0.35).unwrap();
+    let coated = |thickness| on_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
+    assert_same(on_rigid(soft), coated(1e-7), grid, 1e-5);
+    assert_same(on_rigid(hard), coated(1e6), grid, 1e-5);
+    let thinner = coated(1e-9);
+    assert_same(on_rigid(soft), thinner, grid, 1e-7);
+}
+
+/// A bed that is thin beside the contact is a row of springs, of the oedometric modulus.
+#[test]
+fn a_thin_bed_on_a_rigid_base_is_winklers() {
+    let (thickness, nu) = (0.02, 0.2);
+    let body = Material::rigid()
+        .coated(&[layer(1.0, nu, thickness)])
+        .unwrap();
+    let oedometric = 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu);
+    let grid = Grid::square(192, 2.4).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
+    // A contact radius of fifty thicknesses.
+    let (radius, approach) = (1000.0, 5e-4);
+    let gap = surface::sphere(grid, radius).unwrap();
+    let contact = press(
+        &bodies,
+        &gap,
+        NormalControl::Approach(approach),
+        1e-8,
+        Method::ActiveSet,
+    );
+    let displacement = contact.displacement(&bodies).unwrap();
+    let centre = 96 * 192 + 96;
+    let (p, u) = (
+        contact.pressure().as_slice()[centre],
+        displacement.as_slice()[centre],
+    );
+    assert!(
+        (p * thickness / (oedometric * u) - 1.0).abs() < 1e-4,
+        "{}",
+        p * thickness / (oedometric * u)
+    );
+}
+
+/// The symbol of contacts of all kinds is positive, on cells small and large beside the layer.
+#[test]
+fn the_symbol_is_positive() {
+    for m in [1e-3, 0.1, 10.0, 1e3] {
+        for nu in [0.0, 0.5] {
+            let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
+            let body = base.coated(&[layer(m, nu, 1.0)]).unwrap();
+            for sides in [[0.02, 0.02], [0.2, 0.5], [2.0, 1.0], [10.0, 10.0]] {
+                let grid = Grid::new(24, 20, sides[0], sides[1]).unwrap();
+                let boundary = Boundary::Periodic;
+                let bodies = HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap();
+                let bounds = [
+                    bodies.tensor_operator([Z]).unwrap().lower_bound(),
+                    bodies.tensor_operator([X, Y]).unwrap().lower_bound(),
+                    bodies.tensor_operator([Z, X, Y]).unwrap().lower_bound(),
+                ];
+                assert!(
+                    bounds.iter().all(|bound| *bound > 0.0),
+                    "{m} {nu} {sides:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Where the periodic continuation of a free grid bounds nothing, the eigenvalue is told.
+#[test]
+fn grids_without_a_bound_are_refused() {
+    let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    let body = base.coated(&[layer(10.0, 0.5, 1.0)]).unwrap();
+    let grid = Grid::new(24, 20, 2.0, 1.0).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
+    let refused = bodies.tensor_preconditioner([X, Y]).unwrap_err();
+    assert!(
+        matches!(refused, Error::NotDefinite { eigenvalue, sides: [2.0, 1.0] } if eigenvalue <= 0.0)
+    );
+}
+
+/// Pressure and traction at once on a free grid, as a matrix.
+#[cfg(feature = "dense")]
+#[test]
+fn both_tractions_at_once_store_energy() {
+    for (m, nu, side) in [
+        (1e-3, 0.5, 2.0),
+        (0.1, 0.0, 0.02),
+        (10.0, 0.0, 0.3),
+        (1e3, 0.3, 10.0),
+    ] {
+        let below = Material::from_shear_modulus(1.0, 0.3).unwrap();
+        let body = below.coated(&[layer(m, nu, 1.0)]).unwrap();
+        let grid = Grid::new(8, 6, side, 1.5 * side).unwrap();
+        let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
+        let parts = [X, Y, Z].map(|u| {
+            [X, Y, Z].map(|t| DenseOperator::of_half_space(&bodies, Component::of(u, t)).unwrap())
+        });
+        let (cells, len) = (grid.cells(), 3 * grid.cells());
+        let entry = |k: usize| {
+            let (row, column) = (k / len, k % len);
+            let part = &parts[row / cells][column / cells];
+            part.get(row % cells, column % cells).unwrap()
+        };
+        let matrix = DenseOperator::from_rows(len, (0..len * len).map(entry).collect()).unwrap();
+        assert!(matrix.lower_bound() > 0.0, "{m} {nu} {side}");
+    }
+}
+
+#[cfg(feature = "dense")]
+#[test]
+fn the_fast_product_is_the_direct_sum() {
+    let one = stack("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
+    let two = stack("0.3/0.4/1.5", "rigid");
+    let pair = ElasticPair::new(one, two).unwrap();
+    let line = Boundary::PeriodicAlongY { datum: 50.0 };
+    for (nx, ny, boundary) in [
+        (11, 8, Boundary::NonPeriodic),
+        (7, 10, Boundary::Periodic),
+        (31, 1, line),
+    ] {
+        for value in [CellValue::Uniform, CellValue::Centre] {
+            let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
+            let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+            let bodies = bodies.with_cell_value(value).unwrap();
+            let mut random = Random(7);
+            let traction: Vec<f64> = (0..nx * ny).map(|_| random.uniform(-1.0, 1.0)).collect();
+            for component in Component::ALL {
+                let slow = DenseOperator::of_half_space(&bodies, component).unwrap();
+                let fast = bodies.operator(component).unwrap();
+                let (mut a, mut b) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
+                slow.apply([&traction], [&mut a], &mut ());
+                fast.apply([&traction], [&mut b], &mut fast.workspace());
+                let unit = max_abs(&a).max(0.1);
+                assert!(
+                    max_difference(&a, &b) < 1e-13 * unit,
+                    "{component:?} {boundary:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A line of cells is what a long row of them is in the middle, and far from the load the substrate with its datum.
+#[test]
+fn lines_are_plane_strain() {
+    let body = Material::from_shear_modulus(1.0, 0.2).unwrap();
+    let coated = body.coated(&[layer(4.0, 0.4, 0.5)]).unwrap();
+    let datum = 4e4;
+    let operators = |body: Material, dy: f64| {
+        let grid = Grid::new(20_000, 1, 0.5, dy).unwrap();
+        let boundary = Boundary::PeriodicAlongY { datum };
+        HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap()
+    };
+    let (layered, plain) = (operators(coated, 1.0), operators(body, 1.0));
+    for component in [Component::XX, Component::YY, Component::ZZ, Component::ZX] {
+        let moved = |bodies: &HalfSpace| {
+            let operator = bodies.operator(component).unwrap();
+            let mut load = vec![0.0; 20_000];
+            load[0] = 1.0;
+            let mut u = vec![0.0; 20_000];
+            operator.apply([&load], [&mut u], &mut operator.workspace());
+            u
+        };
+        let (layered, plain) = (moved(&layered), moved(&plain));
+        assert!(
+            (layered[19_999] - plain[19_999]).abs() < 1e-4,
+            "{component:?}"
+        );
+        // A cell that is long beside the distances compared, less what its ends add at all of them.
+        let cell = Rectangle::new(0.25, 4e6).unwrap();
+        let of = |x: f64| {
+            let all = cell.tensor(&coated, x, 0.0);
+            match component {
+                Component::XX => all.xx,
+                Component::YY => all.yy,
+                Component::ZZ => all.zz,
+                _ => all.zx,
+            }
+        };
+        for i in [1_usize, 2, 7] {
+            let [near, own] = [i, 0].map(|i| of(0.5 * i as f64));
+            let difference = (layered[i] - layered[0]) - (near - own);
+            assert!(difference.abs() < 1e-6, "{component:?} {i}: {difference:e}");
+        }
+    }
+}
+
+/// The error of a solve is never below the truth.
+#[test]
+fn certificates_hold_for_random_coatings() {
+    let mut random = Random(11);
+    for case in 0..12 {
+        let mut log = |low: f64, high: f64| 10_f64.powf(random.uniform(low, high));
+        let (m, thickness, load) = (log(-3.0, 3.0), log(-1.5, 1.0), log(-1.0, 1.0));
+        let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
+        let nu = [0.0, 0.3, 0.49][case % 3];
+        let body = base.coated(&[layer(m, nu, thickness)]).unwrap();
+        let grid = Grid::square(32, 3.2).unwrap();
+        let boundary = [Boundary::NonPeriodic, Boundary::Periodic][case % 2];
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap();
+        let heights = rough(grid, 3 + case as u64);
+        let control = NormalControl::Force(load);
+        let exact = press(&bodies, &heights, control, 1e-11, Method::ActiveSet);
+        for tolerance in [1e-1, 1e-4] {
+            let found = press(&bodies, &heights, control, tolerance, Method::ActiveSet);
+            let error =
+                energy_difference(&bodies, Component::ZZ, exact.pressure(), found.pressure());
+            let bound = found.report().energy_error_bound();
+            assert!(error <= bound + 2e-11, "{case}: {error:e} beyond {bound:e}");
+        }
+    }
+}
+
+/// At the limits of the thickness the ratio of tangential to normal stiffness is Mindlin's of substrate and layer.
+#[test]
+fn shear_meets_mindlin_at_both_limits() {
+    let grid = Grid::square(48, 3.0).unwrap();
+    let base = Material::from_shear_modulus(1.0, 0.0).unwrap();
+    let ratio = |thickness: f64| {
+        let body = base.coated(&[layer(2.0, 0.0, thickness)]).unwrap();
+        // Identical bodies: nothing couples.
+        let pair = ElasticPair::new(body, body).unwrap();
+        assert!(!pair.is_coupled());
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = surface::sphere(grid, 2.0).unwrap();
+        let pressed = |load| {
+            press(
+                &bodies,
+                &gap,
+                NormalControl::Force(load),
+                1e-10,
+                Method::ActiveSet,
+            )
+        };
+        let (normal, more) = (pressed(0.5), pressed(0.501));
+        let stiffness = 0.001 / (more.approach() - normal.approach());
+        let friction = Friction::coulomb(1.0).unwrap();
+        let load = TangentialLoad::force([1e-4, 0.0]);
+        let dragged = shear(&bodies, &normal, &friction, load, 1e-10, Method::ActiveSet);
+        1e-4 / dragged.shift()[0] / stiffness
+    };
+    let (thin, middle, thick) = (ratio(1e-5), ratio(0.3), ratio(1e5));
+    // (2 - 2 nu)/(2 - nu), and full stick of the cells by the small force.
+    assert!(
+        (thin - 1.0).abs() < 0.02 && (thick - 1.0).abs() < 0.02,
+        "{thin} {thick}"
+    );
+    // A stiff layer holds more by its membrane than by its bending.
+    assert!(middle > 1.05 && middle < 1.3, "{middle}");
+}
+
+#[test]
+fn histories_balance_energy_and_go_on() {
+    let body = stack("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
+    let grid = Grid::square(40, 12.0).unwrap();
+    for pair in [ElasticPair::new(body, body).unwrap(), on_rigid(body)] {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = surface::sphere(grid, 20.0).unwrap();
+        let friction = Friction::coulomb(0.4).unwrap();
+        let tolerance = 1e-11;
+        let mut history = History::builder(&bodies, &gap, friction)
+            .tolerance(tolerance)
+            .build()
+            .unwrap();
+        let step = |history: &mut History, normal: f64, force: f64| {
+            let step = LoadStep::hold()
+                .normal(NormalControl::Force(normal))
+                .tangential(Axis::X, TangentialControl::Force(force));
+            history.step(&step).unwrap();
+            let energy = history.last_step().energy();
+            let size = energy.work.abs() + energy.elastic_before + energy.elastic_after;
+            assert!(energy.imbalance().abs() <= 1e-12 * size);
+        };
+        step(&mut history, 4.0, 0.0);
+        step(&mut history, 4.0, 0.8);
+        let bytes = history.to_bytes();
+        let mut again = History::from_bytes(&bodies, &bytes).unwrap();
+        for force in [-0.8, 0.5] {
+            step(&mut history, 4.0, force);
+            step(&mut again, 4.0, force);
+        }
+        assert_eq!(history.to_bytes(), again.to_bytes());
+        let plain = HalfSpace::new(grid, on_rigid(base("1/0.2"))).unwrap();
+        assert!(matches!(
+            History::from_bytes(&plain, &bytes),
+            Err(Error::MaterialMismatch { .. })
+        ));
+    }
+}
+
+#[test]
+fn bad_layers_are_refused() {
+    assert!(matches!(
+        Layer::new(0.0, 0.3, 1.0),
+        Err(Error::NotPositive { value: 0.0, .. })
+    ));
+    assert!(matches!(
+        Layer::new(1.0, 0.6, 1.0),
+        Err(Error::PoissonRatio(0.6))
+    ));
+    assert!(matches!(
+        Layer::new(1.0, 0.3, f64::NAN),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        Layer::new(1.0, 0.3, -1.0),
+        Err(Error::NotPositive { value: -1.0, .. })
+    ));
+    assert!(matches!(
+        Layer::new(1e-320, 0.3, 1.0),
+        Err(Error::NotPositive { .. })
+    ));
+    let many = [layer(1.0, 0.3, 1.0); LIMIT + 1];
+    assert_eq!(
+        Material::rigid().coated(&many),
+        Err(Error::TooManyLayers {
+            found: LIMIT + 1,
+            limit: LIMIT
+        })
+    );
+}
+
+/// What knows one modulus alone says so of coated bodies.
+#[test]
+fn questions_of_one_modulus_are_refused() {
+    let body = stack("4/0.3/0.05", "1/0.2");
+    let pair = on_rigid(body);
+    assert!(matches!(
+        analytical::HertzSphere::new(&pair, 1.0, 1.0),
+        Err(Error::Coated { .. })
+    ));
+    let grid = Grid::square(24, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let pressure = Field::constant(grid, 0.1);
+    let asked = at_points(
+        &bodies,
+        Body::One,
+        Tractions::new(&pressure),
+        &[[0.0, 0.0, 0.1]],
+    );
+    assert!(matches!(asked, Err(Error::Coated { .. })));
+    let gap = surface::sphere(grid, 5.0).unwrap();
+    let contact = press(
+        &bodies,
+        &gap,
+        NormalControl::Force(0.3),
+        1e-6,
+        Method::ActiveSet,
+    );
+    assert!(matches!(contact.edges(), Err(Error::Coated { .. })));
+    let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
+    let several = HalfSpace::with_boundary(grid, pair, boundary);
+    assert!(matches!(several, Err(Error::Coated { .. })));
+}
