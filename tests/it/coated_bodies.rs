@@ -146,11 +146,11 @@ fn pairs_add_up_their_bodies() {
 }
 
 /// All nine coefficients of two pairs on one grid.
-fn assert_same(one: ElasticPair, other: ElasticPair, grid: Grid, tolerance: f64) {
+fn assert_same(one: &ElasticPair, other: &ElasticPair, grid: Grid, tolerance: f64) {
     let unit = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy()).unwrap();
-    let unit = unit.pair_tensor(&one, 0.0, 0.0).zz;
+    let unit = unit.pair_tensor(one, 0.0, 0.0).zz;
     for component in Component::ALL {
-        let [one, other] = [one, other].map(|pair| Table::sample(grid, &pair, component).unwrap());
+        let [one, other] = [one, other].map(|pair| Table::sample(grid, pair, component).unwrap());
         for i in 0..grid.nx() as isize {
             for j in 0..grid.ny() as isize {
                 let difference = one.get(i, j).unwrap() - other.get(i, j).unwrap();
@@ -168,7 +168,7 @@ fn a_layer_of_its_substrate_is_no_layer() {
         .coated(&[layer(1.0, 0.3, 0.7), layer(1.0, 0.3, 0.1)])
         .unwrap();
     let grid = Grid::new(24, 9, 0.2, 0.35).unwrap();
-    assert_same(on_rigid(body), on_rigid(coated), grid, 1e-13);
+    assert_same(&on_rigid(body), &on_rigid(coated), grid, 1e-13);
 
     let same = ElasticPair::new(coated, coated).unwrap();
     assert!(!same.is_coupled() && on_rigid(coated).is_coupled());
@@ -193,10 +193,10 @@ fn thin_and_thick_layers_are_their_limits() {
     let [soft, hard] = [1.0, 5.0].map(|g| Material::from_shear_modulus(g, 0.3).unwrap());
     let grid = Grid::new(12, 9, 0.2, 0.35).unwrap();
     let coated = |thickness| on_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
-    assert_same(on_rigid(soft), coated(1e-7), grid, 1e-5);
-    assert_same(on_rigid(hard), coated(1e6), grid, 1e-5);
+    assert_same(&on_rigid(soft), &coated(1e-7), grid, 1e-5);
+    assert_same(&on_rigid(hard), &coated(1e6), grid, 1e-5);
     let thinner = coated(1e-9);
-    assert_same(on_rigid(soft), thinner, grid, 1e-7);
+    assert_same(&on_rigid(soft), &thinner, grid, 1e-7);
 }
 
 /// A bed that is thin beside the contact is a row of springs, of the oedometric modulus.

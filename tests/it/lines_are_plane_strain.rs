@@ -14,9 +14,9 @@ use stickslip::{
 const DATUM: f64 = 40.0;
 const FRICTION: f64 = 0.5;
 
-fn along_y(grid: Grid, pair: ElasticPair) -> HalfSpace {
+fn along_y(grid: Grid, pair: &ElasticPair) -> HalfSpace {
     let boundary = Boundary::PeriodicAlongY { datum: DATUM };
-    HalfSpace::with_boundary(grid, pair, boundary).unwrap()
+    HalfSpace::with_boundary(grid, *pair, boundary).unwrap()
 }
 
 /// The coefficient from the first cell to each.
@@ -58,7 +58,7 @@ fn kernels_are_those_of_line_loads() {
     let body = Material::from_shear_modulus(1.0, nu).unwrap();
     let pair = ElasticPair::new(body, Material::rigid()).unwrap();
     let grid = Grid::line(9, 0.5).unwrap();
-    let bodies = along_y(grid, pair);
+    let bodies = along_y(grid, &pair);
     let unit = 1.0 / std::f64::consts::PI;
     for component in Component::ALL {
         let column = column(&bodies, component);
@@ -90,7 +90,7 @@ fn twice_the_period_adds_up_to_the_same() {
     let pair = ElasticPair::new(body, Material::rigid()).unwrap();
     for (nx, ny, dy) in [(40, 4, 0.5), (6, 7, 0.2), (40, 1, 1.0), (3, 2, 9.0)] {
         let [one, two] = [ny, 2 * ny].map(|ny| {
-            let bodies = along_y(Grid::new(nx, ny, 0.5, dy).unwrap(), pair);
+            let bodies = along_y(Grid::new(nx, ny, 0.5, dy).unwrap(), &pair);
             Component::ALL.map(|component| column(&bodies, component))
         });
         for (n, component) in Component::ALL.into_iter().enumerate() {
@@ -122,7 +122,7 @@ fn finer_lines_take_no_more_steps() {
     let pair = unit_pair(0.3);
     for nx in [512, 2048, 8192] {
         let grid = Grid::new(nx, 1, 4.8 / nx as f64, 1.0).unwrap();
-        let bodies = along_y(grid, pair);
+        let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, 20.0).unwrap();
         let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.06));
         let normal = normal.tolerance(1e-6).build().unwrap().solve().unwrap();
@@ -143,7 +143,7 @@ fn equal_rows_answer_as_one() {
     let pair = unit_pair(0.3);
     let answers = [1, 4, 64].map(|ny| {
         let grid = Grid::new(96, ny, 0.05, 1.0 / ny as f64).unwrap();
-        let bodies = along_y(grid, pair);
+        let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, 20.0).unwrap();
         let gap = Field::from_fn(grid, |x, _| 0.002 * (9.0 * x).sin())
             .as_slice()
@@ -183,7 +183,7 @@ fn errors(n: usize) -> [f64; 6] {
     let hertz = HertzLine::new(&pair, 10.0, 100.0).unwrap();
     let exact = CattaneoMindlinLine::new(hertz, FRICTION, 0.6 * FRICTION * 100.0).unwrap();
     let grid = Grid::line(n, 2.6 * hertz.half_width() / n as f64).unwrap();
-    let bodies = along_y(grid, pair);
+    let bodies = along_y(grid, &pair);
     let normal = press(&bodies, &surface::cylinder(grid, 10.0).unwrap(), 100.0);
     assert!(normal.warnings().is_empty());
     let sheared = shear(&normal, &bodies, exact.force());
@@ -233,7 +233,7 @@ fn cycles_dissipate_the_area_of_their_loops() {
     let exact = CattaneoMindlinLine::new(hertz, FRICTION, force).unwrap();
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         let grid = Grid::line(512, 2.4 * hertz.half_width() / 512.0).unwrap();
-        let bodies = along_y(grid, pair);
+        let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, radius).unwrap();
         let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
         let mut history = builder.model(model).tolerance(1e-10).build().unwrap();
@@ -297,7 +297,7 @@ proptest! {
         (nx, ny, rows, seed) in (4..20_usize, 1..12_usize, 0..12_usize, any::<u64>())
     ) {
         let grid = Grid::new(nx, ny, 0.5, 0.3).unwrap();
-        let bodies = along_y(grid, unit_pair(0.2));
+        let bodies = along_y(grid, &unit_pair(0.2));
         let mut random = kit::Random(seed);
         let traction: Vec<f64> = (0..nx * ny).map(|_| random.uniform(-1.0, 1.0)).collect();
         let turned = |field: &[f64]| {
@@ -324,7 +324,7 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     let pair = ElasticPair::new(body, Material::rigid()).unwrap();
     // Cells end where the punch does.
     let grid = Grid::line(cells + cells / 8, 2.0 / cells as f64).unwrap();
-    let bodies = along_y(grid, pair);
+    let bodies = along_y(grid, &pair);
     let gap = Field::from_fn(grid, |x, _| if x.abs() < 1.0 { 0.0 } else { 1e3 });
     let (press, still) = (NormalControl::Force(1.0), TangentialLoad::shift([0.0; 2]));
     let friction = || Friction::coulomb(coefficient).unwrap();
@@ -377,7 +377,7 @@ fn punches_with_rounded_edges_are_ciavarellas() {
         let exact = RoundedPunch::new(&pair, flat, 20.0, load).unwrap();
         for n in [128, 256, 512, 1024] {
             let grid = Grid::line(n, 2.4 * exact.half_width() / n as f64).unwrap();
-            let bodies = along_y(grid, pair);
+            let bodies = along_y(grid, &pair);
             let gap = Field::from_fn(grid, |x, _| (x.abs() - flat).max(0.0).powi(2) / 40.0);
             let found = press(&bodies, &gap, load);
             let half_width = 0.5 * found.contact_cells() as f64 * grid.dx();

@@ -110,17 +110,17 @@ fn another_code_has_the_same_digits_without_the_law() {
 #[test]
 fn the_frame_of_the_particles_is_another_view_of_the_same() {
     let soft = Material::from_shear_modulus(1.0, 0.3).unwrap();
-    same_in_both_frames(ElasticPair::new(soft, soft).unwrap());
+    same_in_both_frames(&ElasticPair::new(soft, soft).unwrap());
 }
 
 /// Pressure that changes while the bodies roll draws the surfaces of dissimilar ones, one way.
 #[test]
 fn dissimilar_bodies_roll_under_a_load_that_changes() {
     let [soft, hard] = [1.0, 4.0].map(|modulus| Material::from_shear_modulus(modulus, 0.2));
-    same_in_both_frames(ElasticPair::new(soft.unwrap(), hard.unwrap()).unwrap());
+    same_in_both_frames(&ElasticPair::new(soft.unwrap(), hard.unwrap()).unwrap());
 }
 
-fn same_in_both_frames(pair: ElasticPair) {
+fn same_in_both_frames(pair: &ElasticPair) {
     let steps = 12;
     let (moving, still) = (
         Grid::new(20 + steps, 20, 0.125, 0.125).unwrap(),
@@ -130,7 +130,7 @@ fn same_in_both_frames(pair: ElasticPair) {
         |x: f64, y: f64| 0.5 * (x * x + y * y) + 0.01 * (5.0 * x + 1.0).cos() * (4.0 * y).cos();
     let (load, creepage) = (0.8, [0.12, -0.07]);
     let start = |grid: Grid, gap: &Field| {
-        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let bodies = HalfSpace::new(grid, *pair).unwrap();
         History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
             .model(TangentialModel::Vector)
             .coupling(Coupling::OneWay)
