@@ -8,6 +8,7 @@
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
 //! | [`growing_contacts`] | contacts that grow while they are sheared: the law of entering cells, steps of a given error |
 //! | [`rolling`] | creepage, spin, steady rolling: what it costs, how exact it is, which tool for which question |
+//! | [`coatings`] | layers on a body: what they change, which grids they take |
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
 //! | [`from_tractions_to_stresses`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
 //! | [`studies`] | thousands of surfaces on one machine or over a cluster: shards, restart, merge |
@@ -36,6 +37,9 @@ pub mod growing_contacts {}
 #[doc = include_str!("rolling.md")]
 #[cfg_attr(doc, doc = include_str!("../pictures/creep_curves.html"))]
 pub mod rolling {}
+
+#[doc = include_str!("coatings.md")]
+pub mod coatings {}
 
 #[doc = include_str!("dissimilar_bodies.md")]
 pub mod dissimilar_bodies {}

@@ -20,6 +20,9 @@ use stickslip::{
 const CELLS: &str = include_str!("../data/layers/cells.csv");
 const RESPONSES: &str = include_str!("../data/layers/responses.csv");
 const STACKS: &str = include_str!("../data/layers/stacks.csv");
+/// Axisymmetric contacts, from a Fredholm equation of the second kind for the pressure: contact radius, largest pressure and
+/// approach over those without a coating.
+const SPHERES: &str = include_str!("../data/layers/coated_sphere.csv");
 
 fn number(text: &str) -> f64 {
     text.parse().unwrap()
@@ -230,6 +233,37 @@ fn a_thin_bed_on_a_rigid_base_is_winklers() {
         "{}",
         p * thickness / (oedometric * u)
     );
+}
+
+/// A rigid sphere on a coating, beside an axisymmetric solution: of second order in the cells.
+#[test]
+fn spheres_on_coatings_are_those_of_an_axisymmetric_solution() {
+    let substrate = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    let load = 1.0;
+    let hertz = analytical::HertzSphere::new(&on_rigid(substrate), 10.0, load).unwrap();
+    for row in rows(SPHERES) {
+        let [m, thickness, radius, largest, approach] = [0, 1, 2, 3, 4].map(|k| number(row[k]));
+        let coating = layer(m, 0.3, thickness * hertz.contact_radius());
+        let pair = on_rigid(substrate.coated(&[coating]).unwrap());
+        let errors = [32, 64, 128].map(|n| {
+            let grid = Grid::square(n, 3.1 * radius * hertz.contact_radius()).unwrap();
+            let bodies = HalfSpace::new(grid, pair).unwrap();
+            let gap = surface::sphere(grid, hertz.radius()).unwrap();
+            let load = NormalControl::Force(load);
+            let contact = press(&bodies, &gap, load, 1e-8, Method::default());
+            [
+                contact.approach() / hertz.approach() - approach,
+                contact.pressure().max() / hertz.max_pressure() - largest,
+            ]
+        });
+        let [coarse, _, fine] = errors;
+        for (quantity, most) in [6e-5, 3.5e-4].into_iter().enumerate() {
+            let [coarse, fine] = [coarse[quantity], fine[quantity]].map(f64::abs);
+            let order = 0.5 * (coarse / fine).log2();
+            // Measured: 8e-6 to 4.8e-5 and 4e-5 to 2.9e-4; orders 1.76 to 1.97.
+            assert!(fine < most && order > 1.7, "{m} {thickness}: {errors:?}");
+        }
+    }
 }
 
 /// The symbol of contacts of all kinds is positive, on cells small and large beside the layer.

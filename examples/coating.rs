@@ -1,0 +1,150 @@
+//! Two equal spheres with coatings softer or harder than themselves, pressed and sheared: pressure and contact radius
+//! beside an axisymmetric solution, and how the coating changes traction and stick zone.
+//!
+//! `cargo run --release -p stickslip --example coating` prints both, and writes `target/gallery/coating.csv` and `.svg`.
+
+#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+
+mod support;
+
+use std::error::Error;
+use std::path::Path;
+
+use plotters::prelude::*;
+use stickslip::analytical::HertzSphere;
+use stickslip::layers::Layer;
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, surface,
+};
+
+/// In mm, N and MPa: steel, the radius of the gap, and the load.
+const MODULUS: f64 = 210e3;
+const POISSON_RATIO: f64 = 0.3;
+const RADIUS: f64 = 10.0;
+const LOAD: f64 = 100.0;
+const FRICTION: f64 = 0.3;
+/// Force over the one at which the contact slides.
+const LOADING: f64 = 0.5;
+const CELLS: usize = 128;
+
+/// Modulus of the coating over that of the body, and of the axisymmetric solution for a coating half as thick as the contact
+/// radius `a_H` without it: contact radius over `a_H`, pressure in the middle and approach over those without coating.
+const COATINGS: [(f64, [f64; 3]); 5] = [
+    (0.25, [1.330897, 0.634832, 1.319233]),
+    (0.5, [1.149909, 0.807562, 1.127525]),
+    (1.0, [1.0, 1.0, 1.0]),
+    (2.0, [0.869692, 1.228033, 0.910205]),
+    (4.0, [0.745816, 1.574471, 0.836737]),
+];
+const COLOURS: [RGBColor; 5] = [
+    support::PURPLE,
+    support::BLUE,
+    BLACK,
+    support::GREEN,
+    support::ORANGE,
+];
+
+/// A contact of coated spheres.
+struct Contact {
+    normal: NormalSolution,
+    sheared: TangentialSolution,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let steel = Material::new(MODULUS, POISSON_RATIO)?;
+    let hertz = HertzSphere::new(&ElasticPair::new(steel, steel)?, RADIUS, LOAD)?;
+    let thickness = 0.5 * hertz.contact_radius();
+
+    println!(
+        "E1/E2 | radius a/a_H  (exact) | pressure p/p_H  (exact) | approach  (exact) | shift | stick ratio"
+    );
+    let path = support::gallery("coating.csv")?;
+    let mut table = csv::Writer::from_path(&path)?;
+    table.write_record([
+        "ratio",
+        "radius",
+        "pressure",
+        "approach",
+        "shift",
+        "stick_ratio",
+    ])?;
+    let mut contacts = Vec::new();
+    let mut bare_shift = None;
+    for (ratio, _) in [COATINGS[2]].iter().chain(&COATINGS) {
+        let layer = Layer::new(ratio * MODULUS, POISSON_RATIO, thickness)?;
+        let contact = solve(steel.coated(&[layer])?, &hertz)?;
+        let shift = contact.sheared.shift()[0];
+        let bare = *bare_shift.get_or_insert(shift);
+        contacts.push((contact, shift / bare));
+    }
+    let contacts = contacts.split_off(1);
+    for ((ratio, exact), (contact, shift)) in COATINGS.iter().zip(&contacts) {
+        let area = contact.normal.edges()?.area();
+        let radius = (area / std::f64::consts::PI).sqrt() / hertz.contact_radius();
+        let pressure = contact.normal.pressure().max() / hertz.max_pressure();
+        let approach = contact.normal.approach() / hertz.approach();
+        let stick_ratio = contact.sheared.stick_ratio();
+        println!(
+            "{ratio:>5} | {radius:>12.5} ({:.5}) | {pressure:>14.5} ({:.5}) | {approach:.5} ({:.5}) | {shift:.4} | {stick_ratio:.4}",
+            exact[0], exact[1], exact[2],
+        );
+        table.serialize((ratio, radius, pressure, approach, shift, stick_ratio))?;
+    }
+    table.flush()?;
+    let svg = support::gallery("coating.svg")?;
+    draw(&svg, &contacts, &hertz)?;
+    println!("\ntable: {}\nfigure: {}", path.display(), svg.display());
+    Ok(())
+}
+
+/// Both bodies have the coating, so that pressure and shear do not disturb each other.
+fn solve(coated: Material, hertz: &HertzSphere) -> stickslip::Result<Contact> {
+    let grid = Grid::square(CELLS, 3.2 * hertz.contact_radius())?;
+    let bodies = HalfSpace::new(grid, ElasticPair::new(coated, coated)?)?;
+    let gap = surface::sphere(grid, RADIUS)?;
+    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD))
+        .build()?
+        .solve()?;
+    let friction = Friction::coulomb(FRICTION)?;
+    let load = TangentialLoad::force([LOADING * FRICTION * LOAD, 0.0]);
+    let sheared = TangentialProblem::builder(&bodies, &normal, friction, load)
+        .build()?
+        .solve()?;
+    Ok(Contact { normal, sheared })
+}
+
+fn draw(
+    path: &Path,
+    contacts: &[(Contact, f64)],
+    hertz: &HertzSphere,
+) -> Result<(), Box<dyn Error>> {
+    let title = "Coated spheres: coatings half as thick as the contact radius without them";
+    let figure = support::figure(path, (1800, 860), title)?;
+    let (left, right) = figure.split_horizontally(900);
+    let radius = hertz.contact_radius();
+    let along_x = |field: &Field, unit: f64| -> Vec<(f64, f64)> {
+        let grid = field.grid();
+        let row = grid.ny() / 2;
+        let value = |ix| field.get(ix, row).unwrap_or_default() / unit;
+        let points = (0..grid.nx()).map(|ix| (grid.x(ix) / radius, value(ix)));
+        points.filter(|(x, _)| *x >= 0.0).collect()
+    };
+    let mut pressures = support::axes(&left, (0.0..1.6, "x / a_H"), (0.0..1.7, "p / p_H"))?;
+    let mut tractions = support::axes(&right, (0.0..1.6, "x / a_H"), (0.0..1.1, "q / µp_H"))?;
+    for (((ratio, _), colour), (contact, _)) in COATINGS.iter().zip(COLOURS).zip(contacts) {
+        let line = colour.stroke_width(3);
+        let name = format!("E1 / E2 = {ratio}");
+        let pressure = along_x(contact.normal.pressure(), hertz.max_pressure());
+        pressures
+            .draw_series(LineSeries::new(pressure, line))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+        let unit = FRICTION * hertz.max_pressure();
+        let traction = along_x(contact.sheared.traction()[0], unit);
+        tractions.draw_series(LineSeries::new(traction, line))?;
+    }
+    support::legend(&mut pressures, SeriesLabelPosition::UpperRight)?;
+    figure.present()?;
+    Ok(())
+}
