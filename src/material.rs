@@ -1,6 +1,8 @@
 //! Elastic constants of one body and of a pair.
 
-use crate::error::{Error, Result, finite, poisson_ratio as check_poisson_ratio, positive};
+use crate::error::{
+    Error, Result, at_least, finite, poisson_ratio as check_poisson_ratio, positive,
+};
 use crate::layers::{Base, Coating, Layer, Response, Waves};
 
 /// Dundurs' beta at or below which pressure and traction count as uncoupled.
@@ -124,7 +126,8 @@ impl Material {
 
     /// This body under layers that are bonded to it, the outermost first; over the layers it has, if it is coated
     /// already. On a [rigid](Self::rigid) body it is a bed on a rigid base. What is known of such bodies, and what is
-    /// not, is on the page of [`layers`](crate::layers).
+    /// not, is on the page of [`layers`](crate::layers). The moduli of a coated [`Material`] are those of the body below the
+    /// layers. A hardness stated before is kept: state that of the coating after.
     ///
     /// ```
     /// use stickslip::{ElasticPair, Material, layers::Layer};
@@ -294,12 +297,24 @@ impl TryFrom<UncheckedPair> for ElasticPair {
     }
 }
 
+/// Least ratio of two moduli of a coated body, and of two thicknesses of layers.
+const LEAST_PART: f64 = 1e-12;
+const LEAST_IS: &str = "the least allowed";
+
+/// The least and the largest of some positive numbers.
+fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, 0.0], |[least, most], number| {
+        [least.min(number), most.max(number)]
+    })
+}
+
 impl ElasticPair {
     /// The pair of `body_1` (into which z points) and `body_2`.
     ///
     /// # Errors
     /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if a combined
-    /// constant of the pair over- or underflows.
+    /// constant of the pair over- or underflows; [`Error::Below`] for layers whose moduli or thicknesses differ by more than
+    /// a factor of 1e12.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
             return Err(Error::BothRigid);
@@ -317,8 +332,28 @@ impl ElasticPair {
         positive("contact modulus of the pair", pair.contact_modulus())?;
         positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
         finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
+        pair.check_layers()?;
         pair.coupling = pair.strongest_coupling();
         Ok(pair)
+    }
+
+    /// `Ok` if layers differ little enough for the numbers of the integrals over their waves.
+    fn check_layers(&self) -> Result<()> {
+        for body in self.bodies.iter().filter(|body| body.is_coated()) {
+            let base = (!body.youngs_modulus.is_infinite()).then(|| body.shear_modulus());
+            let moduli = body.layers().iter().map(Layer::shear_modulus).chain(base);
+            let [least, most] = extremes(moduli);
+            let quantity = "least over largest modulus of a coated body";
+            at_least(LEAST_IS, LEAST_PART, quantity, least / most)?;
+        }
+        let layers = self.bodies.iter().flat_map(Material::layers);
+        if !self.is_coated() {
+            return Ok(());
+        }
+        let [least, most] = extremes(layers.map(Layer::thickness));
+        let quantity = "least over largest thickness of the layers";
+        at_least(LEAST_IS, LEAST_PART, quantity, least / most)?;
+        Ok(())
     }
 
     /// The largest ratio of the coupling to the mean of normal and tangential response, of waves of any length.
@@ -335,7 +370,7 @@ impl ElasticPair {
         let waves = waves.take_while(|k| *k < shortest);
         waves.fold(near, |strongest, k| {
             let found = self.times_k(k);
-            let ratio = found.coupling / (found.normal * found.along).sqrt();
+            let ratio = found.coupling / found.normal.sqrt() / found.along.sqrt();
             if ratio.abs() > strongest.abs() {
                 ratio
             } else {
@@ -398,7 +433,8 @@ impl ElasticPair {
     }
 
     /// Contact modulus `E*`, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure), Johnson's; for one body on a rigid
-    /// one its plane-strain modulus.
+    /// one its plane-strain modulus. Of coated bodies, as the constants below, that of the outermost layers; see
+    /// [`response`](Self::response).
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         2.0 / self.compliances.normal

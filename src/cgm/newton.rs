@@ -149,7 +149,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
         let (changes, sums) = self.reclassify();
         self.progress.changes = changes;
         if MotionOf::<K, N>::IS_CURVED || changes > 0 {
-            // Unknowns have moved otherwise than by the steps.
+            // Unknowns have moved otherwise than by the steps. Where none has, what spreads below is round-off of the sums.
             self.gradient_error = f64::INFINITY;
             self.list_and_spread();
         }

@@ -93,8 +93,9 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
-    /// Of which the caller examines what is found, by a product of its own: it may then be judged by a product that misses
-    /// a small part of the tolerance, and the one that is kept is such.
+    /// Marks a problem whose answer is only a start, or is examined by the caller with an exact product. It may then be
+    /// judged by a product that is wrong by a small part of the tolerance; report and kept product are as accurate as
+    /// that, and certify nothing.
     pub(crate) fn examined_elsewhere(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self

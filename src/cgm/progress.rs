@@ -7,12 +7,13 @@ const LEAST_REDUCTION: f64 = 1e-6;
 /// Outer steps without progress after which the inner solution is taken for too coarse to decide by.
 const DOUBT: usize = 2;
 
-/// Residual above which single precision tells the sets as well as double does, where the residual before is known.
+/// Residual of the step before, above which single precision tells the sets as well as double does.
 const EARLY: f64 = 5e-4;
 
 /// Part of the tolerance to which the last inner iteration reduces the residual.
 const LAST: f64 = 0.6;
-/// Reduction of the residual in sight of the tolerance: worth trying though the sets may still change.
+/// Least reduction still to go to the tolerance at which the linear problem is solved to it at once, though the sets may
+/// still change.
 const IN_SIGHT: f64 = 0.02;
 
 /// Outer steps in which neither the residual halves nor fewer entries change sets than ever before after which the

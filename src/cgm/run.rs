@@ -15,10 +15,10 @@ use crate::operator::Operator;
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
-/// What a product in single precision may miss, of the largest displacement.
+/// Error of a product in single precision, over the largest displacement.
 pub(super) const SINGLE: f64 = 1e-6;
-/// Part of the tolerance that a product may miss of what is examined elsewhere: residuals of all cells add up to a larger
-/// error in the energy norm.
+/// Part of the tolerance by which a product may be wrong where the answer is examined elsewhere: small, because errors of
+/// all cells add up in the energy norm.
 const ACCEPTED: f64 = 0.03;
 
 /// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
@@ -68,7 +68,7 @@ pub(super) enum Start {
     Near,
 }
 
-/// What it took to have an iterate within its sets.
+/// The outcome of bringing an iterate within its sets.
 pub(super) struct Feasible {
     /// Whether the cells stay in the sets they were in.
     pub(super) keeps_sets: bool,
@@ -233,7 +233,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         self.product_error = 0.0;
     }
 
-    /// The same in single precision: good enough to iterate, not to test convergence.
+    /// The same in single precision: good enough to iterate, and to test convergence only of what is [examined
+    /// elsewhere](Problem::examined_elsewhere).
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
         self.product_error = SINGLE;
@@ -472,7 +473,8 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.
     fn move_by(&mut self, part: f64) {
-        if part > 0.0 && self.problem.is_examined_elsewhere {
+        let is_known = part > 0.0 && self.problem.own.is_none();
+        if is_known && self.problem.is_examined_elsewhere {
             self.product_error += part;
         } else {
             self.product_error = f64::INFINITY;

@@ -9,8 +9,8 @@ use crate::error::{Error, Result};
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
-/// Relative accuracy of a coarse answer: with less the edges that it hands down are wrong by more cells, more costs what
-/// the finer cells do not save.
+/// Relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells, a stricter one costs
+/// more than the finer cells save.
 const COARSE_TOLERANCE: f64 = 3e-3;
 /// Steps a coarse answer may take: one that is hard to find is not worth more.
 const COARSE_STEPS: usize = 100;

@@ -363,7 +363,7 @@ impl Engine {
         self.add_displacements_of(&[1, 2]);
         let limits = self.hardness.map(|()| &*self.hardness_of_cells);
         let problem = self.normal.problem([&self.linear[0]], Carried(limits));
-        let problem = problem.totals([task.totals[0]]).examined_elsewhere();
+        let problem = problem.totals([task.totals[0]]);
         let (normal, x) = (&mut self.normal, &mut self.x[0]);
         let solve = |settings: &Settings, observer: Observer<'_>| {
             normal.minimise(&problem, ([x], Known::Nothing), settings, observer)
@@ -401,8 +401,7 @@ impl Engine {
             .plane
             .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
             .diagonal(&self.own)
-            .totals(totals)
-            .examined_elsewhere();
+            .totals(totals);
         let plane = &mut self.plane;
         let solve = |settings: &Settings, observer: Observer<'_>| {
             plane.minimise(&problem, ([x, y], Known::Nothing), settings, observer)

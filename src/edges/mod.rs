@@ -217,7 +217,11 @@ fn check_resolved(normal: &NormalSolution) -> Result<()> {
     let thinnest = outermost
         .map(Layer::thickness)
         .fold(f64::INFINITY, f64::min);
-    if thinnest < THINNEST * grid.dx().max(grid.dy()) {
+    // Along an axis on which nothing changes a cell may have any side.
+    let sides = [(grid.nx(), grid.dx()), (grid.ny(), grid.dy())];
+    let sides = sides.into_iter().filter(|(cells, _)| *cells > 1);
+    let widest = sides.map(|(_, side)| side).fold(0.0, f64::max);
+    if thinnest < THINNEST * widest {
         let quantity = "an edge inside the cells, on layers thinner than four of them,";
         let remedy = "take smaller cells, or the areas of the cells";
         normal.pair().check_homogeneous(quantity, remedy)?;

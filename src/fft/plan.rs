@@ -134,7 +134,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Whether fields are one row that repeats, whose columns have nothing to transform.
+    /// Whether fields are one row, of one process, whose columns have nothing to transform.
     fn is_line(&self) -> bool {
         self.frame.torus[1] == 1 && self.frame.share.is_none()
     }

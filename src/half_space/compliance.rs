@@ -33,8 +33,8 @@ impl HalfSpace {
         let grid = self.grid();
         if N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1 {
             let sides = [grid.dx(), grid.dy()];
-            return Err(if self.pair().is_coated() {
-                let eigenvalue = operator.least_eigenvalue();
+            let eigenvalue = operator.least_eigenvalue();
+            return Err(if self.pair().is_coated() && eigenvalue <= 0.0 {
                 Error::NotDefinite { eigenvalue, sides }
             } else {
                 Error::CellsTooLong { sides }

@@ -19,7 +19,7 @@ use crate::error::{Error, Result, at_least, finite, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
 use crate::influence::{Component, Direction, Kernel, Rest};
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Material};
 use crate::ranks::Team;
 use crate::share::Share;
 use crate::shown::shown;
@@ -366,9 +366,19 @@ impl HalfSpace {
     }
 }
 
+/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
+const THINNEST: f64 = 1e-25;
+
 /// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
 fn check(grid: Grid, pair: &ElasticPair, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
+    let bodies = pair.bodies();
+    let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+    for layer in bodies.iter().flat_map(Material::layers) {
+        let part = layer.thickness() / length.hypot(width);
+        let quantity = "thickness of a layer over the diagonal of the grid";
+        at_least("the least allowed", THINNEST, quantity, part)?;
+    }
     if let Boundary::PeriodicAlongY { datum } = boundary {
         if grid.ny() > 1 {
             let quantity = "a grid of several rows that repeats along y alone";

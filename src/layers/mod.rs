@@ -1,8 +1,9 @@
 //! Coated bodies: elastic layers bonded to each other and to a substrate.
 //!
-//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base; the pair then
-//! goes the way of any other: pressure, traction, both at once, histories, stiffness, rolling, on free grids, on grids
-//! that repeat and on lines of cells. A homogeneous body costs, and is, as before.
+//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of such
+//! bodies is solved like any other: pressure, traction, both at once, histories, stiffness, rolling, on free grids, on
+//! grids that repeat and on lines of cells. Homogeneous bodies are computed as if there were no coatings, at the same
+//! cost.
 //!
 //! ```
 //! use stickslip::layers::Layer;
@@ -67,17 +68,21 @@
 //! # Limits of the model
 //!
 //! - Layers are bonded, their surfaces plane, and [`LIMIT`] in number at most.
-//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) coated bodies are those of a line of
+//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) coated bodies need a single row of
 //!   cells; the displacement far from the load is that of the substrate with the datum given, and goes to zero on a
 //!   rigid base.
 //! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
 //!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
-//!   operator is: of ten times the modulus and incompressible, sheared on cells as wide as two thicknesses; of 1000
-//!   times, pressed on 256 x 256 cells over sixty thicknesses. Such grids are
-//!   [refused](crate::Error::NotDefinite). Grids that repeat along both axes have no such limit, and where pressure and
-//!   traction are found together it is the eigenvalues of each alone that count.
+//!   operator is. It is not for an incompressible layer of ten times the modulus that is sheared on cells as wide as two
+//!   thicknesses, and for one of 1000 times that is pressed on 256 x 256 cells over sixty thicknesses. Such grids are
+//!   [refused](crate::Error::NotDefinite). Grids that repeat along both axes have no such limit, but for incompressible
+//!   beds on rigid bases over millions of thicknesses. Where pressure and traction are found together, the eigenvalues
+//!   of each alone count.
 //! - On a grid that repeats along both axes a mean traction moves nothing, also on a rigid base, where
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure might be added to the approach.
+//! - The law of cells that enter a growing or rolling contact takes the ratio of tangential to normal compliance from the
+//!   outermost layers. Where cells are wider than a layer the ratio is another, such as 0.57 for 1.21 on a layer of four
+//!   times the modulus at $`kh = 0.5`$: short steps remain exact, long ones have an error as without the law.
 //! - Moduli of a pair that are one number ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
 //!   Dundurs' beta) are those of the outermost layers: what waves much shorter than a layer is thick see. Closed forms,
 //!   which have no other, [refuse](crate::Error::Coated) coated bodies, as do stresses below the surface.

@@ -111,7 +111,8 @@ impl Surface {
         let [s, n, l, c, d] = self.minors;
         let [n, l, c, d] = [n * ratio, l * ratio, c * ratio, d * ratio * ratio];
 
-        let a = k * layer.thickness();
+        // Beyond, the layer is as a half-space, and squares would overflow.
+        let a = (k * layer.thickness()).min(1e3);
         let (g, e, f) = (1.0 - nu, 1.0 - 2.0 * nu, 3.0 - 4.0 * nu);
         // All times t = exp(-2a): sinh^2, sinh cosh, and these less a^2 and less a.
         let t = (-2.0 * a).exp();

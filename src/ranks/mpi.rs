@@ -59,7 +59,7 @@ impl Mpi {
     /// neither be tested for one rank nor be cancelled, so that a rank that is lost would hold the others for ever.
     ///
     /// Only all ranks together can finalise MPI. If a call has waited for a rank in vain, and that rank is still silent for
-    /// another `patience` after the work, or a block for it can neither be sent nor cancelled, this function does not return:
+    /// another `patience` after the work, or a block for it cannot be sent within `patience`, this function does not return:
     /// it writes the rank and the reason to standard error and aborts all processes. Otherwise it waits for the other ranks
     /// without a limit, however long their work takes.
     ///
@@ -185,8 +185,9 @@ impl Post {
             if let Err(RankFailure::Silent { rank, .. }) = received {
                 self.are_given_up[rank] = true;
             }
-            let mut clock = Clock::new(self.patience);
+            let mut clock;
             for (to, mut sent) in sent {
+                clock = Clock::new(self.patience);
                 // MPI may read the block until it is sent.
                 while let Err(pending) = sent.test() {
                     if clock.is_over() {
@@ -199,7 +200,8 @@ impl Post {
         })
     }
 
-    /// A block of each of these ranks, in any order.
+    /// A block of each of these ranks, in any order; those of the others too where one of them is lost, so that nobody waits
+    /// for this rank to take one.
     fn receive(
         &mut self,
         world: &SimpleCommunicator,
@@ -207,18 +209,22 @@ impl Post {
         take: &mut dyn FnMut(usize, Vec<u64>),
     ) -> Result<(), RankFailure> {
         let mut clock = Clock::new(self.patience);
+        let mut outcome = Ok(());
         while let Some(&next) = awaited.last() {
             for place in (0..awaited.len()).rev() {
-                if let Some(block) = self.arrived(world, awaited[place])? {
-                    take(awaited.swap_remove(place), block);
-                    clock = Clock::new(self.patience);
+                match self.arrived(world, awaited[place]) {
+                    Ok(None) => continue,
+                    Ok(Some(block)) => take(awaited[place], block),
+                    Err(lost) => outcome = outcome.and(Err(lost)),
                 }
+                awaited.swap_remove(place);
+                clock = Clock::new(self.patience);
             }
             if !awaited.is_empty() && clock.is_over() {
                 return Err(self.silent(next));
             }
         }
-        Ok(())
+        outcome
     }
 
     /// The next block of a rank, if it has come.
@@ -268,15 +274,14 @@ impl Post {
             let process = world.process_at_rank(rank_of(rank));
             process.send_with_tag(&last[..], LEFT);
         }
-        for rank in others {
-            let mut received = Ok(());
-            while received.is_ok() {
-                received = self.receive(&world, vec![rank], &mut |_, _| ());
-            }
-            if let (true, Err(why @ RankFailure::Silent { .. })) =
-                (self.are_given_up[rank], received)
-            {
-                Self::abort(&world, why);
+        // Of all at once: while one is silent, others may wait for this rank to take a block.
+        let mut left: Vec<usize> = others.collect();
+        while !left.is_empty() {
+            let received = self.receive(&world, left.clone(), &mut |_, _| ());
+            left.retain(|rank| !self.have_left[*rank]);
+            let given_up = left.iter().find(|rank| self.are_given_up[**rank]);
+            if let (Err(RankFailure::Silent { .. }), Some(rank)) = (received, given_up) {
+                Self::abort(&world, self.silent(*rank));
             }
         }
     }

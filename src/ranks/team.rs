@@ -33,7 +33,7 @@ pub struct Traffic {
     pub blocks: u64,
     /// Their bytes.
     pub bytes: u64,
-    /// Times that blocks were sent to all ranks that want any, and those of others awaited.
+    /// Exchanges of blocks with all ranks at once.
     pub exchanges: u64,
     /// Partial results gathered from all ranks: sums, maxima, decisions.
     pub gathers: u64,

@@ -52,7 +52,7 @@ impl Body {
         if material.is_coated() {
             return Err(Error::Coated {
                 quantity: "stress below the surface",
-                remedy: "ask for that of the body that is not coated, or give both bodies one material",
+                remedy: "leave the coating out, or ask for that of a body without one",
             });
         }
         if material.is_rigid() {
