@@ -48,7 +48,7 @@ impl Cone {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is
     /// not positive and finite.
-    /// [`Error::Coated`] for coated bodies.
+    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
     pub fn new(pair: &ElasticPair, slope: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("slope", slope)?;

@@ -44,7 +44,7 @@ impl FlatPunch {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
     /// not positive and finite.
-    /// [`Error::Coated`] for coated bodies.
+    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;

@@ -56,7 +56,7 @@ impl Persson {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or the reduced pressure is not
     /// positive and finite.
-    /// [`Error::Coated`] for coated bodies.
+    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
     pub fn new(pair: &ElasticPair, rms_slope: f64, mean_pressure: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("root-mean-square slope", rms_slope)?;

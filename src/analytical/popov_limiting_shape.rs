@@ -64,7 +64,7 @@ impl PopovLimitingShape {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius, the approach or the contact radius
     /// $`a`$, [`Error::Negative`](crate::Error::Negative) for the stick radius or the load,
     /// [`Error::Below`](crate::Error::Below) if the stick radius exceeds $`a`$.
-    /// [`Error::Coated`] for coated bodies.
+    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;

@@ -51,7 +51,7 @@ impl Westergaard {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or a result is not
     /// positive and finite.
-    /// [`Error::Coated`] for coated bodies.
+    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
     pub fn new(
         pair: &ElasticPair,
         amplitude: f64,
