@@ -125,6 +125,9 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Negative { quantity, value }
         NotFinite { quantity, value }
         Sample { quantity, index, value, rule }
+        TooManyLayers { found, limit }
+        Coated { quantity, remedy }
+        NotDefinite { eigenvalue, sides }
         CoupledMaterials { beta }
         CellsTooLong { sides }
         Length { quantity, expected, found }

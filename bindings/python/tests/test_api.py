@@ -72,6 +72,8 @@ WITHOUT = {
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
     "trait TryClone": "copies of what Python holds are Python's",
+    "struct layers::Layer": "coated bodies are in Rust alone so far",
+    "struct layers::Response": "as layers::Layer",
 }
 # Methods that stand for the same in all types, by patterns of their names.
 ALIKE = {
@@ -86,6 +88,8 @@ ALIKE = {
 # Methods that Python has under another name, or not at all.
 METHODS = {
     "ContactSpots": {"label": "labels"},
+    "ElasticPair": dict.fromkeys(["is_coated", "response"], "as layers::Layer"),
+    "Material": dict.fromkeys(["coated", "is_coated", "layers"], "as layers::Layer"),
     "Field": {
         **dict.fromkeys(["from_fn", "from_indices", "from_vec", "constant", "zeros"], "Field(grid, samples)"),
         **dict.fromkeys(["add_scaled", "minus", "scaled", "map"], "arithmetic, and NumPy"),

@@ -120,6 +120,33 @@ class Repeats(StickslipError, ValueError):
     """The sum, in words."""
 
 
+class TooManyLayers(StickslipError, ValueError):
+    """More layers than a coated body may have."""
+
+    found: int
+    """Layers given."""
+    limit: int
+    """Layers allowed."""
+
+
+class Coated(StickslipError, ValueError):
+    """Asked of coated bodies, but known of homogeneous ones alone."""
+
+    quantity: str
+    """The question, in words."""
+    remedy: str
+    """The way round it, in words."""
+
+
+class NotDefinite(StickslipError, ValueError):
+    """The least eigenvalue of the compliance of coated bodies is not positive on the grid: nothing could be certified."""
+
+    eigenvalue: float
+    """The least eigenvalue (a length over a pressure)."""
+    sides: tuple[float, float]
+    """Sides of a cell (lengths)."""
+
+
 class CoupledMaterials(StickslipError, ValueError):
     """The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure."""
 
