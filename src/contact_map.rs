@@ -15,7 +15,7 @@ pub(crate) struct ContactMap<'a, F> {
     /// Whether it repeats along x and along y.
     pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
-    /// What ranks that hold a slab each have counted together: of their map nothing else is asked.
+    /// The counts of all ranks that hold a slab each; nothing else is asked of their map.
     pub(crate) counted: Option<&'a Survey>,
 }
 

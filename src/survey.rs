@@ -1,4 +1,4 @@
-//! What a map of contact comes to, counted strip by strip of its rows, by threads and by ranks.
+//! Counts of a map of contact, strip by strip of its rows, by threads and by ranks.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -403,7 +403,7 @@ fn over_ranks(slab: Strip, width: usize, team: &Team) -> Strip {
     strip
 }
 
-/// What travels of a survey.
+/// The part of a survey that travels.
 type Counts = (
     (usize, usize, usize),
     Option<[usize; 2]>,

@@ -19,7 +19,7 @@ pub(super) struct Kernels {
     cell_value: CellValue,
     /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
-    /// What coated bodies add to their outermost layers.
+    /// The part that coated bodies add to their outermost layers.
     rest: Option<Arc<Rest>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }

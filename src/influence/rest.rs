@@ -1,4 +1,4 @@
-//! What coated bodies add to the coefficients of their outermost layers.
+//! The part that coated bodies add to the coefficients of their outermost layers.
 
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::{LazyLock, OnceLock};

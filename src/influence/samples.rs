@@ -28,12 +28,12 @@ pub(crate) struct Samples {
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
-    /// What coated bodies add to each coefficient, in the same unit.
+    /// The part that coated bodies add to each coefficient, in the same unit.
     rest: Option<Arc<Rest>>,
     rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
 }
 
-/// What is sampled.
+/// A sampled quantity.
 #[derive(Debug, Clone, Copy)]
 enum Sampled {
     Integral(Integral),
@@ -179,7 +179,7 @@ impl Samples {
         Ok(values)
     }
 
-    /// What coated bodies add to a coefficient, at the points of a row; of a grid that repeats along y, of a line of
+    /// The part that coated bodies add to a coefficient, at the points of a row; of a grid that repeats along y, of a line of
     /// cells.
     fn rests_along_row(&self, component: Component, xs: &[f64], y: f64, out: &mut [f64]) {
         let Some(rest) = &self.rest else {

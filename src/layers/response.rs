@@ -2,7 +2,7 @@
 
 use crate::layers::Layer;
 
-/// What a wave of traction does to a surface, in lengths over pressures; the page of [`layers`](crate::layers) tells
+/// The effect of a wave of traction on a surface, in lengths over pressures; the page of [`layers`](crate::layers) tells
 /// the directions and signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -41,7 +41,7 @@ impl Response {
     }
 }
 
-/// What lies below all layers: a half-space by its modulus of shear and Poisson's ratio, or nothing that deforms.
+/// The base below all layers: a half-space by its modulus of shear and Poisson's ratio, or nothing that deforms.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Base {
     Rigid,

@@ -151,7 +151,7 @@ impl Ranks for Mpi {
     }
 }
 
-/// What a rank knows of the others. The communicator is asked for in each call: it cannot go from thread to thread.
+/// A rank's knowledge of the others. The communicator is asked for in each call: it cannot go from thread to thread.
 #[derive(Debug)]
 struct Post {
     patience: Duration,
