@@ -1,13 +1,19 @@
 #!/usr/bin/env bash
 # Installs what was built in a folder into a fresh prefix, and builds programs on it: by CMake against the shared and the
-# static library, as plug-ins, and, from another folder, by pkg-config. installed.sh BUILD CMAKE CC CXX
+# static library, as plug-ins, and, from another folder, by pkg-config. In the place of the folder there may be an archive, as
+# bindings/c/pack makes them. installed.sh BUILD CMAKE CC CXX
 set -euo pipefail
 build=$1 cmake=$2 cc=$3 cxx=$4
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
-"$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
+if [[ -d $build ]]; then
+    "$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
+else
+    mkdir "$work/prefix"
+    tar -C "$work/prefix" --strip-components=1 -xzf "$build"
+fi
 "$cmake" -S "$here/consumer" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_C_COMPILER="$cc" \
     -DCMAKE_CXX_COMPILER="$cxx" >/dev/null
 "$cmake" --build "$work/build" >/dev/null

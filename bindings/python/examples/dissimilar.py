@@ -1,5 +1,9 @@
 """An aluminium ball on steel: pressing alone makes the rim slip, and pressure and traction are found together."""
 
+# %% Different materials
+# Where Dundurs' beta is not zero a pressure moves the surfaces of the bodies along each other by different amounts. Friction
+# opposes that, so pressing alone makes the rim slip, and the traction changes the pressure.
+
 import stickslip as ss
 
 FORCE, STEPS = 60.0, 24  # N, steps while the contact radius grows to that of the force
@@ -8,6 +12,9 @@ grid = ss.Grid.square(128, 0.3)
 bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))  # MPa, mm
 ball = ss.surface.sphere(grid, 3.5)
 print(f"Dundurs' beta {bodies.pair.dundurs_beta:.3f}")
+
+# %% Pressed in steps, and at once
+# Spence's closed form is that of a contact that grows; a problem that is loaded at once comes to another state.
 
 # The history of pressing matters. Spence's stick radius is that of a contact which grows cell by cell: steps in equal parts
 # of the radius come to it, the more of them the closer. They begin at a quarter, where the stick zone has enough cells.
@@ -25,6 +32,9 @@ for friction in (0.075, 0.1, 0.125):
         f"   {contact.tangential.stick_ratio**0.5:7.3f}   {contact.report.error_estimate.pressure:31.1e}"
     )
     assert abs(step.stick_ratio**0.5 - spence.stick_radius) < 0.03
+
+# %% One-way coupling
+# The pressure of a contact without friction is cheaper, and off by a few per cent here.
 
 one_way = ss.History(bodies, ball, friction, coupling="one_way", model="vector")
 for part in range(STEPS // 4, STEPS + 1):

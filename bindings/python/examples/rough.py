@@ -1,5 +1,9 @@
 """A rough surface is pressed: area against load beside Persson's law, and the work that an accuracy takes."""
 
+# %% A self-affine surface
+# Amplitudes fall with a power of the wave number between two wavelengths; phases come from the seed. The same seed on a
+# finer grid gives the same surface with more points. The contact repeats along both axes, so it has no edge.
+
 import numpy as np
 
 import stickslip as ss
@@ -11,6 +15,10 @@ bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), bounda
 recipe = ss.surface.SelfAffine(rms_slope=0.1, hurst=0.8, roll_off_wavelength=0.25, cut_off_wavelength=0.05, seed=1)
 heights = recipe.generate(grid).heights
 print(ss.surface.Statistics(heights))
+
+# %% Area against load
+# The area grows in proportion to the load, until it saturates. A count of cells exceeds the true area by half a cell along
+# each edge; the corrected area does not. Persson's law is asymptotic: the parts differ by up to a third here.
 
 gap = ss.surface.gap_from_heights(heights)
 solver = ss.NormalSolver(bodies, gap, force=0.0, tolerance=1e-6)
@@ -24,6 +32,9 @@ for reduced in (0.02, 0.05, 0.1, 0.15):
     print(f"{reduced:24.2f}   {100 * areas[-1]:7.2f}   {100 * persson.contact_fraction:10.2f}   {len(contact.spots):5d}")
 assert np.all(np.diff(areas) > 0.0) and abs(areas[2] / 0.16 - 1.0) < 0.35
 
+# %% The price of digits
+# Each report has the number of products of the operator, the time and the certified error.
+
 reports = [
     ss.NormalProblem(bodies, gap, force=pressure * grid.area, tolerance=tolerance).solve().report
     for tolerance in (1e-2, 1e-4, 1e-6, 1e-8)
@@ -31,8 +42,14 @@ reports = [
 for report in reports:
     print(report)
 
+# %% Sheared
+# Under half of the force of sliding a good half of a rough contact sticks.
+
 tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=0.15 * contact.force).solve()
 print(f"at half the friction limit {100 * tangential.stick_ratio:.0f} % of the contact sticks")
+
+# %% Pictures
+# Lengths are those of the side of the grid, pressures those of Young's modulus: E = 1, L = 1.
 
 try:
     from stickslip import plot
@@ -40,7 +57,6 @@ try:
 except ImportError:
     print("no matplotlib, no picture")
 else:
-    # Lengths are those of the side of the grid, pressures those of Young's modulus: E = 1, L = 1.
     _, axes = pyplot.subplots(2, 2, figsize=(11, 8))
     plot.pressure_map(contact, axes[0, 0], length_unit="L", unit="E")
     plot.stick_map(tangential, axes[0, 1], length_unit="L")

@@ -1,5 +1,8 @@
 """Stresses below a dragged ball: von Mises on planes, the deepest point by its depth, a volume for ParaView."""
 
+# %% Surface tractions
+# A pressed and dragged ball, as in the tutorials before. Units are mm, N and MPa.
+
 import pathlib
 import tempfile
 
@@ -13,6 +16,10 @@ bodies = ss.HalfSpace(grid, (steel, steel))
 contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
 tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
 hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
+
+# %% Planes
+# Stresses on planes at chosen depths, by transforms. Under the pressure alone the largest shear stress lies on the axis at
+# 0.48 contact radii; friction moves it towards the surface.
 
 # From a side of a cell below the surface on: at the surface itself the stress at the edge of a sheared contact converges as
 # the root of the cells, of which a warning tells.
@@ -29,15 +36,24 @@ deepest = max(pressed, key=lambda plane: plane.max_shear.max())
 assert abs(deepest.depth / hertz.contact_radius - 0.48) < 0.1
 assert abs(deepest.max_shear.max() / hertz.max_pressure - 0.31) < 0.01
 
+# %% Points
+# The same stress tensor at any points, as sums over the cells; stress is positive in tension.
+
 below = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, depth) for depth in depths])
 largest = int(below.max_shear.argmax())
 print(f"largest shear stress on the axis at the depth {depths[largest]:.3f} mm: {below[largest].stress}")
 assert abs(below.max_shear.max() / deepest.max_shear.max() - 1.0) < 0.01
 
+# %% A volume for other programs
+# ParaView and other programs of VTK read all planes as one image.
+
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "stress.vti"
     planes.write_vti(file, "one", (contact, tangential))
     print(f"volume for ParaView: {file.stat().st_size} bytes")
+
+# %% Pictures
+# Sections through the planes at y = 0: von Mises stress and stress along x.
 
 try:
     from stickslip import plot

@@ -1,5 +1,8 @@
 """Fretting wear of a ball by the energy that each cell dissipates, with jumps over cycles; the state is saved."""
 
+# %% A fretting loop
+# The ball is held under 100 N and its partner is moved by a micrometre to and fro. What each cell dissipates wears it.
+
 import pathlib
 import tempfile
 
@@ -18,6 +21,10 @@ history.step(normal_force=FORCE)
 path = LoadPath.triangle((1e-6, 0.0), 8)
 # After each jump as many cycles as it takes until one stands for those that follow.
 loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift), until_steady=0.05)
+
+# %% Jumps over cycles
+# One cycle stands for those that follow as long as the gap changes little. The jump is as long as the largest depth allows,
+# and no longer than the worn gap stays stable.
 
 done, jumps, worn_volume = 0.0, 0, 0.0
 while done < CYCLES:
@@ -39,6 +46,9 @@ while done < CYCLES:
 print(f"{done:.0f} cycles in {jumps} jumps: {worn_volume * 1e18:.2f} um^3 worn, {cycle.regime}, {cycle.summary_as_csv()}")
 assert worn_volume > 0.0 and cycle.regime == ss.history.Regime.PARTIAL_SLIP
 
+# %% Saved and restored
+# A history is saved with all that the next step depends on. The restored one continues to the last bit.
+
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "worn"
     history.save(file)
@@ -50,6 +60,9 @@ print(f"approach {approach * 1e6:.3f} um before, {step.approach * 1e6:.3f} um af
 # grid, the higher its largest value, which is therefore no result. Volume and approach change by less than 0.5 % on 48 to
 # 128 cells.
 assert step.approach > approach
+
+# %% Pictures
+# The loop of force and shift of the last cycle.
 
 try:
     from stickslip import plot

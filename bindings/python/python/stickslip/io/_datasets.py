@@ -41,8 +41,7 @@ def to_xarray(solution: Any) -> xarray.Dataset:
 
     Parameters
     ----------
-    solution : NormalSolution, TangentialSolution, (NormalSolution, TangentialSolution), CoupledSolution, State, History, \\
-        Field, or sequence of Plane
+    solution : NormalSolution, TangentialSolution, tuple of both, CoupledSolution, State, History, Field, or sequence of Plane
         What is exported. The normal force of a solution of both halves is ``normal_force``. Planes, as of
         :meth:`Planes.solve_all`, have the further dimension ``depth``.
 

@@ -1,0 +1,254 @@
+"""The pages of the site that are made of what stands elsewhere: READMEs, the guide and the module pages of the crate, the
+C header, and the examples in Python, which are executed."""
+
+import contextlib
+import importlib
+import io
+import os
+import pathlib
+import pkgutil
+import re
+import sys
+
+import stickslip
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CRATE = "https://docs.rs/stickslip/latest/stickslip"
+REPOSITORY = re.search(r'^repository = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.M)[1]
+
+# Page: its file, and where a part of the file is meant its first heading and that after it.
+INCLUDED = {
+    "introduction": ("README.md", "# stickslip", "## Two commands"),
+    "python": ("bindings/python/README.md",),
+    "c": ("bindings/c/README.md",),
+    "gallery": ("examples/README.md",),
+    "comparison": ("README.md", "## Speed against error", "## What is modelled, and what is not"),
+    "measurements": ("benches/README.md",),
+    "changes": ("CHANGELOG.md",),
+    "faq": ("src/guide/why_is_my_answer_wrong.md",),
+    "errata": ("src/guide/errata.md",),
+    "theory/solver": ("src/cgm/mod.rs",),
+    "theory/influence": ("src/influence/mod.rs",),
+    "theory/layers": ("src/layers/mod.rs",),
+    "theory/edges": ("src/edges/mod.rs",),
+    "theory/rolling": ("src/rolling/mod.rs",),
+    "theory/stiffness": ("src/stiffness/mod.rs",),
+    "theory/subsurface": ("src/subsurface/mod.rs",),
+    "theory/history": ("src/history/mod.rs",),
+    "guide/rough_surfaces": ("src/guide/rough_surfaces.md",),
+    "guide/fretting_and_wear": ("src/guide/fretting_and_wear.md",),
+    "guide/growing_contacts": ("src/guide/growing_contacts.md",),
+    "guide/dissimilar_bodies": ("src/guide/dissimilar_bodies.md",),
+    "guide/hard_cases": ("src/guide/hard_cases.md",),
+}
+TITLES = {
+    "python": "Python",
+    "c": "C, C++ and Fortran",
+    "gallery": "Gallery",
+    "measurements": "How it was measured",
+    "comparison": "Speed, and other codes",
+    "faq": "Why is my answer wrong?",
+    "errata": "Errata of the paper",
+    "theory/solver": "Solver and certificate",
+    "theory/influence": "Influence coefficients",
+    "theory/layers": "Coated bodies",
+    "theory/edges": "Edges inside the cells",
+    "theory/rolling": "Steady rolling",
+    "theory/stiffness": "Stiffness",
+    "theory/subsurface": "Stresses below the surface",
+    "theory/history": "Histories",
+    "guide/rough_surfaces": "Rough surfaces",
+    "guide/fretting_and_wear": "Fretting and wear",
+    "guide/growing_contacts": "Growing contacts",
+    "guide/dissimilar_bodies": "Dissimilar bodies",
+    "guide/hard_cases": "Hard cases",
+}
+TUTORIALS = ("press", "shear", "rough", "dissimilar", "subsurface", "wear")
+PAGE_OF = {files[0]: page for page, files in INCLUDED.items() if len(files) == 1}
+IMAGE = re.compile(r'(?:!\[(?P<text>[^\]]*)\]\((?P<file>[^)]*)\)|<img src="(?P<source>[^"]*)"[^>]*alt="(?P<alt>[^"]*)">)')
+# A link whose words may be code, and whose target may have brackets of its own: `[`sum`](crate::surface::sum())`.
+LINK = re.compile(r"(?<!!)\[(?P<words>`[^`]*`|[^\]\[]+)\]\((?P<target>[^()\s]*(?:\(\))?[^()\s]*)\)")
+DEFINITION = re.compile(r"^(?P<name>\[[^\]]+\]): (?P<target>crate\S*)$", re.M)
+# A name of an item alone: [`History`].
+NAME = re.compile(r"(?<!\])\[`(?P<name>[\w:]+(?:\(\))?)`\](?![(\[:])")
+
+
+def write(folder: pathlib.Path) -> None:
+    """Writes all pages into the folder, beside those that are there."""
+    for page, (file, *part) in INCLUDED.items():
+        put(folder / f"{page}.md", included(folder, page, file, *part))
+    for name in TUTORIALS:
+        put(folder / "tutorials" / f"{name}.md", tutorial(folder, name))
+    put(folder / "c_reference.md", c_reference())
+    for name, text in api():
+        put(folder / "api" / f"{name}.md", text)
+
+
+def put(file: pathlib.Path, text: str) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+
+
+def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: str = "") -> str:
+    text = (ROOT / file).read_text()
+    if file.endswith(".rs"):
+        lines = [line for line in text.splitlines() if line.startswith("//!")]
+        text = "\n".join(line.removeprefix("//!").removeprefix(" ") for line in lines)
+    if first:
+        text = text[text.index(first) + len(first) : text.index(end)]
+    if page in TITLES:
+        text = re.sub(r"\A# .*\n", "", text)
+    parts = re.split(r"(^ *```.*?^ *```$)", text, flags=re.M | re.S)
+    # Headings of the first level stand below the title.
+    below = page in TITLES and any(re.search(r"^# ", part, re.M) for part in parts[::2])
+    parts[::2] = [prose(folder, page, file, re.sub(r"^#", "##", part, flags=re.M) if below else part) for part in parts[::2]]
+    parts[1::2] = [code(part) for part in parts[1::2]]
+    title = f"# {TITLES[page]}\n\n" if page in TITLES else ""
+    return title + "".join(parts)
+
+
+def code(block: str) -> str:
+    """A block as it is shown: Rust without its hidden lines, formulas as formulas."""
+    head, *lines = block.splitlines()
+    language = head.strip().removeprefix("```")
+    if language == "math":
+        return "\n".join([head.replace("```math", "```{math}"), *lines])
+    if language in {"", "rust", "no_run", "ignore"} and any("use stickslip" in line or "?;" in line for line in lines):
+        lines = [line for line in lines if not line.lstrip().startswith("# ") and line.strip() != "#"]
+        return "\n".join([head.replace(f"```{language}", "```rust"), *lines])
+    return block
+
+
+def prose(folder: pathlib.Path, page: str, file: str, text: str) -> str:
+    text = re.sub(r"\$`([^`]*)`\$", r"${\1}$", text)
+    text = IMAGE.sub(lambda match: picture(folder, page, file, match), text)
+    text = DEFINITION.sub(lambda match: f"{match['name']}: {of_crate(page, match['target'])}", text)
+    text = LINK.sub(lambda match: link(page, file, match), text)
+    return NAME.sub(lambda match: f"[`{match['name'].removeprefix('crate::')}`]({of_crate(page, match['name'])})", text)
+
+
+def picture(folder: pathlib.Path, page: str, file: str, match: re.Match) -> str:
+    """A picture of the repository, copied beside the pages."""
+    source = (ROOT / file).parent / (match["file"] or match["source"])
+    copy = folder / "pictures" / source.name
+    copy.parent.mkdir(exist_ok=True)
+    copy.write_bytes(source.read_bytes())
+    words = match["text"] or match["alt"]
+    return f"![{words}]({up(page)}pictures/{source.name})"
+
+
+def up(page: str) -> str:
+    return "../" * page.count("/")
+
+
+def link(page: str, file: str, match: re.Match) -> str:
+    words, target = match["words"], match["target"]
+    if target.startswith(("http", "#", "mailto")):
+        return match[0]
+    if "::" in target or target.startswith(("crate", "fn@")) or re.fullmatch(r"[A-Z]\w*|\w+\(\)", target):
+        return f"[{words}]({of_crate(page, target)})"
+    path, _, place = target.partition("#")
+    found = os.path.normpath((ROOT / file).parent / path)
+    inside = os.path.relpath(found, ROOT)
+    if not os.path.exists(found):
+        sys.exit(f"{file}: no {target}")
+    if inside in PAGE_OF:
+        return f"[{words}]({up(page)}{PAGE_OF[inside]}.md{'#' + place if place else ''})"
+    return f"[{words}]({REPOSITORY}/blob/HEAD/{inside})"
+
+
+def of_crate(page: str, target: str) -> str:
+    """The page of a link between items of the crate: one of the site, that of a module, or what a search finds."""
+    path, _, place = re.sub(r"^(fn|mod|struct)@", "", target).removesuffix("()").partition("#")
+    names = [name for name in path.split("::") if name not in {"crate", "self", "super"}]
+    inside = "/".join(names)
+    anchor = f"#{place}" if place else ""
+    for file in (f"src/{inside}.md", f"src/{inside}/mod.rs"):
+        if file in PAGE_OF:
+            return f"{up(page)}{PAGE_OF[file]}.md{anchor}"
+    is_module = any((ROOT / "src" / (inside + end)).exists() for end in (".md", ".rs", "/mod.rs"))
+    if not names or is_module:
+        return f"{CRATE}/{inside}{'/' if names else ''}index.html{anchor}"
+    return f"{CRATE}/index.html?search={'%3A%3A'.join(names[-2:])}"
+
+
+def cells(source: str) -> list[tuple[str, str, str]]:
+    """Heading, prose and code of each cell of an example: `# %% Heading`, then comment lines as prose, then code."""
+    found = []
+    for part in re.split(r"^# %% ", source, flags=re.M)[1:]:
+        heading, _, rest = part.partition("\n")
+        comment = re.match(r"(?:#.*\n)*", rest)[0]
+        words = "\n".join(line.removeprefix("#").removeprefix(" ") for line in comment.splitlines())
+        found.append((heading, words, rest[len(comment) :].strip("\n")))
+    return found
+
+
+def tutorial(folder: pathlib.Path, name: str) -> str:
+    """An example, executed cell by cell: a failed assertion fails the site."""
+    file = ROOT / "bindings" / "python" / "examples" / f"{name}.py"
+    source = file.read_text()
+    title, _, _ = source.partition("\n")
+    title = re.split("[:,;]", title.strip('."'))[0]
+    namespace = {"__name__": "__main__"}
+    pictures = folder / "tutorials" / "pictures"
+    pictures.mkdir(parents=True, exist_ok=True)
+    inside = file.relative_to(ROOT)
+    parts = [f"# {title}\n", f"The code of this page is [`{name}.py`]({REPOSITORY}/blob/HEAD/{inside}).\n"]
+    for heading, words, lines in cells(source):
+        before, printed = set(pictures.iterdir()), io.StringIO()
+        with contextlib.chdir(pictures), contextlib.redirect_stdout(printed):
+            exec(compile(lines, str(file), "exec"), namespace)
+        parts.append(f"## {heading}\n\n{words}\n\n```python\n{lines}\n```\n")
+        if printed.getvalue():
+            parts.append(f"```text\n{printed.getvalue()}```\n")
+        parts += [f"![{heading}](pictures/{new.name})\n" for new in sorted(set(pictures.iterdir()) - before)]
+    return "\n".join(parts)
+
+
+def api() -> list[tuple[str, str]]:
+    """A page for each public module, and their list. A name stands on one page only, that of a submodule rather than the first."""
+    submodules = [name for _, name, _ in pkgutil.walk_packages(stickslip.__path__, "stickslip.") if "._" not in name]
+    pages, documented = [], set()
+    for name in [*submodules, "stickslip"]:
+        module = importlib.import_module(name)
+        members = set(getattr(module, "__all__", ())) or {member for member in vars(module) if member[0] != "_"}
+        # Functions of the readers and writers have the same names in each module.
+        excluded = members & documented if name.count(".") < 2 else set()
+        pages.append((name.removeprefix("stickslip."), page_of_module(name, excluded)))
+        documented |= members
+    names = "\n".join(name for name, _ in [pages[-1], *pages[:-1]])
+    text = "The same texts are shown by `help(...)` of each name."
+    return [*pages, ("index", f"# Python reference\n\n{text}\n\n```{{toctree}}\n:maxdepth: 1\n\n{names}\n```\n")]
+
+
+def page_of_module(name: str, excluded: set[str]) -> str:
+    option = f"   :exclude-members: {', '.join(sorted(excluded))}\n" if excluded else ""
+    return f"# {name}\n\n```{{eval-rst}}\n.. automodule:: {name}\n{option}```\n"
+
+
+def c_reference() -> str:
+    """Functions and types of the header, each with the comment above it."""
+    header = (ROOT / "bindings" / "c" / "include" / "stickslip.h").read_text()
+    comment = re.match(r"/\*(.*?)\*/", header, re.S)[1]
+    rules = "\n".join(line.removeprefix(" *").removeprefix(" ") for line in comment.splitlines())
+    parts = [f"# C reference\n\n{said(rules.strip())}\n"]
+    constants = re.findall(r"((?:^//.*\n)+)#define (STICKSLIP_\w+) (.*)\n", header, re.M)
+    declarations = re.findall(r"((?:^//.*\n)+)((?:^(?!//|#|\n).*\n)+)", header, re.M)
+    types = [(words, lines) for words, lines in declarations if lines.startswith("typedef")]
+    functions = [(words, lines) for words, lines in declarations if not lines.startswith("typedef")]
+    parts.append("## Functions\n")
+    parts += [entry(words, re.search(r"\bstickslip_\w+(?=\()", lines)[0], lines) for words, lines in functions]
+    parts.append("## Types\n")
+    parts += [entry(words, re.findall(r"\bstickslip_\w+", lines)[-1], lines) for words, lines in types]
+    parts.append("## Constants\n\n| name | value | |\n|---|---|---|")
+    parts += [f"| `{name}` | {value} | {' '.join(said(words).split())} |" for words, name, value in constants]
+    return "\n".join(parts) + "\n"
+
+
+def entry(words: str, name: str, lines: str) -> str:
+    return f"### {name}\n\n{said(words)}\n```c\n{lines}```\n"
+
+
+def said(comment: str) -> str:
+    """The words of a comment; what would be markup is not."""
+    return re.sub(r"([*_|<\[\]])", r"\\\1", re.sub(r"^// ?", "", comment, flags=re.M))
