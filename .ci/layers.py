@@ -54,7 +54,7 @@ LAYERS = [
         "fft": FOUNDATION | {"operator", "influence"},
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
-        "surface": {"error", "grid", "field", "layout", "parallel", "ranks", "reduce", "report", "serial", "share", "watch"},
+        "surface": {"error", "fft", "grid", "field", "layout", "parallel", "ranks", "reduce", "report", "serial", "share", "watch"},
         "io": {"error", "grid", "field", "ranks", "share"},
     }),
     ("the engine, and what it works on", {

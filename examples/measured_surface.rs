@@ -1,12 +1,16 @@
-//! A surface from a file: levelled, its holes filled, characterised, pressed on a plane, sheared, and every
-//! field written for other programs.
+//! A surface from a file: levelled, freed of outliers, filtered, its holes filled, pressed on a plane, sheared, and every
+//! field written for other programs. A table tells what each step changes in surface and contact.
 //!
 //! `cargo run --release -p stickslip --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
-//! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent and with holes, as
-//! `target/gallery/measured.sdf`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv`
-//! and `.svg`.
+//! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent, noisy and with outliers and holes,
+//! as `target/gallery/measured.sur`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv` and `.svg`.
 
-#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+#![allow(
+    clippy::print_stdout,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "an example shows its numbers, and writes a file of 32 bits a point"
+)]
 
 mod support;
 
@@ -15,7 +19,7 @@ use std::path::{Path, PathBuf};
 
 use stickslip::analytical::{Persson, RoughSphere};
 use stickslip::io::vti::Array;
-use stickslip::surface::{self, Form, SelfAffine, Statistics};
+use stickslip::surface::{self, Form, GaussianFilter, SelfAffine, Statistics};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
     NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
@@ -28,6 +32,10 @@ const FRICTION: f64 = 0.3;
 const LOADING: f64 = 0.5;
 /// Fraction of the surface that should be in contact, by theory.
 const AREA: f64 = 0.05;
+/// Nesting index of the S filter, five cells: shorter waves are those of the instrument.
+const S_FILTER: f64 = 2.5e-6;
+/// Heights are outliers that differ so many standard deviations from those around them.
+const OUTLYING: f64 = 6.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let file = match std::env::args().nth(1) {
@@ -35,23 +43,30 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => make_measurement()?,
     };
     let measured = io::read(&file)?;
-    let heights = prepare(&measured)?;
-    let statistics = Statistics::of(&heights)?;
-    println!("{statistics}");
+    let levelled = surface::level(&measured, Form::Polynomial(2))?.into_heights();
+    let inlying = without_outliers(&levelled)?;
+    // Missing heights have no weight in the filter, and are filled afterwards.
+    let filtered = GaussianFilter::s(S_FILTER).apply(&inlying)?.into_heights();
+    // Filled before its tilt is taken off, a surface would be filled askew near its edges.
+    let filled = |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
+    let heights = filled(&filtered)?;
 
     let steel = Material::new(210e9, 0.3)?;
     let pair = ElasticPair::new(steel, steel)?;
     // The grid is a sample of a larger, nominally flat surface.
     let bodies = HalfSpace::with_boundary(heights.grid(), pair, Boundary::Periodic)?;
     // A measurement is not periodic: its spectral slope would include the step from edge to edge.
-    let slope = statistics.finite_difference_rms_slope();
+    let slope = Statistics::of(&heights)?.finite_difference_rms_slope();
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
-    let gap = surface::gap_from_heights(&heights)?;
-    let force = pressure * gap.grid().area();
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force))
-        .tolerance(1e-6)
-        .build()?
-        .solve()?;
+    let force = pressure * heights.grid().area();
+
+    println!("all pressed by {force:.3e} N, holes filled:");
+    println!("step       missing  rms height, nm  rms slope  spots  largest pressure, GPa  contact, %");
+    for (step, heights) in [("levelled", &levelled), ("inlying", &inlying)] {
+        print_step(step, heights, &press(&bodies, &filled(heights)?, force)?)?;
+    }
+    let normal = press(&bodies, &heights, force)?;
+    print_step("filtered", &filtered, &normal)?;
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::force([LOADING * FRICTION * force, 0.0]);
     let tangential = TangentialProblem::builder(&bodies, &normal, friction, load)
@@ -69,49 +84,119 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A typical measurement: 400 x 300 points of a ground surface, tilted, with form and holes.
+/// A typical measurement: 400 x 300 points of a ground surface, tilted, with form, holes, outliers and the noise of the
+/// instrument.
 fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     let grid = Grid::new(400, 300, 0.5e-6, 0.4e-6)?;
     let rough = SelfAffine::with_rms_height(0.25e-6)
         .roll_off_wavelength(40e-6)
-        .cut_off_wavelength(4e-6)
+        .cut_off_wavelength(8e-6)
         .skewness(-0.4)
         .kurtosis(3.2)
         .cropped()
         .generate(grid)?;
+    // White as that of a camera: waves of all lengths, each point by itself.
+    let noise = SelfAffine::with_rms_height(5e-9)
+        .hurst(0.0)
+        .roll_off_wavelength(1e-6)
+        .cut_off_wavelength(1e-6)
+        .seed(1)
+        .generate(grid)?;
     let form = Field::from_fn(grid, |x, y| {
         4e-3 * x - 7e-3 * y + 30.0 * (x * x - 0.3 * x * y)
     });
-    let mut measured = surface::sum(&[rough.heights(), &form])?;
-    // Steep valleys and a speck of dust reflect no light.
+    let mut measured = surface::sum(&[rough.heights(), noise.heights(), &form])?;
+    // Steep valleys and a speck of dust reflect no light, or too much of it at single points.
     let statistics = Statistics::of(rough.heights())?;
     let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
     let flat = rough.heights().as_slice().iter().zip(dust.as_slice());
-    for (height, (z, distance)) in measured.as_mut_slice().iter_mut().zip(flat) {
+    for (cell, (height, (z, distance))) in measured.as_mut_slice().iter_mut().zip(flat).enumerate() {
         if *z < -2.2 * statistics.rms_height() || *distance < 3e-6 {
             *height = f64::NAN;
+        } else if cell % 3989 == 0 {
+            *height += 1.2e-6;
         }
     }
-    let path = support::gallery("measured.sdf")?;
-    io::sdf::write(&path, &measured)?;
+    let path = support::gallery("measured.sur")?;
+    std::fs::write(&path, sur(&measured))?;
     Ok(path)
 }
 
-/// Levels the surface before its holes are filled: near an edge, holes in a tilted surface would be filled askew.
-fn prepare(measured: &Field) -> Result<Field, Box<dyn Error>> {
-    let grid = measured.grid();
-    let levelled = surface::level(measured, Form::Polynomial(2))?;
-    let filled = surface::fill_missing(levelled.heights())?;
+/// A SUR file of 32 bits a point, in units of 0.1 nm, as an instrument writes it.
+fn sur(heights: &Field) -> Vec<u8> {
+    let (grid, unit) = (heights.grid(), 1e-10);
+    let counts = heights.iter().map(|z| (z / unit).round() as i32);
+    let counts: Vec<i32> = counts.collect();
+    let known = || heights.iter().zip(&counts).filter(|(z, _)| !z.is_nan());
+    let least = known().map(|(_, &count)| count).min().unwrap_or(0);
+    let most = known().map(|(_, &count)| count).max().unwrap_or(0);
+    let mut file = vec![0; 512];
+    let mut put = |at: usize, bytes: &[u8]| file[at..at + bytes.len()].copy_from_slice(bytes);
+    put(0, b"DIGITAL SURF");
+    // One object, version 1, a surface; points may be missing; bits of a point.
+    for (at, value) in [(14, 1u16), (16, 1), (18, 2), (86, 1), (98, 32)] {
+        put(at, &value.to_le_bytes());
+    }
+    put(100, &least.to_le_bytes());
+    put(104, &most.to_le_bytes());
+    let (nx, ny) = (grid.nx() as u32, grid.ny() as u32);
+    for (at, count) in [(108, nx), (112, ny), (116, nx * ny)] {
+        put(at, &count.to_le_bytes());
+    }
+    for (at, side) in [(120, grid.dx()), (124, grid.dy()), (128, unit)] {
+        put(at, &(side as f32).to_le_bytes());
+    }
+    for at in [180, 196, 212] {
+        put(at, b"m");
+    }
+    let points = heights.iter().zip(counts);
+    let points = points.map(|(z, count)| if z.is_nan() { least - 2 } else { count });
+    file.extend(points.flat_map(i32::to_le_bytes));
+    file
+}
+
+/// The surface without the heights that differ too much from the mean around them: NaN in their place.
+fn without_outliers(heights: &Field) -> Result<Field, Box<dyn Error>> {
+    let grid = heights.grid();
+    let around = GaussianFilter::s(8.0 * grid.dx().max(grid.dy())).apply(heights)?;
+    let mut differences: Vec<f64> = (heights.minus(around.heights())?.iter())
+        .filter(|z| !z.is_nan())
+        .map(|z| z.abs())
+        .collect();
+    // The median is that of the surface, however high a few outliers are.
+    differences.sort_by(f64::total_cmp);
+    let deviation = 1.4826 * differences[differences.len() / 2];
+    let mut inlying = heights.clone();
+    for (z, mean) in inlying.as_mut_slice().iter_mut().zip(around.heights().iter()) {
+        if (*z - mean).abs() > OUTLYING * deviation {
+            *z = f64::NAN;
+        }
+    }
+    Ok(inlying)
+}
+
+fn press(bodies: &HalfSpace, heights: &Field, force: f64) -> stickslip::Result<NormalSolution> {
+    let gap = surface::gap_from_heights(heights)?;
+    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+        .tolerance(1e-6)
+        .build()?
+        .solve()
+}
+
+/// A step of the preparation: the surface before it is filled, and the contact after.
+fn print_step(step: &str, heights: &Field, normal: &NormalSolution) -> stickslip::Result<()> {
+    let filled = surface::fill_missing(heights)?;
+    let statistics = Statistics::of(filled.heights())?;
     println!(
-        "{} x {} points of {:.3e} x {:.3e} m, {} filled; form of {:.2e} m taken off",
-        grid.nx(),
-        grid.ny(),
-        grid.dx(),
-        grid.dy(),
+        "{step:10} {:7}  {:14.1}  {:9.4}  {:5}  {:21.2}  {:10.2}",
         filled.filled_cells(),
-        levelled.form().max() - levelled.form().min()
+        1e9 * statistics.rms_height(),
+        statistics.finite_difference_rms_slope(),
+        normal.spots().as_slice().len(),
+        1e-9 * normal.pressure().max(),
+        100.0 * normal.contact_area_corrected() / normal.grid().area()
     );
-    Ok(filled.into_heights())
+    Ok(())
 }
 
 fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theory: &Persson) {

@@ -75,7 +75,7 @@
 //! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`], [`History::edges`]; [`edges`] |
 //! | find out why a number looks wrong | the page [why is my answer wrong](guide::why_is_my_answer_wrong) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
-//! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
+//! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`GaussianFilter`](surface::GaussianFilter), [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |

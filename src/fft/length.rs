@@ -11,7 +11,7 @@ pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
 /// The even length `2^a 3^b 5^c >= least` whose transform costs least (1 for `least <= 1`).
 ///
 /// It grows with `least`: a candidate that is best for less and long enough is best for more.
-pub(super) fn smooth_length(least: usize) -> usize {
+pub(crate) fn smooth_length(least: usize) -> usize {
     if least <= 1 {
         return 1;
     }

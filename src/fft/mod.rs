@@ -32,5 +32,6 @@ mod tiles;
 pub(crate) use convolution::samples;
 pub use convolution::{Convolution, ConvolutionWorkspace};
 pub use inverse::CirculantInverse;
+pub(crate) use length::smooth_length;
 pub use single::SingleWorkspace;
 pub(crate) use superposition::{Kernels, Superposition, Torus};

@@ -11,14 +11,15 @@
 //!
 //! # Measured surfaces
 //! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap
-//! from a measurement, level it ([`level`](level())), close its holes with
-//! [`fill_missing`], select a part with [`crop()`] or [`resample()`], and set it against a plane with
+//! from a measurement, level it ([`level`](level())), take off the noise of the instrument with a [`GaussianFilter`], close
+//! its holes with [`fill_missing`], select a part with [`crop()`] or [`resample()`], and set it against a plane with
 //! [`gap_from_heights`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
 //! characterise it.
 
 mod crop;
 mod differences;
 mod fill;
+mod filter;
 mod fourier;
 mod gap;
 mod heights;
@@ -33,6 +34,7 @@ mod sum;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};
+pub use filter::{Filtered, GaussianFilter};
 pub use gap::{gap_between, gap_from_heights, inverted, mirror_x};
 pub(crate) use level::level_slab;
 pub use level::{Form, Levelled, level};

@@ -53,6 +53,7 @@ mod files_of_slabs_are_those_of_the_whole;
 mod files_survive_a_round_trip;
 mod fretting_loops_become_steady;
 mod frozen_scenes;
+mod gaussian_filters;
 mod growing_contacts_take_any_steps;
 #[cfg(feature = "dense")]
 mod hard_cases_are_right;

@@ -13,8 +13,9 @@ use crate::digits::short;
 use crate::due::kind_of;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
-use crate::pickle::picklable;
+use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{is_real, misshapen, plane};
+use crate::unit::{Unit, metres, one_of};
 
 /// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
 ///
@@ -29,6 +30,9 @@ use crate::real::{is_real, misshapen, plane};
 ///     Where it lives.
 /// samples : array_like of shape (ny, nx), or float
 ///     Its values, row-major with x fastest; or one for all cells.
+/// unit : str, optional
+///     The unit of the lengths of a surface, such as ``"um"``. What is made of the surface keeps it, and surfaces of
+///     several units are refused together; the package computes in any, and asks for none.
 ///
 /// Examples
 /// --------
@@ -40,20 +44,67 @@ use crate::real::{is_real, misshapen, plane};
 /// >>> (field + 1.0).array[0]
 /// array([1., 2., 3., 4.])
 #[pyclass(frozen, eq, module = "stickslip")]
-#[derive(Clone, PartialEq)]
-pub(crate) struct Field(pub(crate) Arc<stickslip::Field>);
+#[derive(Clone)]
+pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit>);
+
+/// Of the same samples, and in the same unit where both state one.
+impl PartialEq for Field {
+    fn eq(&self, other: &Self) -> bool {
+        let is_other = |(own, other): (&Unit, &Unit)| own != other;
+        self.0 == other.0 && !self.1.as_ref().zip(other.1.as_ref()).is_some_and(is_other)
+    }
+}
 
 impl From<stickslip::Field> for Field {
     fn from(field: stickslip::Field) -> Self {
-        Self(Arc::new(field))
+        Arc::new(field).into()
+    }
+}
+
+impl From<Arc<stickslip::Field>> for Field {
+    fn from(field: Arc<stickslip::Field>) -> Self {
+        Self(field, None)
     }
 }
 
 #[pymethods]
 impl Field {
     #[new]
-    fn new(py: Python<'_>, grid: &Grid, samples: Samples<'_>) -> PyResult<Self> {
-        samples.on(py, "samples", grid.0).map(Self)
+    #[pyo3(signature = (grid, samples, unit=None))]
+    fn new(
+        py: Python<'_>,
+        grid: &Grid,
+        samples: Samples<'_>,
+        unit: Option<&str>,
+    ) -> PyResult<Self> {
+        let unit = unit.map(Unit::from).or(samples.unit()?);
+        Ok(Self(samples.on(py, "samples", grid.0)?, unit))
+    }
+
+    /// The unit of the lengths of a surface, if it is known.
+    #[getter]
+    fn unit(&self) -> Option<&str> {
+        self.1.as_deref()
+    }
+
+    /// A surface in another unit: its heights and the sides of its cells, from its own unit.
+    ///
+    /// Units are m, dm, cm, mm, um, nm, pm and A, and the micro sign in the place of u.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     If the unit of the surface is not known, or either is none of these.
+    fn to_unit(&self, py: Python<'_>, unit: &str) -> PyResult<Self> {
+        let own = self.1.as_deref().ok_or_else(|| {
+            PyValueError::new_err("the surface has no unit: Field(grid, samples, unit=...)")
+        })?;
+        let factor = metres(own)? / metres(unit)?;
+        let (grid, samples) = (self.0.grid(), self.0.scaled(factor).into_vec());
+        let grid =
+            stickslip::Grid::new(grid.nx(), grid.ny(), grid.dx() * factor, grid.dy() * factor);
+        let field = grid.and_then(|grid| stickslip::Field::from_vec(grid, samples));
+        Ok(Self(Arc::new(field.or_raise(py)?), Some(unit.into())))
     }
 
     /// The grid.
@@ -157,19 +208,19 @@ impl Field {
     }
 
     fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own + other)
+        self.of_one_unit(py, &other, |own, other| own + other)
     }
 
     fn __radd__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| other + own)
+        self.of_one_unit(py, &other, |own, other| other + own)
     }
 
     fn __sub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own - other)
+        self.of_one_unit(py, &other, |own, other| own - other)
     }
 
     fn __rsub__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| other - own)
+        self.of_one_unit(py, &other, |own, other| other - own)
     }
 
     fn __mul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
@@ -189,7 +240,14 @@ impl Field {
     }
 
     fn __neg__(&self) -> Self {
-        self.0.scaled(-1.0).into()
+        Self(Arc::new(self.0.scaled(-1.0)), self.1.clone())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(
+            py,
+            &((*self.0).clone(), self.1.as_deref().map(String::from)),
+        )
     }
 
     fn __repr__(&self) -> String {
@@ -197,17 +255,43 @@ impl Field {
         if self.0.min() > self.0.max() {
             return format!("Field({size}, all NaN)");
         }
+        let unit = self.1.as_ref().map(|unit| format!(" {unit}"));
         format!(
-            "Field({size}, {} to {})",
+            "Field({size}, {} to {}{})",
             short(self.0.min()),
-            short(self.0.max())
+            short(self.0.max()),
+            unit.unwrap_or_default()
         )
     }
 }
 
-picklable!(Field: stickslip::Field);
+impl Stored for Field {
+    type Content = (stickslip::Field, Option<String>);
+
+    const KIND: &'static str = "Field";
+
+    fn of_content((field, unit): Self::Content) -> Self {
+        Self(Arc::new(field), unit.map(Unit::from))
+    }
+}
 
 impl Field {
+    /// What has been made of surfaces in this unit.
+    pub(crate) fn made(field: stickslip::Field, unit: Option<Unit>) -> Self {
+        Self(Arc::new(field), unit)
+    }
+
+    /// An operation of each cell with that of another field, which must be in the same unit.
+    fn of_one_unit(
+        &self,
+        py: Python<'_>,
+        other: &Samples<'_>,
+        operation: fn(f64, f64) -> f64,
+    ) -> PyResult<Self> {
+        let unit = one_of([self.1.clone(), other.unit()?])?;
+        Ok(Self(self.by_cell(py, other, operation)?.0, unit))
+    }
+
     /// An operation of each cell with that of another field.
     fn by_cell(
         &self,
@@ -321,12 +405,19 @@ impl<'py> Samples<'py> {
         })
     }
 
-    /// The unit of the lengths of a topography, if it states one.
-    fn unit(&self) -> PyResult<Option<Bound<'py, PyAny>>> {
+    /// The unit of the lengths of a field or a topography, if it states one.
+    pub(crate) fn unit(&self) -> PyResult<Option<Unit>> {
+        if let Ok(field) = self.0.cast::<Field>() {
+            return Ok(field.get().1.clone());
+        }
         if !self.is_topography()? || !self.0.hasattr("unit")? {
             return Ok(None);
         }
-        Ok(Some(self.0.getattr("unit")?).filter(|unit| !unit.is_none()))
+        let unit = self.0.getattr("unit")?;
+        if unit.is_none() {
+            return Ok(None);
+        }
+        Ok(Some(unit.str()?.to_str()?.into()))
     }
 
     fn field(&self) -> Option<Arc<stickslip::Field>> {
@@ -357,21 +448,10 @@ impl<'py> Samples<'py> {
     }
 }
 
-/// `Ok` unless topographies state units that differ.
-pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<()> {
-    let mut first: Option<Bound<'_, PyAny>> = None;
-    for field in fields {
-        match (&first, field.unit()?) {
-            (Some(first), Some(unit)) if !first.eq(&unit)? => {
-                return Err(PyValueError::new_err(format!(
-                    "one topography is in {first} and another in {unit}: give both in one unit, topography.to_unit(...)"
-                )));
-            }
-            (None, unit) => first = unit,
-            _ => {}
-        }
-    }
-    Ok(())
+/// The unit of surfaces, of which those that state one must state the same.
+pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<Option<Unit>> {
+    let units: PyResult<Vec<_>> = fields.iter().map(|field| field.unit()).collect();
+    one_of(units?)
 }
 
 /// One number for all cells, or one of each.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
@@ -31,38 +31,61 @@ fn sides(cell: Option<due::CellSides>, size: Option<due::GridSides>) -> PyResult
 /// unit of the file for XYZ.
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
-    py.detach(|| io::read(&path)).or_raise(py).map(Into::into)
+    let field = py.detach(|| io::read(&path)).or_raise(py)?;
+    let is_xyz = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("xyz"));
+    Ok(Field::made(
+        field,
+        if is_xyz { None } else { Some(METRE.into()) },
+    ))
+}
+
+/// The unit of files that have one.
+const METRE: &str = "m";
+
+/// A surface for a file in metres; an error if it states another unit.
+fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
+    let unit = field.unit()?;
+    match unit.as_deref() {
+        None | Some(METRE) => field.alone("field"),
+        Some(unit) => Err(PyValueError::new_err(format!(
+            "the file is in metres, and the surface in {unit}: surface.to_unit('m')"
+        ))),
+    }
 }
 
 /// Formats that know their grid.
 macro_rules! formats {
-    ($($format:ident: $read:ident, $parse:ident, $doc:literal, $unit:literal;)+) => {$(
+    ($($format:ident: $read:ident, $parse:ident, $doc:literal, $unit:literal, $short:expr;)+) => {$(
         #[doc = concat!("A surface from ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
-            py.detach(|| io::$format::read(&path)).or_raise(py).map(Into::into)
+            let field = py.detach(|| io::$format::read(&path)).or_raise(py)?;
+            Ok(Field::made(field, $short))
         }
 
         #[doc = concat!("A surface from the bytes of ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $parse(py: Python<'_>, bytes: &[u8]) -> PyResult<Field> {
-            py.detach(|| io::$format::parse(bytes)).or_raise(py).map(Into::into)
+            let field = py.detach(|| io::$format::parse(bytes)).or_raise(py)?;
+            Ok(Field::made(field, $short))
         }
     )+};
 }
 
 formats! {
-    asc: asc_read, asc_parse, "an ASC", "metres";
-    sdf: sdf_read, sdf_parse, "an SDF", "metres";
-    sur: sur_read, sur_parse, "a SUR", "metres";
-    x3p: x3p_read, x3p_parse, "an X3P", "metres";
-    xyz: xyz_read, xyz_parse, "an XYZ", "the unit of the file";
+    asc: asc_read, asc_parse, "an ASC", "metres", Some(METRE.into());
+    sdf: sdf_read, sdf_parse, "an SDF", "metres", Some(METRE.into());
+    sur: sur_read, sur_parse, "a SUR", "metres", Some(METRE.into());
+    x3p: x3p_read, x3p_parse, "an X3P", "metres", Some(METRE.into());
+    xyz: xyz_read, xyz_parse, "an XYZ", "the unit of the file", None;
 }
 
 /// Writes a surface as SDF (lengths in metres).
 #[pyfunction]
 pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
-    let field = field.alone("field")?;
+    let field = in_metres(&field)?;
     py.detach(|| io::sdf::write(&path, &field)).or_raise(py)
 }
 
@@ -72,7 +95,7 @@ pub(crate) fn sdf_to_bytes<'py>(
     py: Python<'py>,
     field: Samples<'py>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let field = field.alone("field")?;
+    let field = in_metres(&field)?;
     let bytes = py.detach(|| io::sdf::to_bytes(&field)).or_raise(py)?;
     Ok(PyBytes::new(py, &bytes))
 }

@@ -38,6 +38,7 @@ mod stiffness;
 mod subsurface;
 mod surface;
 mod tangential;
+mod unit;
 mod work;
 
 use pyo3::prelude::*;
@@ -109,10 +110,10 @@ mod _stickslip {
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},
         subsurface::{Plane, Planes, Principal, Response, Responses, Stress, at_points},
         surface::{
-            Filled, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics, bisinusoidal,
-            cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,
-            gap_from_heights, inverted, level, mirror_x, paraboloid, resample, sinusoidal, sphere,
-            sum,
+            Filled, Filtered, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics,
+            bisinusoidal, cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,
+            gap_from_heights, gaussian_filter, inverted, level, mirror_x, paraboloid, resample,
+            sinusoidal, sphere, sum,
         },
         tangential::{
             JaegerSuperposition, RelativeDisplacement, TangentialProblem, TangentialSolution,

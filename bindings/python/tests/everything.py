@@ -82,7 +82,7 @@ class Scene:
         self.objects = {
             "Boundary": bodies.boundary,
             "SpencePressing": ss.analytical.SpencePressing.round(self.dissimilar.pair, 0.5),
-            "Field": ball,
+            "Field": ss.Field(grid, ball, unit="mm"),
             "Convolution": ss.fft.Convolution(grid, pair, "zz"),
             "LinearOperator": operator,
             "TensorOperator": bodies.tensor_operator(),
@@ -129,6 +129,7 @@ class Scene:
             "RoughSurface": rough.generate(grid),
             "SelfAffine": ss.surface.SelfAffine(rms_height=1e-7, seed=3, skewness=0.3, cropped=True),
             "Filled": ss.surface.fill_missing(ball),
+            "Filtered": ss.surface.gaussian_filter(ball, s=1e-4, l=2e-4),
             "Levelled": ss.surface.level(ball, "plane"),
             "Tensor": rectangle.pair_tensor(pair, 0.5, 0.5),
             "Hardness": ss.Hardness(1e10) if hasattr(ss, "Hardness") else ss.normal.Hardness(1e10),
@@ -163,7 +164,7 @@ class Scene:
             "settings": ss.Settings(), "shear": shear, "shear_modulus": 80e9, "side": 1e-3, "slip_distance": ball,
             "slope": slope, "spots": normal.spots, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
             "stick_radius": 5e-5, "strain": ((1e-6, 0.0), (0.0, 0.0)), "stress": 1e8, "threshold": 0.0,
-            "time": 1.0, "tolerance": 0.05, "tractions": normal, "twist": 1e-4, "upper": ball, "wavelength": 1e-4,
+            "time": 1.0, "tolerance": 0.05, "tractions": normal, "twist": 1e-4, "unit": "m", "upper": ball, "wavelength": 1e-4,
             "wavelengths": (1e-4, 1e-4), "x": 1e-5, "y": 1e-5, "youngs_modulus": 213e9, "stresses": ball,
         }
         vector = np.ones(cells * cells)
@@ -221,6 +222,7 @@ class Scene:
             "asc_read": {"path": self.file("a.asc", b"nothing")},
             "csv_parse": {"bytes": b"1.0,2.0\n3.0,4.0\n", "cell": (1.0, 1.0)},
             "csv_read": {"path": self.file("a.csv", b"1.0,2.0\n3.0,4.0\n"), "cell": (1.0, 1.0)},
+            "gaussian_filter": {"s": 1e-4},
             "flat_punch": {"radius": 1e-4},
             "minimise": {"lower": np.zeros(cells * cells)},
             "npy_grid": {"path": self.file("a.npy", ss.io.npy.to_bytes(ball)), "cell": (1.0, 1.0)},

@@ -29,6 +29,7 @@ ELSEWHERE = {
     "enum rolling::RollingControl": "rolling.RollingProblem",  # creepage_x= and force_x=
     "enum rolling::SpinControl": "rolling.RollingProblem",  # spin= and moment=
     "enum surface::Form": "surface.level",  # 'mean', 'plane' or a degree
+    "struct surface::GaussianFilter": "surface.gaussian_filter",  # s=, l=, periodic=, along=
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
     "struct io::csv::Options": "io.csv.read",  # missing= and skip_rows=
@@ -123,6 +124,11 @@ METHODS = {
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
     "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},
+    "surface::GaussianFilter": {
+        **dict.fromkeys(["apply", "sl"], "the function"),
+        **dict.fromkeys(["along_x", "along_y"], "along="),
+        "unaffected": "Filtered.unaffected",
+    },
     "tangential::Friction": {"coulomb": "the class", "per_cell": "the class"},
     "tangential::TangentialLoad": {"along": "force_x= and others"},
     "tangential::TangentialSolver": {"set_load": "solve(load)"},

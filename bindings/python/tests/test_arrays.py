@@ -300,9 +300,10 @@ def test_topographies_of_several_units_are_refused(scene):
 
     one, two, unknown = Topography("um"), Topography("nm"), Topography(None)
     for call in (lambda *pair: ss.surface.gap_between(*pair), lambda *pair: ss.surface.sum([scene.ball, *pair][1:])):
-        with pytest.raises(ValueError, match="one topography is in um and another in nm"):
+        with pytest.raises(ValueError, match="one surface is in um and another in nm"):
             call(one, two)
-        assert call(one, Topography("um")) == call(one, unknown) == call(unknown, two)
+        assert call(one, Topography("um")) == call(one, unknown)
+        assert (call(one, unknown).unit, call(unknown, two).unit) == ("um", "nm")
 
 
 def test_a_solution_is_a_dataset_of_xarray(scene):

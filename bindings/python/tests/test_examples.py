@@ -51,3 +51,26 @@ def test_the_readme_runs(readme, tmp_path):
     blocks = re.findall(r"```python\n(.*?)```", readme.read_text(), re.S)
     assert blocks
     run(["-c", "\n".join(blocks)], tmp_path)
+
+
+PLAN = ["--cells", "16", "--cut-off", "4", "--seeds", "1-3", "--pressures", "0.02,0.1"]
+
+
+def study(folder, out, *options):
+    run([str(EXAMPLES / "study.py"), *PLAN, "--workers", "2", "--out", out, *options], folder)
+    return sorted((folder / out).read_bytes().splitlines())
+
+
+def test_a_study_has_the_same_rows_by_any_engine(tmp_path):
+    rows = study(tmp_path, "processes.csv")
+    assert len(rows) == 2 + 12
+    shards = [study(tmp_path, f"part-{part}.csv", "--shard", f"{part}/2") for part in (1, 2)]
+    assert sorted({*shards[0], *shards[1]}) == rows and len(shards[0]) + len(shards[1]) == 2 * 2 + 12
+    # It goes on behind half a line and past a damaged one.
+    text = (tmp_path / "processes.csv").read_bytes()
+    lines = text.split(b"\n")
+    lines[5] = lines[5][:30]
+    (tmp_path / "cut.csv").write_bytes(b"\n".join(lines)[:-60])
+    assert set(study(tmp_path, "cut.csv")) == {*rows, lines[5]}
+    pytest.importorskip("distributed")
+    assert study(tmp_path, "dask.csv", "--engine", "dask") == rows

@@ -31,7 +31,8 @@ This run
   --out FILE         the table, to which rows are appended              [standard output, no restart]
   --threads N        solves at once, one thread each                                       [all cores]
 
-A table belongs to its cases and to what they share: a file of another study is refused. Exit status: 0 if every case
+A table belongs to its cases and to what they share: a file of another study is refused, but seeds may be added behind
+those that it has. One program at a time writes a table. Exit status: 0 if every case
 has a row, converged or not; 1 if the study failed; 2 if the arguments are wrong.
 ";
 
@@ -52,7 +53,9 @@ pub(super) struct Study {
     pub(super) out: Option<PathBuf>,
 }
 
-/// One of so many parts: every `parts`-th press, so that all parts have about as many cases of each pressure.
+/// One of so many parts: every `parts`-th press, shifted by one whenever that would deal each pressure to the parts that
+/// had it before, so that all parts have about as many cases of each. Presses of further seeds leave the others where
+/// they are.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shard {
     /// From 1, as the tasks of batch systems are counted.
@@ -142,10 +145,17 @@ impl Shard {
             .then_some(Self { number, parts })
     }
 
-    /// Its share of so many presses.
-    pub(super) fn of(self, presses: usize) -> impl Iterator<Item = usize> {
-        (self.number - 1..presses).step_by(self.parts)
+    /// Its share of the presses of a plan.
+    pub(super) fn of(self, plan: &Plan) -> impl Iterator<Item = usize> {
+        let (parts, of_seed) = (self.parts, plan.presses_of_seed());
+        let period = of_seed / common_divisor(of_seed, parts) * parts;
+        let part = move |press: usize| (press + press / period) % parts;
+        (0..plan.presses()).filter(move |&press| part(press) == self.number - 1)
     }
+}
+
+fn common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { common_divisor(b, a % b) }
 }
 
 impl fmt::Display for Shard {

@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::plan::Plan;
+
 /// Why a command fails; a solve that does not converge is no failure, but a row.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -15,6 +17,9 @@ pub(crate) enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
+    /// Two programs that write one table would solve each case twice.
+    #[error("{}: another program is writing this table", .0.display())]
+    Busy(PathBuf),
     /// The head of the file is another.
     #[error(
         "{} is not a table of this study\n  its head: {}\n  expected: {}",
@@ -42,6 +47,15 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// The first line that was found in the place of that of a plan.
+    pub(super) fn other_study(path: &Path, found: String, expected: &Plan) -> Self {
+        Self::OtherStudy {
+            path: path.to_owned(),
+            found,
+            expected: expected.command(),
+        }
+    }
+
     /// For `map_err`: what happened to the file of this path.
     pub(super) fn of_file(path: &Path) -> impl Fn(io::Error) -> Self {
         move |source| Self::File {
@@ -56,8 +70,8 @@ struct Start<'a>(&'a str);
 
 impl fmt::Display for Start<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0.char_indices().nth(400) {
-            None => write!(formatter, "{}", self.0),
+        match self.0.trim_end().char_indices().nth(400) {
+            None => write!(formatter, "{}", self.0.trim_end()),
             Some((end, _)) => write!(formatter, "{} ...", &self.0[..end]),
         }
     }

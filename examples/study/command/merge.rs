@@ -8,28 +8,41 @@ use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use super::plan::Plan;
-use super::table;
+use super::table::{self, Contents};
 
 /// Writes the rows of all parts into one file, ordered by case, and returns their number.
 ///
 /// The bytes of the file depend on the study alone, not on how it was cut. A row may be there twice if both are the
-/// same. Nothing is written if rows disagree or are missing.
+/// same; the plan is the largest of the parts. Nothing is written if rows disagree or are missing.
 pub(super) fn merge(out: &Path, parts: &[PathBuf]) -> Result<usize, Failure> {
-    let read = |path: &PathBuf| fs::read_to_string(path).map_err(Failure::of_file(path));
-    let texts = parts.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let (Some(path), Some(text)) = (parts.first(), texts.first()) else {
-        return Err(Failure::Arguments("--merge without parts".to_owned()));
-    };
-    let plan = Plan::of_head(text).ok_or_else(|| Failure::Damaged {
-        path: path.clone(),
-        line: 1,
-        problem: "not a table of this version of the program",
-    })?;
+    let read = |path: &PathBuf| fs::read(path).map_err(Failure::of_file(path));
+    let files = parts.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    let texts: Vec<_> = files
+        .iter()
+        .map(|bytes| table::whole_lines(bytes))
+        .collect();
+    let mut plan: Option<Plan> = None;
+    for (path, text) in parts.iter().zip(&texts) {
+        let stated = table::plan_of(text).ok_or_else(|| Failure::Damaged {
+            path: path.clone(),
+            line: 1,
+            problem: "not a table of this version of the program",
+        })?;
+        plan = match plan {
+            Some(plan) if !stated.is_akin_to(&plan) => {
+                return Err(Failure::other_study(path, stated.command(), &plan));
+            }
+            Some(plan) => Some(plan.larger(&stated).clone()),
+            None => Some(stated),
+        };
+    }
+    let plan = plan.ok_or_else(|| Failure::Arguments("--merge without parts".to_owned()))?;
 
     let mut found: BTreeMap<usize, (&str, &Path)> = BTreeMap::new();
     for (path, text) in parts.iter().zip(&texts) {
-        for row in table::rows(&plan, text, path)? {
-            let (case, row) = row?;
+        let contents = Contents::of(&plan, text);
+        contents.say_damaged(path);
+        for (case, row) in contents.rows {
             match found.entry(case) {
                 Entry::Vacant(place) => {
                     place.insert((row, path));

@@ -46,7 +46,7 @@ fn solve(study: &Study) -> Result<(), Failure> {
     let mut table = Table::open(plan, study.out.as_deref())?;
     let mut jobs = Vec::new();
     let (mut total, mut missing) = (0, 0);
-    for press in study.shard.of(plan.presses()) {
+    for press in study.shard.of(plan) {
         let mut cases: Vec<usize> = plan.cases_of(press).collect();
         total += cases.len();
         cases.retain(|&case| !table.has(case));
@@ -61,6 +61,7 @@ fn solve(study: &Study) -> Result<(), Failure> {
         progress.count(row.is_solved);
         Ok(())
     })?;
+    table.sync()?;
     progress.end();
     Ok(())
 }

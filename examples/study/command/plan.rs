@@ -10,8 +10,8 @@ use super::row;
 /// All combinations of the listed values, and what they share.
 ///
 /// Cases that differ in friction alone have one pressure: together they are a *press*, the unit of work. The case
-/// number counts first frictions, then seeds, pressures and Hurst exponents. Neighbouring presses therefore differ in
-/// their seed and cost about the same.
+/// number counts first frictions, then pressures, Hurst exponents and seeds. With seeds last, a plan to which seeds are
+/// added keeps its case numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
     /// Cells along either side.
@@ -58,6 +58,8 @@ pub(super) struct Press {
 
 /// What the first line of a table begins with: another version may find other digits.
 const TITLE: &str = concat!("# stickslip ", env!("CARGO_PKG_VERSION"), " study");
+/// Lines above the first row.
+pub(super) const HEAD_LINES: usize = 2;
 /// More cases than this are a mistake in a range of seeds.
 const MOST_CASES: usize = 10_000_000;
 
@@ -129,8 +131,32 @@ impl Plan {
         }
     }
 
+    /// Whether the two differ at most in seeds that one of them has behind those of the other.
+    pub(super) fn is_akin_to(&self, other: &Self) -> bool {
+        let common = self.seeds.len().min(other.seeds.len());
+        let of = |plan: &Self| Self {
+            seeds: plan.seeds[..common].to_vec(),
+            ..plan.clone()
+        };
+        of(self) == of(other)
+    }
+
+    /// The one with more seeds; this one if both have as many.
+    pub(super) fn larger<'p>(&'p self, other: &'p Self) -> &'p Self {
+        if other.seeds.len() > self.seeds.len() {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// Presses of one seed.
+    pub(super) fn presses_of_seed(&self) -> usize {
+        self.hursts.len() * self.pressures.len()
+    }
+
     pub(super) fn presses(&self) -> usize {
-        self.hursts.len() * self.pressures.len() * self.seeds.len()
+        self.presses_of_seed() * self.seeds.len()
     }
 
     pub(super) fn cases(&self) -> usize {
@@ -138,8 +164,8 @@ impl Plan {
     }
 
     pub(super) fn press(&self, press: usize) -> Press {
-        let (rest, seed) = (press / self.seeds.len(), press % self.seeds.len());
-        let (hurst, pressure) = (rest / self.pressures.len(), rest % self.pressures.len());
+        let (rest, pressure) = (press / self.pressures.len(), press % self.pressures.len());
+        let (seed, hurst) = (rest / self.hursts.len(), rest % self.hursts.len());
         Press {
             hurst: self.hursts[hurst],
             pressure: self.pressures[pressure],
@@ -173,22 +199,32 @@ impl Plan {
         )
     }
 
-    /// The two lines above the rows of a table: the command that repeats the study, and the columns.
+    /// The lines above the rows of a table: the command that repeats the study, and the columns.
     pub(super) fn head(&self) -> String {
-        format!("{TITLE}{self}\n{}\n", row::columns())
+        format!("{}{}\n", self.command(), row::columns())
+    }
+
+    /// The line that states the plan.
+    pub(super) fn command(&self) -> String {
+        format!("{TITLE}{self}\n")
     }
 
     /// The plan whose [head](Self::head) a text begins with.
     pub(super) fn of_head(text: &str) -> Option<Self> {
-        let command = text.lines().next()?.strip_prefix(TITLE)?;
-        let words: Vec<&str> = command.split_whitespace().collect();
+        let plan = Self::of_command(text.lines().next()?)?;
+        text.starts_with(&plan.head()).then_some(plan)
+    }
+
+    /// The plan that a line states.
+    pub(super) fn of_command(line: &str) -> Option<Self> {
+        let words: Vec<&str> = line.strip_prefix(TITLE)?.split_whitespace().collect();
         let mut plan = Self::default();
         for pair in words.chunks(2) {
             let [option, value] = *pair else { return None };
             plan.set(option, value).ok().filter(|&known| known)?;
         }
         plan.check().ok()?;
-        text.starts_with(&plan.head()).then_some(plan)
+        (line == plan.command().trim_end()).then_some(plan)
     }
 }
 

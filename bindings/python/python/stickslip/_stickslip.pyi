@@ -37,6 +37,7 @@ __all__ = [
     "ErrorEstimate",
     "Field",
     "Filled",
+    "Filtered",
     "FlatPunch",
     "Friction",
     "Grid",
@@ -128,6 +129,7 @@ __all__ = [
     "flat_punch",
     "gap_between",
     "gap_from_heights",
+    "gaussian_filter",
     "identity",
     "inverted",
     "level",
@@ -1554,6 +1556,9 @@ class Field:
         Where it lives.
     samples : array_like of shape (ny, nx), or float
         Its values, row-major with x fastest; or one for all cells.
+    unit : str, optional
+        The unit of the lengths of a surface, such as ``"um"``. What is made of the surface keeps it, and surfaces of
+        several units are refused together; the package computes in any, and asks for none.
 
     Examples
     --------
@@ -1579,7 +1584,7 @@ class Field:
     def __mul__(self, other: object, /) -> Field: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __neg__(self, /) -> Field: ...
-    def __new__(cls, /, grid: Grid, samples: Field | ArrayLike) -> Field: ...
+    def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
     def __radd__(self, other: object, /) -> Field: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -1623,6 +1628,22 @@ class Field:
         """
         Its shape as an array, (ny, nx).
         """
+    def to_unit(self, /, unit: str) -> Field:
+        """
+        A surface in another unit: its heights and the sides of its cells, from its own unit.
+
+        Units are m, dm, cm, mm, um, nm, pm and A, and the micro sign in the place of u.
+
+        Raises
+        ------
+        ValueError
+            If the unit of the surface is not known, or either is none of these.
+        """
+    @property
+    def unit(self, /) -> str | None:
+        """
+        The unit of the lengths of a surface, if it is known.
+        """
 
 @final
 class Filled:
@@ -1639,6 +1660,33 @@ class Filled:
     def heights(self, /) -> Field:
         """
         All heights (lengths).
+        """
+
+@final
+class Filtered:
+    """
+    A filtered surface, and what the filter has taken off: the three add up to the surface given.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def heights(self, /) -> Field:
+        """
+        The heights that are left (lengths); missing ones stay missing.
+        """
+    @property
+    def long_waves(self, /) -> Field | None:
+        """
+        The long waves that the L filter has taken off (lengths), the waviness; ``None`` without an L filter.
+        """
+    @property
+    def short_waves(self, /) -> Field | None:
+        """
+        The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
+        """
+    @property
+    def unaffected(self, /) -> tuple[tuple[int, int], tuple[int, int]]:
+        """
+        The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
         """
 
 @final
@@ -6012,12 +6060,49 @@ def flat_punch(grid: Grid, radius: float, recess: float) -> Field:
 def gap_between(upper: Field | ArrayLike, lower: Field | ArrayLike) -> Field:
     """
     The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
-    Topographies must be in one unit.
+    Surfaces must be in one unit.
     """
 
 def gap_from_heights(heights: Field | ArrayLike) -> Field:
     """
     The gap of a rough body against a flat one: the largest height less each height (lengths, non-negative).
+    """
+
+def gaussian_filter(heights: Field | ArrayLike, *, s: float | None = None, l: float | None = None, periodic: bool = False, along: str = "xy") -> Filtered:
+    """
+    Takes short waves, long waves or both off a surface by Gaussian filters (ISO 16610-61; of lines ISO 16610-21).
+
+    Of a wave of the length of a nesting index half passes, of others 2 to the power of -(index/length)^2. Missing heights
+    (NaN) have no weight and stay missing: filter before :func:`fill_missing`. At an edge the mean is that of the heights
+    that are there: level the surface first; heights nearer to an edge or a hole than half an index are affected.
+
+    Parameters
+    ----------
+    heights : Field or topography
+        Lengths.
+    s, l : float, optional
+        Nesting indices, which are cut-off wavelengths (lengths): of the S filter, which takes off what is shorter, such as
+        noise, and of the L filter, which takes off what is longer, the waviness. With both, the S-L surface is left.
+    periodic : bool, default False
+        Whether the surface continues periodically beyond its edges.
+    along : "xy", "x" or "y", default "xy"
+        Whether heights are averaged over the area, or along rows or columns.
+
+    Raises
+    ------
+    NotPositive, Below
+        For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
+        of a longer index than that of the L filter.
+    Sample, Undetermined, NotFinite, Memory
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> grid = ss.Grid.square(128, 128.0)
+    >>> wave = ss.Field(grid, np.tile(np.sin(2.0 * np.pi * grid.x / 8.0), (128, 1)), unit="um")
+    >>> filtered = ss.surface.gaussian_filter(wave, s=8.0, periodic=True)
+    >>> float(np.abs(filtered.heights / wave - 0.5).max().round(12)), filtered.heights.unit
+    (0.0, 'um')
     """
 
 def identity(cells: int) -> LinearOperator:
@@ -6257,8 +6342,8 @@ def sphere(grid: Grid, radius: float) -> Field:
 
 def sum(fields: Sequence[Field | ArrayLike]) -> Field:
     """
-    The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Topographies must be
-    in one unit.
+    The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Surfaces must be in
+    one unit.
     """
 
 def sur_parse(bytes: bytes) -> Field:

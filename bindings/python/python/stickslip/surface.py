@@ -10,6 +10,7 @@ from ._enums import Amplitudes
 from ._stickslip import (
     Field,
     Filled,
+    Filtered,
     Grid,
     Levelled,
     PowerSpectrum,
@@ -25,6 +26,7 @@ from ._stickslip import (
     flat_punch,
     gap_between,
     gap_from_heights,
+    gaussian_filter,
     inverted,
     level,
     mirror_x,
@@ -40,7 +42,7 @@ def from_topography(topography: Any) -> Field:
     """The heights of a SurfaceTopography object, or of any that has ``heights()`` and ``physical_sizes``.
 
     Its arrays are indexed [x, y] and are transposed here. Masked heights become NaN: see :func:`fill_missing`. All
-    functions that take heights take such objects too. Lengths are in the unit of the topography.
+    functions that take heights take such objects too. The field has the unit of the topography, if it states one.
 
     Raises
     ------
@@ -68,12 +70,14 @@ def from_topography(topography: Any) -> Field:
         raise ValueError("the topography has no physical sizes")
     nx, ny = heights.shape
     grid = Grid(nx, ny, sizes[0] / nx, sizes[1] / ny)
-    return Field(grid, np.ascontiguousarray(heights.filled(np.nan).T))
+    unit = getattr(topography, "unit", None)
+    return Field(grid, np.ascontiguousarray(heights.filled(np.nan).T), None if unit is None else str(unit))
 
 
 __all__ = [
     "Amplitudes",
     "Filled",
+    "Filtered",
     "Levelled",
     "PowerSpectrum",
     "RoughSurface",
@@ -89,6 +93,7 @@ __all__ = [
     "from_topography",
     "gap_between",
     "gap_from_heights",
+    "gaussian_filter",
     "inverted",
     "level",
     "mirror_x",

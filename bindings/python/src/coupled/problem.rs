@@ -118,7 +118,7 @@ impl CoupledProblem {
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let bodies_and_surfaces = (
             bodies.clone(),
-            Field(Arc::clone(&gap)),
+            Field::from(Arc::clone(&gap)),
             Friction(friction.clone()),
             TangentialLoad(load),
         );

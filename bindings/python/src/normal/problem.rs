@@ -83,7 +83,7 @@ impl NormalProblem {
         let gap = gap.on(py, "gap", grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
-        let recipe = Recipe::new(py, (bodies.clone(), Field(Arc::clone(&gap))))?
+        let recipe = Recipe::new(py, (bodies.clone(), Field::from(Arc::clone(&gap))))?
             .with_normal(py, load, "force")?
             .with(py, "hardness", hardness.clone().map(Hardness))?
             .with(py, "settings", Some(Settings(settings)))?;

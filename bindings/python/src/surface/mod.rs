@@ -1,11 +1,13 @@
 //! Surfaces: shapes, roughness, statistics, preparation.
 
+mod filter;
 mod power_spectrum;
 mod preparation;
 mod roughness;
 mod shapes;
 mod statistics;
 
+pub(crate) use filter::{Filtered, gaussian_filter};
 pub(crate) use power_spectrum::PowerSpectrum;
 pub(crate) use preparation::{
     Filled, Levelled, crop, fill_missing, gap_between, gap_from_heights, inverted, level, mirror_x,

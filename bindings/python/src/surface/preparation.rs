@@ -10,55 +10,57 @@ use crate::error::OrRaise;
 use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
 use crate::progress::Progress;
+use crate::unit::Unit;
 use crate::work::{solve, unobserved_on};
 
-/// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Topographies must be
-/// in one unit.
+/// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Surfaces must be in
+/// one unit.
 #[pyfunction]
 pub(crate) fn sum(py: Python<'_>, fields: Vec<Samples<'_>>) -> PyResult<Field> {
-    one_unit(&fields.iter().collect::<Vec<_>>())?;
+    let unit = one_unit(&fields.iter().collect::<Vec<_>>())?;
     let fields: Vec<_> = fields
         .iter()
         .map(|field| field.alone("field"))
         .collect::<PyResult<_>>()?;
     let fields: Vec<&stickslip::Field> = fields.iter().map(|field| &**field).collect();
-    surface::sum(&fields).or_raise(py).map(Into::into)
+    let sum = surface::sum(&fields).or_raise(py)?;
+    Ok(Field::made(sum, unit))
 }
 
 /// Heights turned upside down (lengths).
 #[pyfunction]
 pub(crate) fn inverted(heights: Samples<'_>) -> PyResult<Field> {
-    Ok(surface::inverted(&*heights.alone("heights")?).into())
+    let made = surface::inverted(&*heights.alone("heights")?);
+    Ok(Field::made(made, heights.unit()?))
 }
 
 /// Heights with x mirrored, as the surface of a body that is turned over is seen.
 #[pyfunction]
 pub(crate) fn mirror_x(heights: Samples<'_>) -> PyResult<Field> {
-    Ok(surface::mirror_x(&*heights.alone("heights")?).into())
+    let made = surface::mirror_x(&*heights.alone("heights")?);
+    Ok(Field::made(made, heights.unit()?))
 }
 
 /// The gap of a rough body against a flat one: the largest height less each height (lengths, non-negative).
 #[pyfunction]
 pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult<Field> {
-    let heights = heights.alone("heights")?;
-    surface::gap_from_heights(&heights)
-        .or_raise_on(py, heights.grid())
-        .map(Into::into)
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
+    let gap = surface::gap_from_heights(&heights).or_raise_on(py, heights.grid())?;
+    Ok(Field::made(gap, unit))
 }
 
 /// The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
-/// Topographies must be in one unit.
+/// Surfaces must be in one unit.
 #[pyfunction]
 pub(crate) fn gap_between(
     py: Python<'_>,
     upper: Samples<'_>,
     lower: Samples<'_>,
 ) -> PyResult<Field> {
-    one_unit(&[&upper, &lower])?;
+    let unit = one_unit(&[&upper, &lower])?;
     let (upper, lower) = (upper.alone("upper")?, lower.alone("lower")?);
-    surface::gap_between(&upper, &lower)
-        .or_raise_on(py, upper.grid())
-        .map(Into::into)
+    let gap = surface::gap_between(&upper, &lower).or_raise_on(py, upper.grid())?;
+    Ok(Field::made(gap, unit))
 }
 
 /// The part of a surface in the columns ``columns[0]`` to before ``columns[1]`` and the rows ``rows[0]`` to before
@@ -74,9 +76,9 @@ pub(crate) fn crop(
     columns: due::Columns,
     rows: due::Rows,
 ) -> PyResult<Field> {
-    let heights = heights.alone("heights")?;
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     let cropped = surface::crop(&heights, columns.0.0..columns.0.1, rows.0.0..rows.0.1);
-    cropped.or_raise(py).map(Into::into)
+    Ok(Field::made(cropped.or_raise(py)?, unit))
 }
 
 /// A surface at the cell centres of another grid, by cubic interpolation along x and y.
@@ -86,24 +88,25 @@ pub(crate) fn crop(
 /// Sample, BeyondSamples, Memory
 #[pyfunction]
 pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyResult<Field> {
-    let heights = heights.alone("heights")?;
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     // The work is that of the cells made, and what is wrong lies in those given.
     let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {
         surface::resample(&heights, grid.0)
     })?;
-    outcome.or_raise_on(py, heights.grid()).map(Into::into)
+    let resampled = outcome.or_raise_on(py, heights.grid())?;
+    Ok(Field::made(resampled, unit))
 }
 
 /// A surface whose missing heights (NaN) are filled smoothly.
 #[pyclass(frozen, module = "stickslip.surface")]
-pub(crate) struct Filled(surface::Filled);
+pub(crate) struct Filled(surface::Filled, Option<Unit>);
 
 #[pymethods]
 impl Filled {
     /// All heights (lengths).
     #[getter]
     fn heights(&self) -> Field {
-        self.0.heights().clone().into()
+        Field::made(self.0.heights().clone(), self.1.clone())
     }
 
     /// How many were missing.
@@ -128,26 +131,27 @@ impl Filled {
 /// NotConverged
 #[pyfunction]
 pub(crate) fn fill_missing(py: Python<'_>, heights: Samples<'_>) -> PyResult<Filled> {
-    let heights = heights.alone("heights")?;
-    unobserved_on(py, heights.grid(), || surface::fill_missing(&heights)).map(Filled)
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
+    let filled = unobserved_on(py, heights.grid(), || surface::fill_missing(&heights))?;
+    Ok(Filled(filled, unit))
 }
 
 /// A surface without its form.
 #[pyclass(frozen, module = "stickslip.surface")]
-pub(crate) struct Levelled(surface::Levelled);
+pub(crate) struct Levelled(surface::Levelled, Option<Unit>);
 
 #[pymethods]
 impl Levelled {
     /// The heights left (lengths).
     #[getter]
     fn heights(&self) -> Field {
-        self.0.heights().clone().into()
+        Field::made(self.0.heights().clone(), self.1.clone())
     }
 
     /// What was taken off (lengths).
     #[getter]
     fn form(&self) -> Field {
-        self.0.form().clone().into()
+        Field::made(self.0.form().clone(), self.1.clone())
     }
 
     fn __repr__(&self) -> String {
@@ -188,6 +192,8 @@ pub(crate) fn level(
     heights: Samples<'_>,
     form: Bound<'_, PyAny>,
 ) -> PyResult<Levelled> {
-    let (heights, form) = (heights.alone("heights")?, form_of(&form)?);
-    unobserved_on(py, heights.grid(), || surface::level(&heights, form)).map(Levelled)
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
+    let form = form_of(&form)?;
+    let levelled = unobserved_on(py, heights.grid(), || surface::level(&heights, form))?;
+    Ok(Levelled(levelled, unit))
 }

@@ -39,7 +39,7 @@ impl Given<'_> {
     pub(super) fn object<'py>(&self, given: &Pressure<'py>) -> AsObject<'py> {
         match self {
             Self::Solved(_) => AsObject::Solved(given.0.clone()),
-            Self::Field(field) => AsObject::Field(Field(Arc::clone(field))),
+            Self::Field(field) => AsObject::Field(Arc::clone(field).into()),
         }
     }
 }

@@ -10,6 +10,7 @@ import numpy as np
 from .._stickslip import (
     CoupledSolution,
     Field,
+    Grid,
     History,
     NormalSolution,
     Plane,
@@ -37,7 +38,8 @@ def to_xarray(solution: Any) -> xarray.Dataset:
 
     Fields have the dimensions (y, x), with the centres of the cells as coordinates; components of vectors are named by
     their axis, such as ``traction_x``, those of stresses by both, such as ``xz``. Numbers are attributes of the dataset.
-    The doc of each field is its attribute ``long_name``. The package knows no units: set ``dataset.x.attrs["units"]``.
+    The doc of each field is its attribute ``long_name``. Units are those of
+    a field that has one: of others set ``dataset.x.attrs["units"]``.
 
     Parameters
     ----------
@@ -72,7 +74,11 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     except ImportError as error:
         raise ImportError("to_xarray needs xarray: pip install xarray") from error
     if isinstance(solution, Field):
-        return _dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {})
+        dataset = _dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {})
+        for variable in dataset.variables.values():
+            if solution.unit is not None:
+                variable.attrs["units"] = solution.unit
+        return dataset
     if isinstance(solution, (NormalSolution, TangentialSolution, State, History)):
         numbers = _numbers(solution)
         if isinstance(solution, (State, History)):
@@ -87,6 +93,33 @@ def to_xarray(solution: Any) -> xarray.Dataset:
         if kinds and all(kind is Plane for kind in kinds):
             return _volume(solution)
     raise TypeError(f"expected a solution, a state, a history, a Field or planes, got {type(solution).__name__}")
+
+
+def from_xarray(array: xarray.DataArray) -> Field:
+    """The heights of a surface in an array of xarray, with its attribute ``units``.
+
+    Parameters
+    ----------
+    array : xarray.DataArray
+        Of the dimensions y and x, in either order, with evenly spaced coordinates.
+
+    Raises
+    ------
+    ValueError
+        If it has other dimensions, or coordinates that are not evenly spaced and increasing.
+    """
+    if set(array.dims) != {"x", "y"}:
+        raise ValueError(f"the array has the dimensions {tuple(array.dims)}, expected y and x")
+    sides = []
+    for axis in ("x", "y"):
+        steps = np.diff(np.asarray(array[axis], dtype=float))
+        side = float(steps.mean()) if steps.size else 0.0
+        if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
+            raise ValueError(f"the coordinates along {axis} are not evenly spaced and increasing")
+        sides.append(side)
+    samples = np.ascontiguousarray(array.transpose("y", "x"), dtype=float)
+    grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
+    return Field(grid, samples, array.attrs.get("units"))
 
 
 def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:

@@ -1,0 +1,127 @@
+//! Gaussian filters of measured surfaces.
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use stickslip::surface::{self, GaussianFilter};
+
+use crate::digits::short;
+use crate::field::{Field, Samples};
+use crate::unit::Unit;
+use crate::work::unobserved_on;
+
+/// A filtered surface, and what the filter has taken off: the three add up to the surface given.
+#[pyclass(frozen, module = "stickslip.surface")]
+pub(crate) struct Filtered {
+    filtered: surface::Filtered,
+    unit: Option<Unit>,
+    unaffected: ((usize, usize), (usize, usize)),
+}
+
+impl Filtered {
+    fn field(&self, field: &stickslip::Field) -> Field {
+        Field::made(field.clone(), self.unit.clone())
+    }
+}
+
+#[pymethods]
+impl Filtered {
+    /// The heights that are left (lengths); missing ones stay missing.
+    #[getter]
+    fn heights(&self) -> Field {
+        self.field(self.filtered.heights())
+    }
+
+    /// The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
+    #[getter]
+    fn short_waves(&self) -> Option<Field> {
+        self.filtered.short_waves().map(|field| self.field(field))
+    }
+
+    /// The long waves that the L filter has taken off (lengths), the waviness; ``None`` without an L filter.
+    #[getter]
+    fn long_waves(&self) -> Option<Field> {
+        self.filtered.long_waves().map(|field| self.field(field))
+    }
+
+    /// The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
+    #[getter]
+    fn unaffected(&self) -> ((usize, usize), (usize, usize)) {
+        self.unaffected
+    }
+
+    fn __repr__(&self) -> String {
+        let heights = self.filtered.heights();
+        let (low, high) = (short(heights.min()), short(heights.max()));
+        format!("Filtered(heights from {low} to {high})")
+    }
+}
+
+/// Takes short waves, long waves or both off a surface by Gaussian filters (ISO 16610-61; of lines ISO 16610-21).
+///
+/// Of a wave of the length of a nesting index half passes, of others 2 to the power of -(index/length)^2. Missing heights
+/// (NaN) have no weight and stay missing: filter before :func:`fill_missing`. At an edge the mean is that of the heights
+/// that are there: level the surface first; heights nearer to an edge or a hole than half an index are affected.
+///
+/// Parameters
+/// ----------
+/// heights : Field or topography
+///     Lengths.
+/// s, l : float, optional
+///     Nesting indices, which are cut-off wavelengths (lengths): of the S filter, which takes off what is shorter, such as
+///     noise, and of the L filter, which takes off what is longer, the waviness. With both, the S-L surface is left.
+/// periodic : bool, default False
+///     Whether the surface continues periodically beyond its edges.
+/// along : "xy", "x" or "y", default "xy"
+///     Whether heights are averaged over the area, or along rows or columns.
+///
+/// Raises
+/// ------
+/// NotPositive, Below
+///     For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
+///     of a longer index than that of the L filter.
+/// Sample, Undetermined, NotFinite, Memory
+///
+/// Examples
+/// --------
+/// >>> import numpy as np, stickslip as ss
+/// >>> grid = ss.Grid.square(128, 128.0)
+/// >>> wave = ss.Field(grid, np.tile(np.sin(2.0 * np.pi * grid.x / 8.0), (128, 1)), unit="um")
+/// >>> filtered = ss.surface.gaussian_filter(wave, s=8.0, periodic=True)
+/// >>> float(np.abs(filtered.heights / wave - 0.5).max().round(12)), filtered.heights.unit
+/// (0.0, 'um')
+#[pyfunction]
+#[pyo3(signature = (heights, *, s=None, l=None, periodic=false, along="xy"))]
+pub(crate) fn gaussian_filter(
+    py: Python<'_>,
+    heights: Samples<'_>,
+    s: Option<f64>,
+    l: Option<f64>,
+    periodic: bool,
+    along: &str,
+) -> PyResult<Filtered> {
+    let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
+    let filter = match (s, l) {
+        (Some(s), Some(l)) => GaussianFilter::sl(s, l),
+        (Some(s), None) => GaussianFilter::s(s),
+        (None, Some(l)) => GaussianFilter::l(l),
+        (None, None) => {
+            return Err(PyTypeError::new_err(
+                "give the nesting index of the S filter, s=, that of the L filter, l=, or both",
+            ));
+        }
+    };
+    let filter = match along {
+        "xy" => filter,
+        "x" => filter.along_x(),
+        "y" => filter.along_y(),
+        _ => return Err(PyTypeError::new_err("along must be 'xy', 'x' or 'y'")),
+    };
+    let filter = if periodic { filter.periodic() } else { filter };
+    let filtered = unobserved_on(py, heights.grid(), || filter.apply(&heights))?;
+    let [columns, rows] = filter.unaffected(heights.grid());
+    Ok(Filtered {
+        filtered,
+        unit,
+        unaffected: ((columns.start, columns.end), (rows.start, rows.end)),
+    })
+}

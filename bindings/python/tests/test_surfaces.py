@@ -1,0 +1,96 @@
+"""Filters of surfaces, and the units that surfaces keep from files and other packages to the gap."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+
+def wave(grid, length, unit=None):
+    return ss.Field(grid, np.tile(np.sin(2.0 * np.pi * grid.x / length), (grid.ny, 1)), unit)
+
+
+def test_half_of_a_wave_passes_and_parts_add_up():
+    grid = ss.Grid.square(96, 96.0)
+    surface = wave(grid, 12.0) + wave(grid, 48.0)
+    filtered = ss.surface.gaussian_filter(surface, s=12.0, l=48.0, periodic=True)
+    left = 0.5 * (1.0 - 2.0**-16) * wave(grid, 12.0) + 0.5 * 2.0 ** (-1 / 16) * wave(grid, 48.0)
+    assert np.allclose(filtered.heights, left, rtol=0, atol=1e-12)
+    assert np.allclose(filtered.heights + filtered.short_waves + filtered.long_waves, surface, rtol=0, atol=1e-12)
+    one = ss.surface.gaussian_filter(surface, s=12.0)
+    assert one.long_waves is None and one.unaffected == ((6, 90), (6, 90))
+    # Along y it does not change.
+    assert np.allclose(ss.surface.gaussian_filter(surface, l=12.0, along="y").heights, 0.0, atol=1e-12)
+    rows = ss.surface.gaussian_filter(surface, s=12.0, along="x", periodic=True).heights
+    assert np.allclose(rows, ss.surface.gaussian_filter(surface, s=12.0, periodic=True).heights, rtol=0, atol=1e-12)
+    with pytest.raises(TypeError, match="give the nesting index"):
+        ss.surface.gaussian_filter(surface)
+    with pytest.raises(TypeError, match="along must be"):
+        ss.surface.gaussian_filter(surface, s=12.0, along="z")
+    with pytest.raises(ss.errors.Below, match="two cells"):
+        ss.surface.gaussian_filter(surface, s=1.5)
+
+
+def test_missing_heights_stay_missing():
+    grid = ss.Grid.square(32, 32.0)
+    heights = np.full((32, 32), 3.0)
+    heights[5:9, 7] = np.nan
+    filtered = ss.surface.gaussian_filter(ss.Field(grid, heights), s=6.0).heights
+    assert np.array_equal(filtered.array, heights, equal_nan=True)
+
+
+def test_surfaces_keep_their_unit(tmp_path):
+    grid = ss.Grid.square(16, 16.0)
+    rough = wave(grid, 8.0, "um")
+    made = [
+        rough + 1.0, 2.0 - rough, -rough,
+        ss.surface.level(rough, "plane").heights, ss.surface.level(rough, "plane").form,
+        ss.surface.fill_missing(rough).heights, ss.surface.gaussian_filter(rough, s=4.0).heights,
+        ss.surface.gaussian_filter(rough, s=4.0).short_waves, ss.surface.crop(rough, (0, 4), (0, 4)),
+        ss.surface.resample(rough, ss.Grid.square(8, 8.0)), ss.surface.inverted(rough), ss.surface.mirror_x(rough),
+        ss.surface.gap_from_heights(rough), ss.surface.gap_between(rough, rough), ss.surface.sum([rough, rough]),
+        pickle.loads(pickle.dumps(rough)),
+    ]  # fmt: skip
+    assert [field.unit for field in made] == ["um"] * len(made) and repr(rough).endswith(" um)")
+    assert (2.0 * rough).unit is None and (rough / rough).unit is None
+
+    metres = rough.to_unit("m")
+    assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
+    with pytest.raises(ValueError, match="in metres, and the surface in um"):
+        ss.io.sdf.write(tmp_path / "a.sdf", rough)
+    ss.io.sdf.write(tmp_path / "a.sdf", metres)
+    assert ss.io.read(tmp_path / "a.sdf").unit == ss.io.sdf.read(tmp_path / "a.sdf").unit == "m"
+    with pytest.raises(ValueError, match="has no unit"):
+        wave(grid, 8.0).to_unit("m")
+    with pytest.raises(ValueError, match="furlong is no unit of length"):
+        rough.to_unit("furlong")
+
+
+def test_surfaces_of_several_units_are_refused():
+    grid = ss.Grid.square(16, 16.0)
+    one, two, unknown = wave(grid, 8.0, "um"), wave(grid, 8.0, "nm"), wave(grid, 8.0)
+    for call in (lambda a, b: a + b, lambda a, b: a - b, ss.surface.gap_between, lambda a, b: ss.surface.sum([a, b])):
+        with pytest.raises(ValueError, match="one surface is in um and another in nm"):
+            call(one, two)
+        assert call(one, unknown).unit == call(unknown, one).unit == "um"
+        assert call(one, wave(grid, 8.0, "\u00b5m")).unit == "um"
+    assert one != two and one == unknown
+
+
+def test_arrays_of_xarray_are_surfaces():
+    xarray = pytest.importorskip("xarray")
+    heights = np.arange(12.0).reshape(3, 4)
+    x, y = 5.0 + 0.5 * np.arange(4), 0.25 * np.arange(3)
+    array = xarray.DataArray(heights, {"y": y, "x": x}, ("y", "x"), attrs={"units": "um"})
+    field = ss.io.from_xarray(array)
+    assert field.grid == ss.Grid(4, 3, 0.5, 0.25) and field.unit == "um" and np.array_equal(field.array, heights)
+    assert ss.io.from_xarray(array.T) == field
+    dataset = ss.io.to_xarray(field)
+    assert dataset["values"].attrs["units"] == dataset.x.attrs["units"] == "um"
+    assert ss.io.from_xarray(dataset["values"]) == field
+    with pytest.raises(ValueError, match="evenly"):
+        ss.io.from_xarray(array.assign_coords(x=x**2))
+    with pytest.raises(ValueError, match="dimensions"):
+        ss.io.from_xarray(array[0])

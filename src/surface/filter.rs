@@ -1,0 +1,338 @@
+//! Gaussian filters of measured surfaces.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use super::fourier::{Mode, Waves};
+use super::heights::finite_or_missing;
+use super::slab::Slab;
+use crate::error::{Error, Result, at_least, finite, memory, positive};
+use crate::fft::smooth_length;
+use crate::field::Field;
+use crate::grid::Grid;
+use crate::parallel;
+
+/// Bytes for each cell of the torus: a field, its waves and their transform, and the weights of the points.
+const BYTES: usize = 32;
+
+/// Distance in nesting indices beyond which the weight of the Gaussian is below round-off.
+const REACH: f64 = 1.7;
+
+/// Gaussian filter of heights: areal after ISO 16610-61, of lines after ISO 16610-21.
+///
+/// An *S filter* takes off the waves that are short beside its nesting index $`\lambda_s`$, such as the noise of the
+/// instrument; an *L filter* those that are long beside its index $`\lambda_c`$, the waviness. Both together leave the
+/// S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the cell sides): of a wave of the length
+/// $`\lambda`$ the weighted mean
+///
+/// ```math
+/// \bar z(x, y) = \int s(\xi)\, s(\eta)\, z(x - \xi, y - \eta)\, \mathrm d\xi\, \mathrm d\eta , \qquad
+/// s(\xi) = \frac{1}{\alpha \lambda_c}\, e^{-\pi (\xi/\alpha\lambda_c)^2} , \qquad
+/// \alpha = \sqrt{\ln 2/\pi}
+/// ```
+///
+/// lets the part $`2^{-(\lambda_c/\lambda)^2}`$ pass, that is half of it at $`\lambda = \lambda_c`$. An S filter returns
+/// $`\bar z`$, an L filter $`z - \bar z`$. The weights are those whose transmission is this for every wave that the grid
+/// holds; from eight cells an index on they are samples of $`s`$ to 3e-6 of the largest; for two cells they
+/// alternate in sign far from the middle, as cells so wide do not resolve a Gaussian.
+///
+/// | option | default |
+/// |---|---|
+/// | [`periodic`](Self::periodic) | no: the surface ends at its edges |
+/// | [`along_x`](Self::along_x), [`along_y`](Self::along_y) | areal; a grid of one row or column is a profile |
+///
+/// # End effects
+/// A periodic surface has none. Otherwise the mean at a point is that of the heights that are there, divided by the sum of
+/// their weights (zero-order regression): a constant is exact up to the edge, a tilt or a curvature is not, so
+/// [`level`](super::level()) the surface first. Of the weight of a line, 0.4 % lies beyond half a nesting index on either
+/// side, and 5e-8 beyond a whole one: heights closer to an edge or a hole than half an index, that of the L filter if there
+/// are both, are affected. [`unaffected`](Self::unaffected) has the rest, for [`crop`](super::crop()).
+///
+/// Missing heights (NaN) have no weight and stay missing: filter before [`fill_missing`](super::fill_missing).
+///
+/// # References
+/// - ISO 16610-61 (areal), ISO 16610-21 (profiles), and ISO 25178-3 for the usual nesting indices.
+/// - H. Knutsson and C.-F. Westin, Normalized and differential convolution, *Proc. IEEE Conf. Computer
+///   Vision and Pattern Recognition* (1993) 515-523,
+///   [doi:10.1109/CVPR.1993.341081](https://doi.org/10.1109/CVPR.1993.341081), for edges and missing heights.
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// use stickslip::{Field, Grid, surface::GaussianFilter};
+/// // A wave of 8 and one of 64 micrometres.
+/// let grid = Grid::square(128, 128.0)?;
+/// let wave = |length: f64| Field::from_fn(grid, |x, _| (TAU * x / length).sin());
+/// let measured = (&wave(8.0) + &wave(64.0))?;
+/// let filtered = GaussianFilter::s(8.0).periodic().apply(&measured)?;
+/// // Half of the one, and nearly all of the other.
+/// let expected = (&wave(8.0).scaled(0.5) + &wave(64.0).scaled(0.5f64.powf(1.0 / 64.0)))?;
+/// let pairs = filtered.heights().iter().zip(expected.iter());
+/// assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-13));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+pub struct GaussianFilter {
+    s: Option<f64>,
+    l: Option<f64>,
+    is_periodic: bool,
+    /// Whether heights along x and along y are averaged.
+    along: [bool; 2],
+}
+
+/// A filtered surface, and what the filter has taken off: the three add up to the surface given, to round-off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Filtered {
+    heights: Field,
+    short_waves: Option<Field>,
+    long_waves: Option<Field>,
+}
+
+impl Filtered {
+    /// The heights that are left (lengths); missing ones stay missing.
+    #[must_use]
+    pub fn heights(&self) -> &Field {
+        &self.heights
+    }
+
+    /// The short waves that the S filter has taken off (lengths), such as noise; none without an S filter.
+    #[must_use]
+    pub fn short_waves(&self) -> Option<&Field> {
+        self.short_waves.as_ref()
+    }
+
+    /// The long waves that the L filter has taken off (lengths): the waviness, without the short waves if there is an S
+    /// filter too. None without an L filter.
+    #[must_use]
+    pub fn long_waves(&self) -> Option<&Field> {
+        self.long_waves.as_ref()
+    }
+
+    /// The heights that are left, without what was taken off.
+    #[must_use]
+    pub fn into_heights(self) -> Field {
+        self.heights
+    }
+}
+
+impl GaussianFilter {
+    /// Takes short waves off; `nesting_index` is the cut-off wavelength (a length).
+    #[must_use]
+    pub fn s(nesting_index: f64) -> Self {
+        Self::new(Some(nesting_index), None)
+    }
+
+    /// Takes long waves off; `nesting_index` is the cut-off wavelength (a length).
+    #[must_use]
+    pub fn l(nesting_index: f64) -> Self {
+        Self::new(None, Some(nesting_index))
+    }
+
+    /// Takes off the waves short beside `s` first, then those long beside `l` (lengths): the S-L surface.
+    #[must_use]
+    pub fn sl(s: f64, l: f64) -> Self {
+        Self::new(Some(s), Some(l))
+    }
+
+    fn new(s: Option<f64>, l: Option<f64>) -> Self {
+        Self {
+            s,
+            l,
+            is_periodic: false,
+            along: [true; 2],
+        }
+    }
+
+    /// Of a surface that continues periodically beyond its edges: they have no effect.
+    #[must_use]
+    pub fn periodic(mut self) -> Self {
+        self.is_periodic = true;
+        self
+    }
+
+    /// Filters each row by itself, as a profile along x.
+    #[must_use]
+    pub fn along_x(mut self) -> Self {
+        self.along = [true, false];
+        self
+    }
+
+    /// Filters each column by itself, as a profile along y.
+    #[must_use]
+    pub fn along_y(mut self) -> Self {
+        self.along = [false, true];
+        self
+    }
+
+    /// The columns and rows that no edge affects, half a nesting index from each: the ranges that
+    /// [`crop`](super::crop()) takes.
+    ///
+    /// The index is that of the L filter if there is one. A range is empty if the surface is shorter than the index.
+    #[must_use]
+    pub fn unaffected(&self, grid: Grid) -> [Range<usize>; 2] {
+        let [nx, ny] = grid.size();
+        let range = |axis: usize, cells: usize, side: f64| {
+            let has_edges = cells > 1 && self.along[axis] && !self.is_periodic;
+            let length = if has_edges { 0.5 * self.longest() } else { 0.0 };
+            let margin = cells_in(length, side).min(cells);
+            margin..(cells - margin).max(margin)
+        };
+        [range(0, nx, grid.dx()), range(1, ny, grid.dy())]
+    }
+
+    /// Filters a surface; a slab of what ranks share as a surface by itself.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] for a nesting index; [`Error::Below`] if it is shorter than two cells or longer than the side
+    /// of the surface along an axis that is filtered, or if that of the S filter is longer than that of the L filter;
+    /// [`Error::Sample`] for the first infinite height; [`Error::Undetermined`] if all are missing;
+    /// [`Error::NotFinite`] if their range overflows; [`Error::Memory`].
+    pub fn apply(&self, heights: &Field) -> Result<Filtered> {
+        let grid = Slab::alone(heights)?.whole();
+        self.check(grid)?;
+        finite_or_missing(heights)?;
+        let cells = grid.cells();
+        let known = heights.iter().filter(|z| !z.is_nan()).count();
+        if known == 0 {
+            return Err(Error::Undetermined {
+                quantity: "surface",
+                unknowns: cells,
+                known,
+            });
+        }
+        memory("filtered surface", self.torus(grid, self.longest()), BYTES)?;
+        // About a height of the surface a flat one is exactly zero, and in units of the range no sum overflows.
+        let datum = heights.min();
+        let range = finite("range of the heights", heights.max() - datum)?;
+        let unit = if range > 0.0 { range } else { 1.0 };
+        let mut rest = heights.map(|z| (z - datum) / unit);
+        let lengths = |field: &Field, datum: f64| field.map(|z| datum + unit * z);
+        let mut short_waves = None;
+        if let Some(index) = self.s {
+            let mean = self.mean(&rest, grid, index);
+            short_waves = Some(lengths(&rest.minus(&mean)?, 0.0));
+            rest = mean;
+        }
+        let mut long_waves = None;
+        let mut datum_left = datum;
+        if let Some(index) = self.l {
+            let mean = self.mean(&rest, grid, index);
+            long_waves = Some(lengths(&mean, datum));
+            rest = rest.minus(&mean)?;
+            datum_left = 0.0;
+        }
+        Ok(Filtered {
+            heights: lengths(&rest, datum_left),
+            short_waves,
+            long_waves,
+        })
+    }
+
+    /// The longer nesting index.
+    fn longest(&self) -> f64 {
+        self.l.or(self.s).unwrap_or_default()
+    }
+
+    fn check(&self, grid: Grid) -> Result<()> {
+        let indices = [
+            ("nesting index of the S filter", self.s),
+            ("nesting index of the L filter", self.l),
+        ];
+        let sides = [
+            ("side of the surface along x", grid.nx(), grid.dx()),
+            ("side of the surface along y", grid.ny(), grid.dy()),
+        ];
+        for (name, index) in indices {
+            let Some(index) = index else { continue };
+            positive(name, index)?;
+            for (axis, (side, cells, cell)) in sides.into_iter().enumerate() {
+                if cells > 1 && self.along[axis] {
+                    at_least("two cells", 2.0 * cell, name, index)?;
+                    at_least(name, index, side, cells as f64 * cell)?;
+                }
+            }
+        }
+        if let [(s_filter, Some(s)), (l_filter, Some(l))] = indices {
+            at_least(s_filter, s, l_filter, l)?;
+        }
+        Ok(())
+    }
+
+    /// Cells on which waves repeat: so many more than the surface has that its ends do not meet.
+    fn torus(&self, grid: Grid, index: f64) -> [usize; 2] {
+        let sides = [grid.dx(), grid.dy()];
+        let mut torus = grid.size();
+        for (axis, cells) in torus.iter_mut().enumerate() {
+            if *cells > 1 && self.along[axis] && !self.is_periodic {
+                *cells = smooth_length(*cells + cells_in(REACH * index, sides[axis]));
+            }
+        }
+        torus
+    }
+
+    /// The weighted mean around every known height.
+    fn mean(&self, z: &Field, grid: Grid, index: f64) -> Field {
+        let has_holes = z.iter().any(|z| z.is_nan());
+        let torus = grid.of_size(self.torus(grid, index));
+        let passed = |of: &(dyn Fn(f64) -> f64 + Sync)| {
+            let mut waves = Waves::of(&placed(z, torus, of));
+            waves.update(|mode, amplitude| amplitude * self.transmission(mode, index));
+            waves.into_field()
+        };
+        parallel::enter_with(torus.cells(), || {
+            let sums = passed(&|z| if z.is_nan() { 0.0 } else { z });
+            let weights = (has_holes || !self.is_periodic)
+                .then(|| passed(&|z| if z.is_nan() { 0.0 } else { 1.0 }));
+            let mut mean = z.clone();
+            let (nx, width) = (grid.nx(), torus.nx());
+            for (row, out) in mean.as_mut_slice().chunks_exact_mut(nx).enumerate() {
+                for (column, z) in out.iter_mut().enumerate().filter(|(_, z)| !z.is_nan()) {
+                    let cell = row * width + column;
+                    let weight = weights.as_ref().map_or(1.0, |field| field.as_slice()[cell]);
+                    *z = sums.as_slice()[cell] / weight;
+                }
+            }
+            mean
+        })
+    }
+
+    /// The part of a wave that the weighted mean lets pass.
+    fn transmission(&self, mode: Mode, index: f64) -> f64 {
+        let component = |axis: usize| {
+            if self.along[axis] {
+                mode.wave_vector[axis]
+            } else {
+                0.0
+            }
+        };
+        let over_cut_off = component(0).hypot(component(1)) * index / TAU;
+        (-over_cut_off * over_cut_off).exp2()
+    }
+}
+
+/// Cells of a side that a length covers, in part or as a whole.
+fn cells_in(length: f64, side: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a length beyond all numbers covers as many cells as there are"
+    )]
+    let cells = (length / side).ceil() as usize;
+    cells
+}
+
+/// A function of the heights in the first columns and rows of a larger grid, which is zero elsewhere.
+fn placed(z: &Field, torus: Grid, f: &(dyn Fn(f64) -> f64 + Sync)) -> Field {
+    let mut placed = Field::zeros(torus);
+    let rows = placed.as_mut_slice().chunks_exact_mut(torus.nx());
+    for (out, row) in rows.zip(z.rows()) {
+        for (out, &z) in out.iter_mut().zip(row) {
+            *out = f(z);
+        }
+    }
+    placed
+}
