@@ -9,7 +9,7 @@ use crate::kernel::{CoefficientTable, Given, Kernel};
 #[derive(Debug)]
 pub(crate) enum Added {
     /// Added to the coefficients of the half-spaces that short waves see.
-    Rest(Rest),
+    Rest(Box<Rest>),
     /// In place of all else.
     Table(CoefficientTable),
 }
@@ -18,8 +18,10 @@ impl Added {
     /// Of a pair or a kernel; `None` of homogeneous bodies, which need nothing.
     pub(crate) fn of(kernel: &Kernel) -> Option<Arc<Self>> {
         let added = match kernel.given() {
-            None => Self::Rest(Rest::of(kernel.pair())?),
-            Some(Given::Isotropic(isotropic)) => Self::Rest(Rest::of_kernel(kernel, isotropic)),
+            None => Self::Rest(Box::new(Rest::of(kernel.pair())?)),
+            Some(Given::Isotropic(isotropic)) => {
+                Self::Rest(Box::new(Rest::of_kernel(kernel, isotropic)))
+            }
             Some(Given::Table(table)) => Self::Table(CoefficientTable::clone(table)),
             // On grids that take it there are symbols.
             Some(Given::Orthotropic(_)) => return None,

@@ -166,7 +166,7 @@ impl ResponseTensor {
 }
 
 /// The longest wave that is looked at, in thicknesses.
-const LONGEST: f64 = 1e9;
+const LONGEST: f64 = 1e7;
 /// k times the thickness where a response must be that of its half-space, and how closely.
 const NEAR: f64 = 20.0;
 const CLOSE: f64 = 1e-10;
@@ -193,8 +193,10 @@ impl Kernel {
     ) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         positive("thickness of the kernel", thickness)?;
-        let longest = LONGEST * thickness;
-        let far = response(1.0 / longest).map(|value| value / longest);
+        // Extrapolated from two long waves.
+        let times_k = |k: f64| response(k).map(|value| k * value);
+        let k = 1.0 / (LONGEST * thickness);
+        let far = times_k(0.5 * k).with(times_k(k), |longer, shorter| 2.0 * longer - shorter);
         let mut digested = Vec::new();
         let mut coupling: f64 = 0.0;
         for k in wave_numbers(thickness) {
@@ -207,7 +209,7 @@ impl Kernel {
         }
         let response = Arc::new(response);
         Ok(Self::new(
-            near,
+            &near,
             (digest_of(&digested), coupling),
             Given::Isotropic(Isotropic {
                 response,
@@ -218,8 +220,8 @@ impl Kernel {
     }
 
     /// The same with `base` as k times the response for k to zero: zero on a rigid base, of elastic bodies the numbers
-    /// $`G k\,C`$ over G of the page of [`layers`](crate::layers). By default that of a wave of 1e9 thicknesses. Of other
-    /// kernels without effect.
+    /// $`G k\,C`$ over G of the page of [`layers`](crate::layers). By default it is
+    /// extrapolated from the response at k of 1e-7 over the thickness and at half of it. Of other kernels without effect.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -279,7 +281,7 @@ impl Kernel {
         }
         let mark = (digest_of(&digested), coupling);
         Ok(Self::new(
-            near,
+            &near,
             mark,
             Given::Orthotropic(Arc::new(response)),
         ))
@@ -289,14 +291,16 @@ impl Kernel {
     /// hardness and moduli.
     ///
     /// # Errors
-    /// [`Error::Coated`] if `near` is not homogeneous.
+    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::Sample`] for a coefficient that is odd along an axis and not
+    /// zero at distance zero along it, to 1e-12 of the largest.
     pub fn tabulated(near: ElasticPair, table: CoefficientTable) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
+        table.check_odd()?;
         let mark = (table.digest(), table.coupling());
-        Ok(Self::new(near, mark, Given::Table(Arc::new(table))))
+        Ok(Self::new(&near, mark, Given::Table(Arc::new(table))))
     }
 
-    fn new(near: ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
+    fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
         Self {
             pair: near.standing_for(KernelMark { digest, coupling }),
             given: Some(given),

@@ -45,6 +45,25 @@ pub struct CoefficientTable {
 
 shown!(CoefficientTable: sides, size);
 
+/// The six, in the order of their values.
+const SIX: [Component; 6] = [
+    Component::XX,
+    Component::YY,
+    Component::ZZ,
+    Component::XY,
+    Component::ZX,
+    Component::ZY,
+];
+
+/// Size beside the largest value of a table that is nothing.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Whether a component is zero at a distance for its parity.
+fn vanishes(component: Component, distance: [usize; 2]) -> bool {
+    let odd = component.is_odd();
+    (0..2).any(|axis| odd[axis] && distance[axis] == 0)
+}
+
 /// The place of a component among the six, and whether its values are the others' negatives.
 fn place(component: Component) -> (usize, bool) {
     match component {
@@ -81,25 +100,14 @@ impl CoefficientTable {
         })
     }
 
-    /// The same with a component: `nx` values for each distance along y, of distances along x from zero on. What is odd
-    /// must be zero at distance zero along that axis.
+    /// The same with a component: `nx` values for each distance along y, of distances along x from zero on.
     ///
     /// # Errors
-    /// [`Error::Length`]; [`Error::Sample`] for values that are not finite, or not zero where they must be.
+    /// [`Error::Length`]; [`Error::Sample`] for values that are not finite.
     pub fn with(mut self, component: Component, mut values: Vec<f64>) -> Result<Self> {
         let [nx, ny] = self.size;
         length(QUANTITY, nx * ny, values.len())?;
         all_finite(QUANTITY, &values)?;
-        let [odd_x, odd_y] = component.is_odd();
-        let on_axis = |index: &usize| (odd_x && index % nx == 0) || (odd_y && index / nx == 0);
-        if let Some(index) = (0..nx * ny).find(|n| on_axis(n) && values[*n] != 0.0) {
-            return Err(Error::Sample {
-                quantity: QUANTITY,
-                index,
-                value: values[index],
-                rule: "an odd coefficient is zero at distance zero",
-            });
-        }
         let (place, is_negative) = place(component);
         if is_negative {
             for value in &mut values {
@@ -131,6 +139,28 @@ impl CoefficientTable {
         Some(values.iter().map(|value| sign * value).collect())
     }
 
+    /// `Ok` if what is odd along an axis is zero at distance zero along it, to round-off.
+    pub(super) fn check_odd(&self) -> Result<()> {
+        let [nx, ny] = self.size;
+        let values = self.values.iter().flatten().flatten();
+        let unit = values.fold(0.0, |a: f64, b| a.max(b.abs()));
+        for component in SIX {
+            let Some(values) = &self.values[place(component).0] else {
+                continue;
+            };
+            let mut on_axis = (0..nx * ny).filter(|n| vanishes(component, [n % nx, n / nx]));
+            if let Some(index) = on_axis.find(|n| values[*n].abs() > ROUND_OFF * unit) {
+                return Err(Error::Sample {
+                    quantity: QUANTITY,
+                    index,
+                    value: values[index],
+                    rule: "an odd coefficient is zero at distance zero",
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// `Ok` if a displacement can be had; those across the traction are zero if they are not given.
     pub(crate) fn check_has(&self, component: Component) -> Result<()> {
         let (place, _) = place(component);
@@ -157,6 +187,9 @@ impl CoefficientTable {
         let Some(values) = &self.values[place] else {
             return 0.0;
         };
+        if vanishes(component, distance) {
+            return 0.0;
+        }
         let [nx, ny] = self.size;
         let along_x = |row: usize| continued(distance[0], nx, |column| values[row * nx + column]);
         let value = continued(distance[1], ny, along_x);
@@ -166,14 +199,6 @@ impl CoefficientTable {
     /// That of cells of twice the sides: the mean displacement of four cells by a traction on four.
     pub(crate) fn coarser(&self) -> Self {
         let size = self.size.map(|n| n.div_ceil(2));
-        let components = [
-            Component::XX,
-            Component::YY,
-            Component::ZZ,
-            Component::XY,
-            Component::ZX,
-            Component::ZY,
-        ];
         let mean = |component: Component, index: usize| {
             let [x, y] = [2 * (index % size[0]), 2 * (index / size[0])];
             let mut sum = 0.0;
@@ -191,7 +216,7 @@ impl CoefficientTable {
             sum
         };
         let values = std::array::from_fn(|place| {
-            let component = components[place];
+            let component = SIX[place];
             let count = size[0] * size[1];
             self.values[place].as_ref()?;
             Some((0..count).map(|index| mean(component, index)).collect())

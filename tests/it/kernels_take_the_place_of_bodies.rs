@@ -333,10 +333,10 @@ fn bad_kernels_are_refused() {
         Err(Error::Below { .. })
     ));
     assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
-    // A thickness that is not the layer's, likewise.
-    let thin = Kernel::isotropic(near, 0.1, response).unwrap();
+    // A thickness beyond that of the layer, likewise.
+    let thick = Kernel::isotropic(near, 0.9, response).unwrap();
     assert!(matches!(
-        HalfSpace::new(grid, &thin),
+        HalfSpace::new(grid, &thick),
         Err(Error::Below { .. })
     ));
 
@@ -420,8 +420,9 @@ fn bad_kernels_are_refused() {
     let refused = HalfSpace::with_boundary(grid, &tabulated, Boundary::Periodic);
     assert!(matches!(refused, Err(Error::Coated { .. })));
     let empty = || CoefficientTable::new([1.0; 2], [2, 1]).unwrap();
+    let not_odd = empty().with(Component::ZX, vec![1.0, 0.0]).unwrap();
     assert!(matches!(
-        empty().with(Component::ZX, vec![1.0, 0.0]),
+        Kernel::tabulated(near, not_odd),
         Err(Error::Sample {
             index: 0,
             value: 1.0,
