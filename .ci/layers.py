@@ -13,7 +13,7 @@ FOUNDATION = {
     "buffer", "clock", "error", "report", "boundary", "cell_value", "discretisation", "neighbours", "grid", "field", "layers", "material", "parallel", "per_cell", "pool", "serial", "warning",
     "gauss", "jacobi", "digest", "ranks", "share", "shown", "layout", "reduce", "watch",
 }
-ENGINE = FOUNDATION | {"operator", "influence", "fft", "half_space", "cgm", "levels", "window"}
+ENGINE = FOUNDATION | {"operator", "influence", "kernel", "fft", "half_space", "cgm", "levels", "window"}
 LAYERS = [
     ("words every layer speaks", {
         "buffer": {"error"},
@@ -50,18 +50,19 @@ LAYERS = [
         "survey": {"contact_map", "grid", "parallel", "ranks", "warning"},
         "window": {"grid", "layout", "parallel", "ranks"},
         "levels": {"buffer", "error", "parallel"},
-        "influence": FOUNDATION,
-        "fft": FOUNDATION | {"operator", "influence"},
+        "influence": FOUNDATION | {"kernel"},
+        "kernel": FOUNDATION | {"influence"},
+        "fft": FOUNDATION | {"operator", "influence", "kernel"},
         "guide": set(),
         "analytical": {"error", "material", "grid", "field"},
         "surface": {"error", "fft", "grid", "field", "layout", "parallel", "ranks", "reduce", "report", "serial", "share", "watch"},
         "io": {"error", "grid", "field", "ranks", "share"},
     }),
     ("the engine, and what it works on", {
-        "half_space": FOUNDATION | {"contact_map", "survey", "levels", "operator", "influence", "fft", "io", "surface", "window"},
+        "half_space": FOUNDATION | {"contact_map", "survey", "levels", "operator", "influence", "kernel", "fft", "io", "surface", "window"},
         "cgm": {"buffer", "clock", "error", "layout", "report", "parallel", "per_cell", "operator", "ranks", "reduce", "serial", "watch"},
         "contact": ENGINE,
-        "dense": FOUNDATION | {"operator", "influence", "half_space", "cgm"},
+        "dense": FOUNDATION | {"operator", "influence", "kernel", "half_space", "cgm"},
     }),
     ("the two problems", {
         "normal": ENGINE | {"contact_map", "survey", "contact"},

@@ -88,18 +88,21 @@ pub enum Error {
         /// Layers allowed.
         limit: usize,
     },
-    /// Asked of coated bodies, but known of homogeneous ones alone.
-    #[error("{quantity} is not modelled for coated bodies: {remedy}")]
+    /// Asked of coated bodies, or of a [`Kernel`](crate::Kernel), but known of homogeneous bodies alone.
+    #[error("{quantity} is not modelled for coated bodies and kernels: {remedy}")]
     Coated {
         /// What was asked for, in words.
         quantity: &'static str,
         /// What to do instead.
         remedy: &'static str,
     },
-    /// The least eigenvalue of the compliance of coated bodies is not positive on this grid: nothing could be certified. The page
-    /// of [`layers`](crate::layers#limits-of-the-model) tells where this is so.
+    /// A [`Kernel`](crate::Kernel), or a part of it, is not at hand.
+    #[error("the kernel is missing: {0}")]
+    KernelMissing(&'static str),
+    /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
+    /// grid: nothing could be certified. The page of [`layers`](crate::layers#limits-of-the-model) tells where this is so.
     #[error(
-        "the least eigenvalue of the compliance, {eigenvalue:e}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats"
+        "the least eigenvalue of the compliance, {eigenvalue:e}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
     )]
     NotDefinite {
         /// The least eigenvalue (a length over a pressure).

@@ -81,6 +81,7 @@
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
 //! | roll with creepages, forces, spin or moment, steadily; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
 //! | roll while loads, creepages or surfaces change | [`LoadStep::roll`] |
+//! | have coated bodies, or any linear ones: a thin sheet, a graded half-space, coefficients of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
 //! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |
@@ -226,7 +227,7 @@
 //! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
 //! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
 //!
-//! Bodies are homogeneous or coated ([`layers`]). Not modelled: plasticity, adhesion, viscosity, heat.
+//! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Not modelled: plasticity, adhesion, viscosity, heat.
 //!
 //! # Sources of the formulas
 //!
@@ -273,6 +274,7 @@ pub mod history;
 pub mod influence;
 pub mod io;
 mod jacobi;
+pub mod kernel;
 pub mod layers;
 mod layout;
 mod levels;
@@ -311,6 +313,7 @@ pub use field::Field;
 pub use grid::Grid;
 pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 pub use history::{History, LoadStep};
+pub use kernel::Kernel;
 pub use layout::Layout;
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};

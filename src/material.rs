@@ -278,6 +278,18 @@ pub struct ElasticPair {
     compliances: Compliances,
     #[cfg_attr(feature = "serde", serde(skip_serializing))]
     coupling: f64,
+    /// Of a pair that stands for a kernel.
+    kernel: Option<KernelMark>,
+}
+
+/// What tells a pair that stands for a [`Kernel`](crate::Kernel) from others.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct KernelMark {
+    /// Of values of the kernel.
+    pub(crate) digest: u64,
+    /// The like of Dundurs' beta for the waves that couple most.
+    pub(crate) coupling: f64,
 }
 
 /// The values read, before they are checked.
@@ -285,6 +297,8 @@ pub struct ElasticPair {
 #[derive(serde::Deserialize)]
 struct UncheckedPair {
     bodies: [Material; 2],
+    #[serde(default)]
+    kernel: Option<KernelMark>,
 }
 
 #[cfg(feature = "serde")]
@@ -293,7 +307,8 @@ impl TryFrom<UncheckedPair> for ElasticPair {
 
     fn try_from(read: UncheckedPair) -> Result<Self> {
         let [body_1, body_2] = read.bodies;
-        Self::new(body_1, body_2)
+        let pair = Self::new(body_1, body_2)?;
+        Ok(read.kernel.map_or(pair, |mark| pair.standing_for(mark)))
     }
 }
 
@@ -328,6 +343,7 @@ impl ElasticPair {
                 coupling: one.coupling - two.coupling,
             },
             coupling: 0.0,
+            kernel: None,
         };
         positive("contact modulus of the pair", pair.contact_modulus())?;
         positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
@@ -335,6 +351,36 @@ impl ElasticPair {
         pair.check_layers()?;
         pair.coupling = pair.strongest_coupling();
         Ok(pair)
+    }
+
+    /// The pair that stands for a kernel which tends to it.
+    pub(crate) fn standing_for(self, mark: KernelMark) -> Self {
+        Self {
+            coupling: mark.coupling,
+            kernel: Some(mark),
+            ..self
+        }
+    }
+
+    /// Whether the pair stands for a [`Kernel`](crate::Kernel), and describes no bodies by itself.
+    #[must_use]
+    pub fn stands_for_kernel(&self) -> bool {
+        self.kernel.is_some()
+    }
+
+    /// The mark of the kernel that the pair stands for, if it does.
+    pub(crate) fn kernel(&self) -> Option<KernelMark> {
+        self.kernel
+    }
+
+    /// `Ok` for a pair that is known without a kernel.
+    pub(crate) fn check_no_kernel(&self) -> Result<()> {
+        match self.kernel {
+            None => Ok(()),
+            Some(_) => Err(Error::KernelMissing(
+                "the pair stands for a kernel: hand over the kernel itself",
+            )),
+        }
     }
 
     /// `Ok` if layers differ little enough for the numbers of the integrals over their waves.
@@ -383,8 +429,9 @@ impl ElasticPair {
     /// length); of homogeneous bodies the constants of the [`influence`](crate::influence) page over k.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// [`Error::NotPositive`]; [`Error::KernelMissing`] of a pair that stands for a [`Kernel`](crate::Kernel).
     pub fn response(&self, k: f64) -> Result<Response> {
+        self.check_no_kernel()?;
         positive("wave number", k)?;
         Ok(self.times_k(k).map(|value| value / k))
     }
@@ -401,16 +448,21 @@ impl ElasticPair {
         self.bodies.iter().any(Material::is_coated)
     }
 
+    /// Whether both bodies are homogeneous half-spaces.
+    pub(crate) fn is_homogeneous(&self) -> bool {
+        !self.is_coated() && self.kernel.is_none()
+    }
+
     /// `Ok` for homogeneous bodies, of what knows no others.
     pub(crate) fn check_homogeneous(
         &self,
         quantity: &'static str,
         remedy: &'static str,
     ) -> Result<()> {
-        if self.is_coated() {
-            Err(Error::Coated { quantity, remedy })
-        } else {
+        if self.is_homogeneous() {
             Ok(())
+        } else {
+            Err(Error::Coated { quantity, remedy })
         }
     }
 

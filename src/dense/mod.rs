@@ -10,7 +10,7 @@ mod wave_sum;
 
 pub use active_set::DenseMinimum;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use faer::{MatRef, Side};
 
@@ -18,7 +18,7 @@ use crate::boundary::Boundary;
 use crate::error::{Error, Result, all_finite, length};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Component, Rest, Samples};
+use crate::influence::{Added, Component, Samples};
 use crate::operator::Operator;
 use crate::shown::shown;
 
@@ -79,25 +79,25 @@ impl DenseOperator {
         let grid = bodies.grid();
         check_size(grid.cells())?;
         let [odd_x, odd_y] = component.is_odd();
-        let rest = || Rest::of(bodies.pair()).map(Arc::new);
+        let added = || Added::of(bodies.kernel());
         let coefficients = match bodies.boundary() {
             Boundary::NonPeriodic => {
                 let samples = Samples::new(grid, grid.size())?
                     .of(bodies.cell_value())
-                    .coated(rest());
+                    .coated(added());
                 let table = samples.table(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| table.at(i, j))
             }
             Boundary::PeriodicAlongY { datum } => {
                 let samples = Samples::repeating_along_y(grid, grid.size(), datum)?;
-                let samples = samples.of(bodies.cell_value()).coated(rest());
+                let samples = samples.of(bodies.cell_value()).coated(added());
                 let table = samples.table(grid, bodies.pair(), component)?;
                 Field::from_indices(grid, |i, j| match grid.ny() - j {
                     back if back < j && odd_y => -table.at(i, back),
                     back => table.at(i, j.min(back)),
                 })
             }
-            Boundary::Periodic => wave_sum::coefficients(grid, bodies.pair(), component),
+            Boundary::Periodic => wave_sum::coefficients(grid, bodies.kernel(), component),
         };
         let (nx, cells) = (grid.nx(), grid.cells());
         let entry = |field: usize, source: usize| {

@@ -5,13 +5,13 @@ use std::f64::consts::TAU;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::influence::{Component, Symbols};
-use crate::material::ElasticPair;
+use crate::kernel::Kernel;
 
 /// The coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`: the
 /// sum of all waves there, each with its symbol.
-pub(super) fn coefficients(grid: Grid, pair: &ElasticPair, component: Component) -> Field {
+pub(super) fn coefficients(grid: Grid, kernel: &Kernel, component: Component) -> Field {
     let (nx, ny) = (grid.nx(), grid.ny());
-    let symbols = Symbols::new(grid, pair, component);
+    let symbols = Symbols::new(grid, kernel, component);
     let [odd_x, odd_y] = component.is_odd();
     let along_x = |k, i| wave(nx, odd_x, k, i);
     let along_y = |l, j| wave(ny, odd_y, l, j);

@@ -211,6 +211,10 @@ const THINNEST: f64 = 4.0;
 
 /// `Ok` if the edges of a contact are those of its outermost layers.
 fn check_resolved(normal: &NormalSolution) -> Result<()> {
+    if normal.pair().kernel().is_some() {
+        let (quantity, remedy) = ("an edge inside the cells", "take the areas of the cells");
+        normal.pair().check_homogeneous(quantity, remedy)?;
+    }
     let grid = normal.grid();
     let bodies = normal.pair().bodies();
     let outermost = bodies.iter().filter_map(|body| body.layers().first());

@@ -13,7 +13,8 @@ use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
 use crate::grid::Grid;
-use crate::influence::{Component, Kernel, Rest, Samples, Symbols};
+use crate::influence::{Added, Component, Kernel, Samples, Symbols};
+use crate::kernel;
 use crate::layout::Layout;
 use crate::material::ElasticPair;
 use crate::operator::Operator;
@@ -72,8 +73,9 @@ impl Convolution {
     /// As [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
-        let rest = Rest::of(pair).map(Arc::new);
-        let samples = Samples::new(grid, reach)?.coated(rest);
+        pair.check_no_kernel()?;
+        let added = Added::of(&kernel::Kernel::from(*pair));
+        let samples = Samples::new(grid, reach)?.coated(added);
         parallel::enter_with(grid.cells(), || {
             let table = Kernel::Table(samples.table(grid, pair, component)?);
             Self::of_kernels(grid.size(), None, [[&table]])
@@ -102,7 +104,7 @@ impl Convolution {
     /// ```
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
-        let symbols = Kernel::Symbols(Symbols::new(grid, pair, component));
+        let symbols = Kernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
         or_abort(parallel::enter_with(grid.cells(), || {
             Self::of_kernels(grid.size(), None, [[&symbols]])
         }))
@@ -184,7 +186,7 @@ pub(crate) fn samples(
     boundary: Boundary,
     cell_value: CellValue,
     size: [usize; 2],
-    (team, rest): (Option<&Arc<Team>>, Option<&Arc<Rest>>),
+    (team, added): (Option<&Arc<Team>>, Option<&Arc<Added>>),
 ) -> Result<Option<Samples>> {
     let reach = reach(size, boundary);
     let samples = match boundary {
@@ -194,7 +196,7 @@ pub(crate) fn samples(
     };
     let share = team.map(|team| Arc::new(Share::new(team, reach)));
     Ok(Some(
-        samples.of(cell_value).shared(share).coated(rest.cloned()),
+        samples.of(cell_value).shared(share).coated(added.cloned()),
     ))
 }
 

@@ -9,6 +9,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, Shared};
+use crate::influence::Added;
 use crate::levels::{REACH, coarsened, halved, refined, refined_zone};
 use crate::parallel::get_or_make;
 use crate::share::Share;
@@ -32,20 +33,21 @@ impl HalfSpace {
             let grid = Grid::new(nx, ny, wide * grid.dx(), high * grid.dy())?;
             let (boundary, cell_value) = (self.boundary(), self.cell_value());
             let share = self.share_of_coarser([nx, ny]);
+            let added = kernels.added().map(Added::coarser);
             let samples = match kernels.samples() {
                 _ if share.is_some() => None,
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
                     Some(Arc::clone(samples))
                 }
                 _ => {
-                    let dealt = (None, kernels.rest());
+                    let dealt = (None, added.as_ref());
                     let samples = samples(grid, boundary, cell_value, grid.size(), dealt);
                     self.agreed(samples)?.map(Arc::new)
                 }
             };
             let dealt = (self.team().cloned(), share);
-            let made = (samples, kernels.rest().cloned());
-            let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
+            let made = (samples, added);
+            let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
             Ok(Self::of_kernels(kernels, dealt))
         })
     }

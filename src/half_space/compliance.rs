@@ -34,7 +34,7 @@ impl HalfSpace {
         if N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1 {
             let sides = [grid.dx(), grid.dy()];
             let eigenvalue = operator.least_eigenvalue();
-            return Err(if self.pair().is_coated() && eigenvalue <= 0.0 {
+            return Err(if !self.pair().is_homogeneous() && eigenvalue <= 0.0 {
                 Error::NotDefinite { eigenvalue, sides }
             } else {
                 Error::CellsTooLong { sides }

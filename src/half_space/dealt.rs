@@ -11,9 +11,9 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::kernels::Kernels;
 use crate::half_space::{HalfSpace, check};
-use crate::influence::Rest;
+use crate::influence::Added;
+use crate::kernel::Kernel;
 use crate::layout::Layout;
-use crate::material::ElasticPair;
 use crate::ranks::{Input, Ranks, Team, Traffic, Words};
 use crate::share::Share;
 use crate::survey::Survey;
@@ -29,27 +29,28 @@ impl HalfSpace {
     /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks).
     pub fn distributed(
         grid: Grid,
-        pair: ElasticPair,
+        bodies: impl Into<Kernel>,
         boundary: Boundary,
         ranks: Arc<dyn Ranks>,
     ) -> Result<Self> {
+        let bodies = bodies.into();
         if ranks.size() == 1 {
-            return Self::with_boundary(grid, pair, boundary);
+            return Self::with_boundary(grid, bodies, boundary);
         }
         let team = Arc::new(Team::new(ranks));
         let share = Arc::new(Share::new(&team, grid.size()));
         let own = [grid.nx(), share.own_rows().len()];
         team.agreed_alike(
-            check(grid, &pair, boundary, own),
+            check(grid, &bodies, boundary, own),
             &[
                 ("grid", &grid),
-                ("pair of bodies", &pair),
+                ("pair of bodies", bodies.pair()),
                 ("boundary", &boundary),
             ],
         )?;
         let dealt = (Some(team), Some(share));
-        let made = (None, Rest::of(&pair).map(Arc::new));
-        let kernels = Kernels::new(grid, &pair, boundary, CellValue::default(), made);
+        let made = (None, Added::of(&bodies));
+        let kernels = Kernels::new(grid, &bodies, boundary, CellValue::default(), made);
         Ok(Self::of_kernels(kernels, dealt))
     }
 

@@ -6,7 +6,8 @@ use crate::boundary::Boundary;
 use crate::cell_value::CellValue;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Component, Kernel, Rest, Samples, Symbols};
+use crate::influence::{Added, Component, Kernel, Samples, Symbols};
+use crate::kernel;
 use crate::material::ElasticPair;
 use crate::parallel::get_or_make;
 
@@ -14,27 +15,27 @@ use crate::parallel::get_or_make;
 #[derive(Debug)]
 pub(super) struct Kernels {
     grid: Grid,
-    pair: ElasticPair,
+    bodies: kernel::Kernel,
     boundary: Boundary,
     cell_value: CellValue,
     /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
-    /// The part that coated bodies add to their outermost layers.
-    rest: Option<Arc<Rest>>,
+    /// The part that coated bodies add to their outermost layers, or a kernel in their place.
+    added: Option<Arc<Added>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }
 
 impl Kernels {
     pub(super) fn new(
         grid: Grid,
-        pair: &ElasticPair,
+        bodies: &kernel::Kernel,
         boundary: Boundary,
         cell_value: CellValue,
-        (samples, rest): (Option<Arc<Samples>>, Option<Arc<Rest>>),
+        (samples, added): (Option<Arc<Samples>>, Option<Arc<Added>>),
     ) -> Self {
         Self {
             grid,
-            pair: *pair,
+            bodies: bodies.clone(),
             boundary,
             // The symbols of waves have values at the centres.
             cell_value: match boundary {
@@ -42,7 +43,7 @@ impl Kernels {
                 _ => cell_value,
             },
             samples,
-            rest,
+            added,
             made: Default::default(),
         }
     }
@@ -53,15 +54,19 @@ impl Kernels {
     }
 
     pub(super) fn pair(&self) -> &ElasticPair {
-        &self.pair
+        self.bodies.pair()
+    }
+
+    pub(super) fn bodies(&self) -> &kernel::Kernel {
+        &self.bodies
     }
 
     pub(super) fn samples(&self) -> Option<&Arc<Samples>> {
         self.samples.as_ref()
     }
 
-    pub(super) fn rest(&self) -> Option<&Arc<Rest>> {
-        self.rest.as_ref()
+    pub(super) fn added(&self) -> Option<&Arc<Added>> {
+        self.added.as_ref()
     }
 
     pub(super) fn boundary(&self) -> Boundary {
@@ -87,12 +92,12 @@ impl Kernels {
     }
 
     fn kernel(&self, component: Component) -> Result<&Kernel> {
-        let (grid, pair) = (self.grid, &self.pair);
+        let (grid, bodies) = (self.grid, &self.bodies);
         get_or_make(&self.made[component as usize], || {
             let Some(samples) = &self.samples else {
-                return Ok(Kernel::Symbols(Symbols::new(grid, pair, component)));
+                return Ok(Kernel::Symbols(Symbols::new(grid, bodies, component)));
             };
-            let table = samples.table(grid, pair, component)?;
+            let table = samples.table(grid, bodies.pair(), component)?;
             Ok(match self.boundary.repeats() {
                 [false, false] => Kernel::Table(table),
                 _ => Kernel::Rows(table),

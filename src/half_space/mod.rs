@@ -18,7 +18,8 @@ use crate::cell_value::CellValue;
 use crate::error::{Error, Result, at_least, finite, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Component, Direction, Kernel, Rest};
+use crate::influence::{Added, Component, Direction, Kernel};
+use crate::kernel;
 use crate::material::{ElasticPair, Material};
 use crate::ranks::Team;
 use crate::share::Share;
@@ -86,13 +87,18 @@ const _: () = {
 };
 
 impl HalfSpace {
-    /// The pair meshed by `grid`, with [`Boundary::NonPeriodic`] surroundings; nothing is computed yet.
+    /// The bodies, an [`ElasticPair`] or a [`Kernel`](kernel::Kernel), meshed by `grid`, with [`Boundary::NonPeriodic`]
+    /// surroundings; nothing is computed yet.
     ///
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
-    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had.
-    pub fn new(grid: Grid, pair: ElasticPair) -> Result<Self> {
-        Self::with_boundary(grid, pair, Boundary::NonPeriodic)
+    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had. Of kernels [`Error::Coated`] on
+    /// grids that they do not take; [`Error::Below`] for an isotropic one that is not near its half-space;
+    /// [`Error::GridMismatch`] for a table of other cells or of too few; [`Error::NotPositive`] and [`Error::NotFinite`]
+    /// for a response that is not positive at a wave of a grid that repeats; [`Error::KernelMissing`] of a pair that stands
+    /// for a kernel.
+    pub fn new(grid: Grid, bodies: impl Into<kernel::Kernel>) -> Result<Self> {
+        Self::with_boundary(grid, bodies, Boundary::NonPeriodic)
     }
 
     /// The pair meshed by `grid`, with the surroundings given; nothing is computed yet.
@@ -116,12 +122,17 @@ impl HalfSpace {
     /// # Errors
     /// As [`HalfSpace::new`]; [`Error::Coated`] for coated bodies on several rows that repeat along y alone;
     /// [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
-    pub fn with_boundary(grid: Grid, pair: ElasticPair, boundary: Boundary) -> Result<Self> {
-        check(grid, &pair, boundary, grid.size())?;
-        let (cell_value, rest) = (CellValue::default(), Rest::of(&pair).map(Arc::new));
-        let dealt = (None, rest.as_ref());
+    pub fn with_boundary(
+        grid: Grid,
+        bodies: impl Into<kernel::Kernel>,
+        boundary: Boundary,
+    ) -> Result<Self> {
+        let bodies = bodies.into();
+        check(grid, &bodies, boundary, grid.size())?;
+        let (cell_value, added) = (CellValue::default(), Added::of(&bodies));
+        let dealt = (None, added.as_ref());
         let samples = samples(grid, boundary, cell_value, grid.size(), dealt)?.map(Arc::new);
-        let kernels = Kernels::new(grid, &pair, boundary, cell_value, (samples, rest));
+        let kernels = Kernels::new(grid, &bodies, boundary, cell_value, (samples, added));
         Ok(Self::of_kernels(kernels, (None, None)))
     }
 
@@ -165,13 +176,13 @@ impl HalfSpace {
             grid, team, share, ..
         } = &*self.shared;
         let grid = grid.whole();
-        let rest = self.shared.kernels.rest();
+        let added = self.shared.kernels.added();
         let samples = match share {
             Some(_) => None,
-            None => samples(grid, boundary, cell_value, grid.size(), (None, rest))?.map(Arc::new),
+            None => samples(grid, boundary, cell_value, grid.size(), (None, added))?.map(Arc::new),
         };
-        let made = (samples, rest.cloned());
-        let kernels = Kernels::new(grid, self.pair(), boundary, cell_value, made);
+        let made = (samples, added.cloned());
+        let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
         Ok(Self::of_kernels(kernels, (team.clone(), share.clone())))
     }
 
@@ -201,10 +212,14 @@ impl HalfSpace {
         self.shared.grid
     }
 
-    /// The two bodies.
+    /// The two bodies; of a [`Kernel`](kernel::Kernel) the [pair](kernel::Kernel::pair) that stands for it.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         self.shared.kernels.pair()
+    }
+
+    pub(crate) fn kernel(&self) -> &kernel::Kernel {
+        self.shared.kernels.bodies()
     }
 
     /// What lies beyond the edge of the grid.
@@ -317,12 +332,12 @@ impl HalfSpace {
             return make(kernels.of(components)?);
         }
         let grid = grid.whole();
-        let (sharing, rest) = (self.sharing(), kernels.rest());
+        let (sharing, added) = (self.sharing(), kernels.added());
         let samples = self
-            .agreed(samples(grid, boundary, cell_value, size, (sharing, rest)))?
+            .agreed(samples(grid, boundary, cell_value, size, (sharing, added)))?
             .map(Arc::new);
-        let made = (samples, rest.cloned());
-        make(Kernels::new(grid, self.pair(), boundary, cell_value, made).of(components)?)
+        let made = (samples, added.cloned());
+        make(Kernels::new(grid, self.kernel(), boundary, cell_value, made).of(components)?)
     }
 
     /// `Ok` if what has a meaning of the values of cells has that of these.
@@ -370,8 +385,9 @@ impl HalfSpace {
 const THINNEST: f64 = 1e-25;
 
 /// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
-fn check(grid: Grid, pair: &ElasticPair, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
+fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
+    let pair = kernel.pair();
     let bodies = pair.bodies();
     let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     for layer in bodies.iter().flat_map(Material::layers) {
@@ -395,7 +411,7 @@ fn check(grid: Grid, pair: &ElasticPair, boundary: Boundary, cells: [usize; 2]) 
             datum,
         )?;
     }
-    Ok(())
+    kernel.check_on(grid, boundary)
 }
 
 /// `Ok` if no direction occurs twice.

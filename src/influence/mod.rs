@@ -61,6 +61,7 @@
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 
+mod added;
 mod direction;
 pub(crate) mod images;
 mod integrals;
@@ -71,6 +72,7 @@ mod samples;
 mod symbols;
 mod table;
 
+pub(crate) use added::Added;
 pub use direction::Direction;
 pub(crate) use kernel::Kernel;
 pub use rectangle::{Rectangle, Tensor};

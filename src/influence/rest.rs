@@ -5,6 +5,7 @@ use std::sync::{LazyLock, OnceLock};
 
 use crate::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, Rule};
 use crate::influence::Component;
+use crate::kernel::{Isotropic, Kernel};
 use crate::layers::{Layer, Response};
 use crate::material::{Compliances, ElasticPair, Material};
 
@@ -23,9 +24,9 @@ use crate::material::{Compliances, ElasticPair, Material};
 /// $`2 \int R_c \sin(kx)/x\,\mathrm{d}k`$ without it. Each is even in its distance.
 #[derive(Debug)]
 pub(crate) struct Rest {
-    pair: ElasticPair,
+    kernel: Kernel,
     near: Response,
-    /// Of each coated body the depth H, and what the base adds to the outermost layer, as a sum for the pair.
+    /// Of each coated body, or of a kernel, the depth H, and what the base adds to the outermost layer, as a sum for the pair.
     images: Vec<(f64, Response)>,
     /// The least depth H.
     scale: f64,
@@ -41,6 +42,8 @@ const PIECES: usize = 100;
 const TERMS: usize = 21;
 /// k H where R(k) is gone.
 const GONE: f64 = 40.0;
+/// Thickness of a kernel times the wave number below which nothing is supposed to happen.
+const LEAST: f64 = 1e-7;
 /// Phase of the wave at the far end of a piece over a panel of twelve points.
 const PHASE: f64 = 7.0;
 
@@ -84,7 +87,7 @@ impl Rest {
         let depths = images.iter().map(|&(depth, _)| depth);
         let longest = bodies.iter().map(slowest).fold(0.0, f64::max);
         Some(Self {
-            pair: *pair,
+            kernel: Kernel::from(*pair),
             near: times_k(pair.compliances()),
             scale: depths.fold(f64::INFINITY, f64::min),
             least: 0.025 / longest,
@@ -92,6 +95,22 @@ impl Rest {
             points: std::array::from_fn(|_| OnceLock::new()),
             lines: std::array::from_fn(|_| OnceLock::new()),
         })
+    }
+
+    /// Of a kernel that tends to its pair for short waves.
+    pub(crate) fn of_kernel(kernel: &Kernel, isotropic: &Isotropic) -> Self {
+        let near = times_k(kernel.pair().compliances());
+        let depth = 2.0 * isotropic.thickness;
+        let added = isotropic.far.with(near, |far, near| far - near);
+        Self {
+            kernel: kernel.clone(),
+            near,
+            images: vec![(depth, added)],
+            scale: depth,
+            least: LEAST / isotropic.thickness,
+            points: std::array::from_fn(|_| OnceLock::new()),
+            lines: std::array::from_fn(|_| OnceLock::new()),
+        }
     }
 
     /// Two pi times the integral of a component over a cell of half sides `[a, b]`, at `(x, y)` from its centre.
@@ -286,7 +305,7 @@ impl Rest {
         let less = |a: f64, b: f64| a - b;
         let images = self.images.iter();
         images.fold(
-            self.pair.times_k(k).with(self.near, less),
+            self.kernel.times_k(k).with(self.near, less),
             |rest, (depth, part)| {
                 let decay = (-k * depth).exp();
                 rest.with(*part, |rest, part| rest - decay * part)

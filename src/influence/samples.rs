@@ -9,7 +9,7 @@ use crate::error::{Result, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
 use crate::influence::integrals::Integral;
-use crate::influence::{Component, Rectangle, Rest, Table};
+use crate::influence::{Added, Component, Rectangle, Table};
 use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
 use crate::share::Share;
@@ -28,8 +28,8 @@ pub(crate) struct Samples {
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
-    /// The part that coated bodies add to each coefficient, in the same unit.
-    rest: Option<Arc<Rest>>,
+    /// The part that coated bodies add to each coefficient, or a kernel in their place, in the same unit.
+    added: Option<Arc<Added>>,
     rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
 }
 
@@ -65,7 +65,7 @@ impl Samples {
             images: None,
             cell_value: CellValue::default(),
             values: Default::default(),
-            rest: None,
+            added: None,
             rests: Default::default(),
         })
     }
@@ -95,19 +95,19 @@ impl Samples {
     }
 
     /// The same for bodies that add so much to the coefficients of their outermost layers.
-    pub(crate) fn coated(self, rest: Option<Arc<Rest>>) -> Self {
-        Self { rest, ..self }
+    pub(crate) fn coated(self, added: Option<Arc<Added>>) -> Self {
+        Self { added, ..self }
     }
 
     /// Whether they are those of cells of any size.
     pub(crate) fn have_no_scale(&self) -> bool {
-        self.images.is_none() && self.rest.is_none()
+        self.images.is_none() && self.added.is_none()
     }
 
     /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
     ///
     /// # Errors
-    /// As [`Samples::new`].
+    /// As [`Samples::new`]; [`Error::KernelMissing`](crate::Error::KernelMissing) for a coefficient that a table lacks.
     pub(crate) fn table(
         &self,
         grid: Grid,
@@ -115,14 +115,21 @@ impl Samples {
         component: Component,
     ) -> Result<Table> {
         let scale = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?.scale();
-        let parts = component.parts(pair.compliances());
+        let compliances = match self.added.as_deref() {
+            Some(Added::Table(table)) => {
+                table.check_has(component)?;
+                None
+            }
+            _ => Some(pair.compliances()),
+        };
+        let parts = compliances.into_iter().flat_map(|of| component.parts(of));
         let parts = parts.map(|(weight, integral)| {
             let make = || self.sample(Sampled::Integral(integral)).map(Arc::new);
             let values = get_or_make(&self.values[integral as usize], make)?;
             Ok((weight, Arc::clone(values)))
         });
         let mut parts = parts.collect::<Result<Vec<_>>>()?;
-        if self.rest.is_some() {
+        if self.added.is_some() {
             let make = || self.sample(Sampled::Rest(component)).map(Arc::new);
             let values = get_or_make(&self.rests[component as usize], make)?;
             parts.push((1.0, Arc::clone(values)));
@@ -168,7 +175,7 @@ impl Samples {
                 (Sampled::Integral(integral), Some((images, _))) => {
                     images.along_row(cell, integral, &xs, y, out);
                 }
-                (Sampled::Rest(component), _) => self.rests_along_row(component, &xs, y, out),
+                (Sampled::Rest(component), _) => self.rests_along_row(component, row, &xs, out),
             }
             if is_negative {
                 for value in out {
@@ -181,11 +188,19 @@ impl Samples {
 
     /// The part that coated bodies add to a coefficient, at the points of a row; of a grid that repeats along y, of a line of
     /// cells.
-    fn rests_along_row(&self, component: Component, xs: &[f64], y: f64, out: &mut [f64]) {
-        let Some(rest) = &self.rest else {
-            return out.fill(0.0);
-        };
+    fn rests_along_row(&self, component: Component, row: usize, xs: &[f64], out: &mut [f64]) {
         let unit = self.rectangle.unit;
+        let rest = match self.added.as_deref() {
+            None => return out.fill(0.0),
+            Some(Added::Table(table)) => {
+                for (column, out) in out.iter_mut().enumerate() {
+                    *out = table.at(component, [column, row]) / self.rectangle.scale();
+                }
+                return;
+            }
+            Some(Added::Rest(rest)) => rest,
+        };
+        let y = row as f64 * self.sides[1] / unit;
         let sides @ [a, _] = self.rectangle.half_sides();
         let lengths: Vec<f64> = xs.iter().map(|x| x * unit).collect();
         match self.images {

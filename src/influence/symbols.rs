@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use crate::grid::Grid;
 use crate::influence::Component;
 use crate::influence::integrals::Integral;
-use crate::material::{Compliances, ElasticPair};
+use crate::kernel::{Given, Kernel};
+use crate::material::Compliances;
 
 /// The symbol of one coefficient for the waves that fit a periodic grid.
 ///
@@ -17,20 +18,21 @@ pub(crate) struct Symbols {
     component: Component,
     compliances: Compliances,
     /// Bodies whose symbols are no sums of those of half-spaces.
-    coated: Option<Box<ElasticPair>>,
+    other: Option<Box<Kernel>>,
     size: [usize; 2],
     /// Wave numbers of one period over the grid.
     steps: [f64; 2],
 }
 
 impl Symbols {
-    pub(crate) fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
+    pub(crate) fn new(grid: Grid, kernel: &Kernel, component: Component) -> Self {
+        let pair = kernel.pair();
         let size = [grid.nx(), grid.ny()];
         let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
         Self {
             component,
             compliances: pair.compliances(),
-            coated: pair.is_coated().then(|| Box::new(*pair)),
+            other: (!pair.is_homogeneous()).then(|| Box::new(kernel.clone())),
             size,
             steps: sides.map(|side| TAU / side),
         }
@@ -49,8 +51,8 @@ impl Symbols {
             return 0.0;
         }
         let [x, y] = [0, 1].map(|axis| self.steps[axis] * periods[axis] as f64);
-        if let Some(pair) = &self.coated {
-            return self.component.symbol(pair, [x, y]);
+        if let Some(kernel) = &self.other {
+            return self.component.symbol(kernel, [x, y]);
         }
         let parts = self.component.parts(self.compliances);
         parts
@@ -60,11 +62,14 @@ impl Symbols {
 }
 
 impl Component {
-    /// The symbol of a pair, or its imaginary part, of the wave vector.
-    fn symbol(self, pair: &ElasticPair, [x, y]: [f64; 2]) -> f64 {
+    /// The symbol of bodies, or its imaginary part, of the wave vector.
+    fn symbol(self, kernel: &Kernel, [x, y]: [f64; 2]) -> f64 {
+        if let Some(Given::Orthotropic(response)) = kernel.given() {
+            return response([x, y]).component(self);
+        }
         let k = x.hypot(y);
         let (x, y) = (x / k, y / k);
-        let found = pair.times_k(k);
+        let found = kernel.times_k(k);
         let value = match self {
             Self::ZZ => found.normal,
             Self::XX => found.along * x * x + found.across * y * y,

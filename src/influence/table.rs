@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Component, Rest, Samples};
+use crate::influence::{Added, Component, Samples};
+use crate::kernel::Kernel;
 use crate::material::ElasticPair;
 use crate::parallel;
 use crate::share::Share;
@@ -46,10 +47,12 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::KernelMissing`](crate::Error::KernelMissing) of a pair that stands
+    /// for a [`Kernel`].
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
-        let rest = Rest::of(pair).map(Arc::new);
-        let samples = Samples::new(grid, grid.size())?.coated(rest);
+        pair.check_no_kernel()?;
+        let added = Added::of(&Kernel::from(*pair));
+        let samples = Samples::new(grid, grid.size())?.coated(added);
         parallel::enter_with(grid.cells(), || samples.table(grid, pair, component))
     }
 

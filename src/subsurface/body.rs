@@ -49,7 +49,7 @@ impl Body {
             Self::One => (one, "body 1"),
             Self::Two => (two, "body 2"),
         };
-        if material.is_coated() {
+        if material.is_coated() || pair.kernel().is_some() {
             return Err(Error::Coated {
                 quantity: "stress below the surface",
                 remedy: "leave the coating out, or ask for that of a body without one",

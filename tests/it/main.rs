@@ -69,6 +69,7 @@ mod histories_obey_the_spring;
 mod histories_obey_their_laws;
 mod histories_remember_what_has_yielded;
 mod influence_coefficients;
+mod kernels_take_the_place_of_bodies;
 mod known_contacts_beyond_spheres;
 mod laws_hold;
 mod levelling_takes_off_the_form;

@@ -19,7 +19,7 @@ NUMBERS = {
 # Parameters that point to many entries; all others point to one.
 ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
-    "depths", "points", "forces", "responses", "values", "heights", "labels", "slip_distance", "centres", "means",
+    "depths", "points", "forces", "responses", "values", "heights", "labels", "layers_1", "layers_2", "slip_distance", "centres", "means",
 }
 # Members of structs whose default is not zero, as ..._default() has them; tests/reach.f90 compares the two.
 INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"

@@ -52,6 +52,7 @@ module stickslip_bindings
     public :: stickslip_last_error
     public :: stickslip_last_error_report
     public :: stickslip_half_space_new
+    public :: stickslip_half_space_new_coated
     public :: stickslip_half_space_set_cell_value
     public :: stickslip_half_space_cell_value
     public :: stickslip_half_space_free
@@ -1040,6 +1041,16 @@ module stickslip_bindings
         real(c_double) :: datum = 0
     end type stickslip_boundary
 
+    ! An elastic layer bonded to what lies below it.
+    type, bind(c), public :: stickslip_layer
+        ! Young's modulus (a pressure).
+        real(c_double) :: youngs_modulus = 0
+        ! Poisson's ratio, in (-1, 1/2].
+        real(c_double) :: poisson_ratio = 0
+        ! Thickness (a length).
+        real(c_double) :: thickness = 0
+    end type stickslip_layer
+
     ! Constants of a pair of materials.
     type, bind(c), public :: stickslip_pair
         ! E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
@@ -1783,6 +1794,22 @@ module stickslip_bindings
             type(stickslip_half_space), intent(out) :: half_space
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new
+
+        ! The same of bodies under layers, each the outermost first, at most eight; no layers leave a body as it is.
+        function stickslip_half_space_new_coated(grid, body_1, layers_1, layers_1_count, body_2, layers_2, &
+            layers_2_count, boundary, half_space) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            type(stickslip_material), intent(in), optional :: body_1
+            type(stickslip_layer), intent(in), optional :: layers_1(*)
+            integer(c_size_t), value :: layers_1_count
+            type(stickslip_material), intent(in), optional :: body_2
+            type(stickslip_layer), intent(in), optional :: layers_2(*)
+            integer(c_size_t), value :: layers_2_count
+            type(stickslip_boundary), intent(in), optional :: boundary
+            type(stickslip_half_space), intent(out) :: half_space
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_new_coated
 
         ! Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
         ! made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.

@@ -27,6 +27,7 @@ module stickslip_objects
         type(stickslip_grid) :: grid
     contains
         procedure :: new => half_space_new
+        procedure :: new_coated => half_space_new_coated
         procedure :: set_cell_value => half_space_set_cell_value
         procedure :: pair => half_space_pair
         procedure :: address => half_space_address
@@ -174,8 +175,35 @@ contains
         type(stickslip_boundary), intent(in), optional :: boundary
         integer(c_int32_t), intent(out), optional :: status
         type(stickslip_half_space) :: made
-        integer(c_int32_t) :: code, given_up
+        integer(c_int32_t) :: code
         code = stickslip_half_space_new(grid, body_1, body_2, boundary, made)
+        call half_space_take(this, grid, made, code, status)
+    end subroutine half_space_new
+
+    ! The same of bodies under layers, each the outermost first, at most eight; of no layers an array of size zero.
+    subroutine half_space_new_coated(this, grid, body_1, layers_1, body_2, layers_2, boundary, status)
+        class(half_space), intent(inout) :: this
+        type(stickslip_grid), intent(in) :: grid
+        type(stickslip_material), intent(in) :: body_1, body_2
+        type(stickslip_layer), intent(in) :: layers_1(:), layers_2(:)
+        type(stickslip_boundary), intent(in), optional :: boundary
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_half_space) :: made
+        integer(c_int32_t) :: code
+        code = stickslip_half_space_new_coated(grid, body_1, layers_1, size(layers_1, kind=c_size_t), body_2, layers_2, &
+            size(layers_2, kind=c_size_t), boundary, made)
+        call half_space_take(this, grid, made, code, status)
+    end subroutine half_space_new_coated
+
+    ! Takes over what was made, unless it failed or this one is in use.
+    subroutine half_space_take(this, grid, made, made_code, status)
+        class(half_space), intent(inout) :: this
+        type(stickslip_grid), intent(in) :: grid
+        type(stickslip_half_space), intent(in) :: made
+        integer(c_int32_t), intent(in) :: made_code
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code, given_up
+        code = made_code
         if (code == STICKSLIP_OK) code = stickslip_half_space_free(this%handle)
         if (code == STICKSLIP_OK) then
             this%handle = made
@@ -184,7 +212,7 @@ contains
             given_up = stickslip_half_space_free(made)
         end if
         call report_status(code, status)
-    end subroutine half_space_new
+    end subroutine half_space_take
 
     ! STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
     subroutine half_space_set_cell_value(this, value, status)

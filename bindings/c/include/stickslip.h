@@ -1028,6 +1028,16 @@ typedef struct {
     double datum;
 } stickslip_boundary;
 
+// An elastic layer bonded to what lies below it.
+typedef struct {
+    // Young's modulus (a pressure).
+    double youngs_modulus;
+    // Poisson's ratio, in (-1, 1/2].
+    double poisson_ratio;
+    // Thickness (a length).
+    double thickness;
+} stickslip_layer;
+
 // Constants of a pair of materials.
 typedef struct {
     // E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
@@ -1578,6 +1588,17 @@ stickslip_status stickslip_half_space_new(const stickslip_grid *grid,
                                           const stickslip_material *body_2,
                                           const stickslip_boundary *boundary,
                                           stickslip_half_space **half_space);
+
+// The same of bodies under layers, each the outermost first, at most eight; no layers leave a body as it is.
+stickslip_status stickslip_half_space_new_coated(const stickslip_grid *grid,
+                                                 const stickslip_material *body_1,
+                                                 const stickslip_layer *layers_1,
+                                                 size_t layers_1_count,
+                                                 const stickslip_material *body_2,
+                                                 const stickslip_layer *layers_2,
+                                                 size_t layers_2_count,
+                                                 const stickslip_boundary *boundary,
+                                                 stickslip_half_space **half_space);
 
 // Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
 // made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.

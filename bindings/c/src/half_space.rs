@@ -1,14 +1,15 @@
 //! The two bodies on their grid.
 
+use stickslip_rs::layers::Layer;
 use stickslip_rs::{Boundary, CellValue, ElasticPair, HalfSpace};
 
-use crate::call::call;
+use crate::call::{Outcome, call};
 use crate::handle::{Handle, changing, free, give, opaque};
 use crate::inputs::{
     STICKSLIP_CENTRE, STICKSLIP_UNIFORM, cell_value, stickslip_boundary, stickslip_grid,
-    stickslip_material,
+    stickslip_layer, stickslip_material,
 };
-use crate::pointer::{Place, input, optional};
+use crate::pointer::{Place, entries, input, optional};
 use crate::reading::tell;
 use crate::status::stickslip_status;
 use crate::threads::enter;
@@ -44,20 +45,49 @@ pub unsafe extern "C" fn stickslip_half_space_new(
     boundary: *const stickslip_boundary,
     half_space: *mut *mut stickslip_half_space,
 ) -> stickslip_status {
+    let none = std::ptr::null();
+    // SAFETY: the rule for pointers.
+    unsafe {
+        stickslip_half_space_new_coated(
+            grid, body_1, none, 0, body_2, none, 0, boundary, half_space,
+        )
+    }
+}
+
+/// The same of bodies under layers, each the outermost first, at most eight; no layers leave a body as it is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_new_coated(
+    grid: *const stickslip_grid,
+    body_1: *const stickslip_material,
+    layers_1: *const stickslip_layer,
+    layers_1_count: usize,
+    body_2: *const stickslip_material,
+    layers_2: *const stickslip_layer,
+    layers_2_count: usize,
+    boundary: *const stickslip_boundary,
+    half_space: *mut *mut stickslip_half_space,
+) -> stickslip_status {
     call(|| {
         // SAFETY: the rule for pointers.
         let place = unsafe { Place::new("half_space", half_space)? };
         // SAFETY: the rule for pointers.
-        let (grid, bodies, boundary) = unsafe {
+        let (grid, bodies, boundary, layers) = unsafe {
             let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];
-            (
-                input("grid", grid)?,
-                bodies,
-                optional("boundary", boundary)?,
-            )
+            let layers = [
+                entries("layers_1", layers_1, layers_1_count)?,
+                entries("layers_2", layers_2, layers_2_count)?,
+            ];
+            let boundary = optional("boundary", boundary)?;
+            (input("grid", grid)?, bodies, boundary, layers)
         };
         let boundary = boundary.map_or(Ok(Boundary::NonPeriodic), stickslip_boundary::checked)?;
-        let pair = ElasticPair::new(bodies[0].checked()?, bodies[1].checked()?)?;
+        let coated = |n: usize| {
+            let layers = layers[n].iter().map(stickslip_layer::checked);
+            let layers = layers.collect::<Outcome<Vec<Layer>>>()?;
+            Ok(bodies[n].checked()?.coated(&layers)?)
+        };
+        let one = coated(0)?;
+        let pair = ElasticPair::new(one, coated(1)?)?;
         let grid = grid.checked()?;
         let make = || HalfSpace::with_boundary(grid, pair, boundary);
         let bodies = enter(grid.cells(), make)?;

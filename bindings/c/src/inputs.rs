@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use stickslip_rs::cgm::{Method, Settings};
+use stickslip_rs::layers::Layer;
 use stickslip_rs::normal::Hardness;
 use stickslip_rs::tangential::RelativeDisplacement;
 use stickslip_rs::{Boundary, CellValue, Field, Friction, Grid, Material};
@@ -68,6 +69,29 @@ impl stickslip_material {
             0.0 | f64::INFINITY => material,
             hardness => material.with_hardness(hardness)?,
         })
+    }
+}
+
+/// An elastic layer bonded to what lies below it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_layer {
+    /// Young's modulus (a pressure).
+    pub youngs_modulus: f64,
+    /// Poisson's ratio, in (-1, 1/2].
+    pub poisson_ratio: f64,
+    /// Thickness (a length).
+    pub thickness: f64,
+}
+
+impl stickslip_layer {
+    pub(crate) fn checked(&self) -> Outcome<Layer> {
+        let Self {
+            youngs_modulus,
+            poisson_ratio,
+            thickness,
+        } = *self;
+        Ok(Layer::new(youngs_modulus, poisson_ratio, thickness)?)
     }
 }
 

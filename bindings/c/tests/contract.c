@@ -39,6 +39,27 @@ static stickslip_load_step drag(double force) {
     return load;
 }
 
+/* A hard layer takes area and approach. */
+static void layers_are_felt(void) {
+    stickslip_layer oxide = {380e9, 0.22, 5e-6};
+    stickslip_half_space *bodies[2] = {make_bodies(), NULL};
+    OK(stickslip_half_space_new_coated(&GRID, &STEEL, &oxide, 1, &STEEL, NULL, 0, NULL, &bodies[1]));
+    stickslip_normal_load load = {STICKSLIP_FORCE, 10.0};
+    stickslip_normal_result found[2];
+    for (int i = 0; i < 2; i++) {
+        stickslip_normal_solver *solver = NULL;
+        stickslip_normal_solution *solution = NULL;
+        OK(stickslip_normal_solver_new(bodies[i], ball, CELLS, &load, NULL, NULL, &solver));
+        OK(stickslip_normal_solution_new(solver, &solution));
+        OK(stickslip_normal_solver_solve(solver, solution, NULL));
+        OK(stickslip_normal_solution_result(solution, &found[i]));
+        OK(stickslip_normal_solution_free(solution));
+        OK(stickslip_normal_solver_free(solver));
+        OK(stickslip_half_space_free(bodies[i]));
+    }
+    CHECK(found[1].approach < found[0].approach && found[1].approach > 0.5 * found[0].approach);
+}
+
 static void bad_input_is_refused(void) {
     stickslip_half_space *bodies = make_bodies(), *none = NULL;
     stickslip_grid grid = GRID;
@@ -57,6 +78,14 @@ static void bad_input_is_refused(void) {
     CHECK(error.value == 0.7);
     CHECK(strstr(stickslip_last_error_message(), "0.7") != NULL);
     CHECK(stickslip_half_space_new(&GRID, &rigid, &rigid, NULL, &none) == STICKSLIP_BOTH_RIGID);
+    stickslip_layer oxide = {380e9, 0.22, 5e-6}, many[9], thin = {380e9, 0.22, 0.0};
+    for (int i = 0; i < 9; i++) {
+        many[i] = oxide;
+    }
+    CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, many, 9, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_REFUSED);
+    CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, &thin, 1, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_NOT_POSITIVE);
+    CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, NULL, 1, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_BAD_POINTER);
+    CHECK(none == NULL);
     stickslip_boundary boundary = {7, 0.0};
     CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &none) == STICKSLIP_NO_SUCH_OPTION);
     int32_t value = -1;
@@ -356,6 +385,7 @@ int main(void) {
     CHECK(strcmp(stickslip_last_error_message(), "") == 0);
     OK(stickslip_set_num_threads(2));
     OK(stickslip_surface_sphere(&GRID, 3.5e-3, ball, CELLS));
+    layers_are_felt();
     bad_input_is_refused();
     failed_steps_leave_no_trace();
     fields_are_not_copied();

@@ -66,9 +66,11 @@ contains
 
     subroutine run()
         type(stickslip_grid) :: grid, wrong
-        type(half_space) :: bodies
-        type(normal_solver) :: presser
-        type(normal_solution) :: pressed
+        type(half_space) :: bodies, layered
+        type(stickslip_layer) :: no_layers(0)
+        type(normal_solver) :: presser, coated_presser
+        type(normal_solution) :: pressed, coated_pressed
+        type(stickslip_normal_result) :: of_layers, of_none
         type(tangential_solver) :: shearer
         type(tangential_solution) :: sheared
         type(contact_history) :: history
@@ -119,6 +121,14 @@ contains
         before = bodies%address()
         call bodies%new(wrong, steel, steel, status=status)
         call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'no other bodies')
+        call bodies%new_coated(grid, steel, [stickslip_layer(420d3, 0.3d0, -1d0)], steel, no_layers, status=status)
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'no other layers')
+        call layered%new_coated(grid, steel, [stickslip_layer(420d3, 0.3d0, 0.02d0)], steel, no_layers)
+        call coated_presser%new(layered, ball, stickslip_normal_load(STICKSLIP_FORCE, 100))
+        call coated_presser%solve(coated_pressed)
+        of_layers = coated_pressed%result()
+        of_none = pressed%result()
+        call check(of_layers%approach < of_none%approach, 'a hard layer takes approach')
         before = presser%address()
         call presser%new(bodies, ball(:, 2:), stickslip_normal_load(STICKSLIP_FORCE, 100), status=status)
         call check(status == STICKSLIP_LENGTH .and. c_associated(presser%address(), before), 'no other normal solver')

@@ -37,6 +37,16 @@ int main() {
     check(ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 50.0).stick_radius < 1e-4, "gross slip");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 60.0); });
 
+    // A layer of the modulus of its body changes nothing, a harder one takes approach.
+    const auto under = [&](double modulus) {
+        const ss::Coated body{steel, {{modulus, 0.3, 0.02}}};
+        const ss::HalfSpace coated(grid, body, body);
+        return ss::NormalSolver(coated, ss::sphere(grid, 5.0), ss::press_by_force(100.0)).solve().result().approach;
+    };
+    check(std::fabs(under(210e3) / pressed.result().approach - 1.0) < 1e-7, "a layer of its base");
+    check(under(420e3) < 0.99 * pressed.result().approach, "a hard layer");
+    fails(STICKSLIP_NOT_POSITIVE, [&] { under(-1.0); });
+
     // The largest shear stress is 0.310 p0, at the depth 0.481 a.
     const double depth = 0.481 * hertz.contact_radius;
     const ss::Tractions load = ss::tractions(pressed.pressure());

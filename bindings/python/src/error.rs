@@ -164,6 +164,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         (_, Error::Hurst(value)) => one(&attributes, "Hurst", "value", *value)?,
         (_, Error::Tolerance(value)) => one(&attributes, "Tolerance", "value", *value)?,
         (_, Error::StepsPerCycle(steps)) => one(&attributes, "StepsPerCycle", "steps", *steps)?,
+        (_, Error::KernelMissing(part)) => one(&attributes, "KernelMissing", "part", *part)?,
         (_, Error::RigidBody(body)) => one(&attributes, "RigidBody", "body", *body)?,
         (_, Error::Repeats(quantity)) => one(&attributes, "Repeats", "quantity", *quantity)?,
         (

@@ -1,5 +1,6 @@
 //! Two elastic half-spaces on a grid.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::boundary::{Boundary, Surroundings};
@@ -16,7 +17,7 @@ use crate::material::{Bodies, ElasticPair};
 /// ----------
 /// grid : Grid
 ///     The cells that may come into contact.
-/// pair : ElasticPair, or two Materials
+/// pair : ElasticPair, two Materials, or Kernel
 ///     The two bodies; z points into the first.
 /// boundary : Boundary or str, default "non_periodic"
 ///     What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
@@ -25,7 +26,7 @@ use crate::material::{Bodies, ElasticPair};
 ///
 /// Raises
 /// ------
-/// NotPositive, Memory, Below
+/// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch
 ///
 /// Examples
 /// --------
@@ -93,14 +94,19 @@ impl HalfSpace {
         self.grid().__hash__()
     }
 
+    #[expect(clippy::type_complexity, reason = "what pickle takes")]
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> (
+    ) -> PyResult<(
         Bound<'py, pyo3::types::PyType>,
         (Grid, ElasticPair, Boundary, Choice<stickslip::CellValue>),
-    ) {
+    )> {
         let bodies = slf.get();
-        (
+        if bodies.0.pair().stands_for_kernel() {
+            let refused = "bodies of a Kernel are not pickled: make them from it anew";
+            return Err(PyTypeError::new_err(refused));
+        }
+        Ok((
             slf.get_type(),
             (
                 bodies.grid(),
@@ -108,7 +114,7 @@ impl HalfSpace {
                 bodies.boundary(),
                 bodies.cell_value(),
             ),
-        )
+        ))
     }
 
     fn __repr__(&self) -> String {

@@ -20,6 +20,8 @@ mod held;
 mod history;
 mod influence;
 mod io;
+mod kernel;
+mod layers;
 mod load;
 mod material;
 mod normal;
@@ -95,6 +97,8 @@ mod _stickslip {
             sdf_write, sur_parse, sur_read, vti_to_bytes, vti_write, x3p_parse, x3p_read,
             xyz_parse, xyz_read,
         },
+        kernel::Kernel,
+        layers::{Layer, WaveResponse},
         load::{LoadStep, TangentialLoad},
         material::{ElasticPair, Material},
         normal::{Hardness, NormalProblem, NormalSolution, NormalSolver},

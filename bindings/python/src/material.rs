@@ -10,10 +10,12 @@ use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 use crate::digits::short;
 use crate::due::entries;
 use crate::error::OrRaise;
+use crate::kernel::Kernel;
+use crate::layers::{Layer, WaveResponse, numbers};
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// A linear elastic, isotropic, homogeneous half-space.
+/// A linear elastic, isotropic half-space, homogeneous or :meth:`coated`.
 ///
 /// Parameters
 /// ----------
@@ -103,6 +105,35 @@ impl Material {
         self.0.is_rigid()
     }
 
+    /// This body under layers that are bonded to it, the outermost first; over those it has. On a rigid body they are a bed on
+    /// a rigid base. The moduli of a coated body are those of what lies below the layers, and a hardness stated before is
+    /// kept.
+    ///
+    /// Parameters
+    /// ----------
+    /// layers : sequence of Layer
+    ///     At most eight in all.
+    ///
+    /// Raises
+    /// ------
+    /// TooManyLayers
+    fn coated(&self, py: Python<'_>, layers: Vec<Layer>) -> PyResult<Self> {
+        let layers: Vec<_> = layers.into_iter().map(|layer| layer.0).collect();
+        self.0.coated(&layers).or_raise(py).map(Self)
+    }
+
+    /// The layers of a coated body, the outermost first.
+    #[getter]
+    fn layers(&self) -> Vec<Layer> {
+        self.0.layers().iter().copied().map(Layer).collect()
+    }
+
+    /// Whether it is coated.
+    #[getter]
+    fn is_coated(&self) -> bool {
+        self.0.is_coated()
+    }
+
     /// The strain along x under a stress along x (a pressure) of a body that cannot contract along y,
     /// stress (1 - nu^2) / E; positive where it is stretched.
     fn plane_strain_under(&self, stress: Real) -> f64 {
@@ -111,10 +142,25 @@ impl Material {
 
     /// Equal materials have equal ones.
     fn __hash__(&self) -> u64 {
-        hash_of(&[self.0])
+        hash_of(&constants(&self.0))
     }
 
     fn __repr__(&self) -> String {
+        if self.0.is_coated() {
+            let layers = self.layers();
+            let layers: Vec<_> = layers.iter().map(Layer::__repr__).collect();
+            let youngs_modulus = self.0.youngs_modulus();
+            let base = if youngs_modulus.is_finite() {
+                format!(
+                    "Material({}, {})",
+                    short(youngs_modulus),
+                    short(self.0.poisson_ratio())
+                )
+            } else {
+                "Material.rigid()".into()
+            };
+            return format!("{base}.coated([{}])", layers.join(", "));
+        }
         if self.0.is_rigid() {
             return "Material.rigid()".into();
         }
@@ -132,19 +178,21 @@ impl Material {
 
 picklable!(Material: stickslip::Material);
 
-/// A hash of bodies; equal ones have equal ones.
-fn hash_of(bodies: &[stickslip::Material]) -> u64 {
+/// A hash of numbers; equal ones have equal ones.
+pub(crate) fn hash_of(numbers: &[f64]) -> u64 {
     let mut hasher = DefaultHasher::new();
-    for body in bodies {
+    for number in numbers {
         // Minus zero equals zero, and has other bits: the sum with zero is zero.
-        let numbers = [
-            body.youngs_modulus(),
-            body.poisson_ratio() + 0.0,
-            body.hardness(),
-        ];
-        numbers.map(f64::to_bits).hash(&mut hasher);
+        (number + 0.0).to_bits().hash(&mut hasher);
     }
     hasher.finish()
+}
+
+/// The numbers that make a body.
+fn constants(body: &stickslip::Material) -> Vec<f64> {
+    let own = [body.youngs_modulus(), body.poisson_ratio(), body.hardness()];
+    let layers = body.layers().iter().flat_map(numbers);
+    own.into_iter().chain(layers).collect()
 }
 
 /// Two bodies, at most one of them rigid.
@@ -224,9 +272,24 @@ impl ElasticPair {
         self.0.is_coupled()
     }
 
+    /// Whether a body is coated.
+    #[getter]
+    fn is_coated(&self) -> bool {
+        self.0.is_coated()
+    }
+
+    /// The response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one over a length).
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive, KernelMissing
+    fn response(&self, py: Python<'_>, k: Real) -> PyResult<WaveResponse> {
+        self.0.response(k.0).or_raise(py).map(WaveResponse)
+    }
+
     /// Equal pairs have equal ones.
     fn __hash__(&self) -> u64 {
-        hash_of(&self.0.bodies())
+        hash_of(&self.0.bodies().each_ref().map(constants).concat())
     }
 
     fn __repr__(&self) -> String {
@@ -237,8 +300,8 @@ impl ElasticPair {
 
 picklable!(ElasticPair: stickslip::ElasticPair);
 
-/// What is taken for a pair: a pair, or two materials.
-pub(crate) struct Bodies(pub(crate) stickslip::ElasticPair);
+/// What is taken for bodies: a pair, or two materials, or a kernel.
+pub(crate) struct Bodies(pub(crate) stickslip::Kernel);
 
 impl FromPyObject<'_, '_> for Bodies {
     type Error = PyErr;
@@ -246,16 +309,20 @@ impl FromPyObject<'_, '_> for Bodies {
     #[cfg(feature = "stubs")]
     const INPUT_TYPE: PyStaticExpr = type_hint_union!(
         ElasticPair::TYPE_HINT,
+        Kernel::TYPE_HINT,
         <(Material, Material) as FromPyObject>::INPUT_TYPE
     );
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         if let Ok(pair) = object.cast::<ElasticPair>() {
-            return Ok(Self(pair.get().0));
+            return Ok(Self(pair.get().0.into()));
+        }
+        if let Ok(kernel) = object.cast::<Kernel>() {
+            return Ok(Self(kernel.get().0.clone()));
         }
         let bodies = entries(&object).and_then(|bodies| bodies.extract().ok());
         let (body_1, body_2): (Material, Material) = bodies
             .ok_or_else(|| PyTypeError::new_err("pair must be an ElasticPair or two Materials"))?;
-        ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0))
+        ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0.into()))
     }
 }

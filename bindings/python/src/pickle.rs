@@ -184,6 +184,7 @@ macro_rules! kinds {
 kinds!(
     crate::cgm::Minimum,
     crate::grid::Grid,
+    crate::layers::Layer,
     crate::material::Material,
     crate::material::ElasticPair,
     crate::boundary::Boundary,

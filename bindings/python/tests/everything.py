@@ -77,6 +77,7 @@ class Scene:
         coupled = problem.solve()
         dense = ss.dense.DenseOperator.of_half_space(self.few, "zz")
         linear = -np.ones(64)
+        layer = ss.layers.Layer(400e9, 0.25, 2e-6)
 
         # An object of each class that no other call gives, by the name of the class.
         self.objects = {
@@ -136,6 +137,9 @@ class Scene:
             "Settings": ss.Settings(),
             "TangentialLoad": self.still,
             "LoadStep": load,
+            "Layer": layer,
+            "WaveResponse": pair.response(1e3),
+            "Kernel": ss.Kernel.tabulated(pair, (grid.dx, grid.dy), {"zz": np.eye(2)}),
             "LoadPath": ss.history.LoadPath.sine((1e-7, 0.0), 4),
             "AdaptiveSteps": adaptive,
         }
@@ -154,9 +158,10 @@ class Scene:
             "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
             "fields": {"gap": ball}, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
             "gap": ball, "grid": grid, "heights": ball, "hertz": hertz, "histories": [history], "history": history,
-            "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "limit": 1e10, "linear": -np.ones(cells * cells),
+            "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "k": 1e3, "layers": [layer], "limit": 1e10, "linear": -np.ones(cells * cells),
             "load": 100.0, "loads": [load], "lower": ball, "material": steel, "mean_pressure": 1e8,
-            "mean_traction": 1e7, "n": 8, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
+            "mean_traction": 1e7, "n": 8, "near": pair, "response": lambda k: (1.0 / k, 1.0 / k, 1.0 / k, 0.0),
+            "coefficients": {"zz": np.eye(2)}, "sides": (1.0, 1.0), "thickness": 1e-5, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
             "path": f"{self.folder}/file", "pattern": strain, "phase": 0.5, "points": points, "poisson_ratio": 0.3,
             "pressure": normal, "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "ratio": 0.5,
             "recess": 1e-3,

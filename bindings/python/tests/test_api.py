@@ -47,6 +47,9 @@ ELSEWHERE = {
     "struct ElasticPreconditioner": "cgm.LinearOperator",
     "struct Identity": "cgm.identity",
     "trait cgm::Constraint": "cgm.minimise",
+    "struct kernel::CoefficientTable": "Kernel.tabulated",  # a dictionary of arrays
+    "struct kernel::Kernel": "Kernel",
+    "struct layers::Response": "layers.WaveResponse",
 }
 # Items that Python does not have, each with the reason.
 WITHOUT = {
@@ -73,8 +76,7 @@ WITHOUT = {
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
     "trait TryClone": "copies of what Python holds are Python's",
-    "struct layers::Layer": "coated bodies are in Rust alone so far",
-    "struct layers::Response": "as layers::Layer",
+    "struct kernel::ResponseTensor": "of responses with a direction, in Rust alone",
 }
 # Methods that stand for the same in all types, by patterns of their names.
 ALIKE = {
@@ -89,8 +91,9 @@ ALIKE = {
 # Methods that Python has under another name, or not at all.
 METHODS = {
     "ContactSpots": {"label": "labels"},
-    "ElasticPair": dict.fromkeys(["is_coated", "response"], "as layers::Layer"),
-    "Material": dict.fromkeys(["coated", "is_coated", "layers"], "as layers::Layer"),
+    "ElasticPair": {"stands_for_kernel": "Kernel.pair"},
+    "kernel::CoefficientTable": dict.fromkeys(["get", "sides", "size", "with"], "arrays of NumPy"),
+    "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_waves": "in Rust alone"},
     "Field": {
         **dict.fromkeys(["from_fn", "from_indices", "from_vec", "constant", "zeros"], "Field(grid, samples)"),
         **dict.fromkeys(["add_scaled", "minus", "scaled", "map"], "arithmetic, and NumPy"),

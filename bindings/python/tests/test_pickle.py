@@ -20,6 +20,7 @@ def test_values_come_back(scene):
         scene.grid,
         ss.Material(1.0, 0.3, hardness=0.1),
         ss.Material.rigid(),
+        ss.Material(1.0, 0.3).coated([ss.layers.Layer(2.0, 0.2, 0.1)]),
         scene.bodies.pair,
         ss.Boundary.periodic_along_y(3.0),
         scene.ball,

@@ -22,7 +22,7 @@ use crate::history::memory::Memory;
 use crate::history::relative::Relative;
 use crate::history::state::State;
 use crate::layers::{LIMIT, Layer};
-use crate::material::{ElasticPair, Material};
+use crate::material::{ElasticPair, KernelMark, Material};
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
 use crate::report::Status;
@@ -50,6 +50,8 @@ pub(super) struct Host {
     materials: [[f64; 3]; 2],
     /// Young's modulus, Poisson's ratio and thickness of each layer of each body, the outermost first.
     layers: [Vec<[f64; 3]>; 2],
+    /// Of a kernel.
+    kernel: Option<KernelMark>,
 }
 
 impl Host {
@@ -69,6 +71,7 @@ impl Host {
                     |of: &Layer| [of.youngs_modulus(), of.poisson_ratio(), of.thickness()];
                 body.layers().iter().map(constants).collect()
             }),
+            kernel: state.pair().kernel(),
         }
     }
 
@@ -100,6 +103,11 @@ impl Host {
                 codec.number("thickness of a layer", thickness, POSITIVE)?;
             }
         }
+        codec.option("kernel", &mut self.kernel, || Ok(KernelMark::default()))?;
+        if let Some(KernelMark { digest, coupling }) = &mut self.kernel {
+            codec.integer("digest of the kernel", digest, ..)?;
+            codec.number("coupling of the kernel", coupling, FINITE)?;
+        }
         Ok(())
     }
 
@@ -120,7 +128,10 @@ impl Host {
                 .stating(hardness)
         };
         let pair = body(0).and_then(|one| ElasticPair::new(one, body(1)?));
-        let pair = pair.map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
+        let mark = |pair: ElasticPair| self.kernel.map_or(pair, |mark| pair.standing_for(mark));
+        let pair = pair
+            .map(mark)
+            .map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
         let (friction, settings) = (Friction::coulomb(0.0)?, Settings::default());
         let gap = Field::try_zeros(grid)?;
         State::new(

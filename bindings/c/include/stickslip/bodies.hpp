@@ -3,6 +3,8 @@
 #ifndef STICKSLIP_BODIES_HPP
 #define STICKSLIP_BODIES_HPP
 
+#include <vector>
+
 #include "core.hpp"
 
 namespace stickslip {
@@ -10,12 +12,25 @@ namespace stickslip {
 /// A material of Young's modulus and Poisson's ratio.
 inline Material elastic(double youngs_modulus, double poisson_ratio) { return {youngs_modulus, poisson_ratio, 0.0}; }
 
+/// A body under layers, the outermost first, at most eight.
+struct Coated {
+    Material base;
+    std::vector<Layer> layers;
+};
+
 /// Two bodies on a grid.
 class HalfSpace {
   public:
     HalfSpace(const Grid &grid, const Material &body_1, const Material &body_2, const Boundary *boundary = nullptr)
         : own_(detail::made<Own>(
               [&](auto **out) { return stickslip_half_space_new(&grid, &body_1, &body_2, boundary, out); })) {}
+
+    HalfSpace(const Grid &grid, const Coated &body_1, const Coated &body_2, const Boundary *boundary = nullptr)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_half_space_new_coated(&grid, &body_1.base, body_1.layers.data(), body_1.layers.size(),
+                                                     &body_2.base, body_2.layers.data(), body_2.layers.size(), boundary,
+                                                     out);
+          })) {}
 
     /// STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
     void set_cell_value(std::int32_t value) { check(stickslip_half_space_set_cell_value(get(), value)); }

@@ -18,6 +18,7 @@
 namespace stickslip {
 
 using Grid = stickslip_grid;
+using Layer = stickslip_layer;
 using Material = stickslip_material;
 using Boundary = stickslip_boundary;
 using Settings = stickslip_settings;

@@ -29,8 +29,8 @@ pressure found, :class:`CoupledProblem` does both at once for different material
 
 Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
 :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`,
-:mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.normal`,
-:mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`,
+:mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.layers`,
+:mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`,
 :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
 :mod:`~stickslip.plot` draws with matplotlib.
 """
@@ -46,6 +46,7 @@ from . import (
     history,
     influence,
     io,
+    layers,
     normal,
     plot,
     rolling,
@@ -69,6 +70,7 @@ from ._stickslip import (
     HalfSpace,
     History,
     Iteration,
+    Kernel,
     LoadStep,
     Material,
     NormalProblem,
@@ -115,6 +117,7 @@ __all__ = [
     "HalfSpace",
     "History",
     "Iteration",
+    "Kernel",
     "LoadStep",
     "Material",
     "Method",
@@ -144,6 +147,7 @@ __all__ = [
     "history",
     "influence",
     "io",
+    "layers",
     "normal",
     "plot",
     "rolling",

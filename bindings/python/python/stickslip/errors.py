@@ -138,6 +138,13 @@ class Coated(StickslipError, ValueError):
     """The way round it, in words."""
 
 
+class KernelMissing(StickslipError, ValueError):
+    """A kernel, or a part of it, is not at hand."""
+
+    part: str
+    """The part, in words."""
+
+
 class NotDefinite(StickslipError, ValueError):
     """The least eigenvalue of the compliance of coated bodies is not positive on the grid: nothing could be certified."""
 

@@ -1,0 +1,137 @@
+//! Bodies by their response to waves, or by influence coefficients.
+
+use std::collections::HashMap;
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use stickslip::influence::Component;
+use stickslip::kernel::CoefficientTable;
+use stickslip::layers::Response;
+
+use crate::choice::Choice;
+use crate::error::OrRaise;
+use crate::material::ElasticPair;
+use crate::real::Real;
+
+/// Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic` or
+/// :meth:`tabulated`. It is not pickled, nor are the bodies made of it.
+///
+/// Examples
+/// --------
+/// >>> import stickslip as ss
+/// >>> rigid, steel = ss.Material.rigid(), ss.Material(210e9, 0.3)
+/// >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), rigid)
+/// >>> def response(k):
+/// ...     found = coated.response(k)
+/// ...     return found.normal, found.along, found.across, found.coupling
+/// >>> outermost = ss.ElasticPair(ss.Material(400e9, 0.25), rigid)
+/// >>> kernel = ss.Kernel.isotropic(outermost, 2e-6, response)
+/// >>> grid = ss.Grid.square(32, 20e-6)
+/// >>> ball = ss.surface.sphere(grid, 1e-3)
+/// >>> contact, same = (
+/// ...     ss.NormalProblem(ss.HalfSpace(grid, bodies), ball, force=0.01).solve() for bodies in (kernel, coated)
+/// ... )
+/// >>> abs(contact.approach / same.approach - 1) < 1e-6
+/// True
+#[pyclass(frozen, module = "stickslip", from_py_object)]
+#[derive(Clone)]
+pub(crate) struct Kernel(pub(crate) stickslip::Kernel);
+
+#[pymethods]
+impl Kernel {
+    /// Bodies without a direction in their plane.
+    ///
+    /// Parameters
+    /// ----------
+    /// near : ElasticPair
+    ///     The homogeneous half-spaces that waves much shorter than the thickness see, to 1e-10 for k > 20 / thickness; they
+    ///     lend hardness and moduli. Grids that repeat along both axes take the response as it is.
+    /// thickness : float
+    ///     Of the outermost layer (a length), positive.
+    /// response : callable
+    ///     Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
+    ///     (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
+    ///     It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive, NotFinite, Coated
+    #[staticmethod]
+    fn isotropic(
+        py: Python<'_>,
+        near: ElasticPair,
+        thickness: Real,
+        response: Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        // What it raises at first is told.
+        let first = response.call1((1.0 / thickness.0,))?;
+        let _: (f64, f64, f64, f64) = first.extract().map_err(|_| {
+            PyTypeError::new_err(
+                "response must return four numbers: normal, along, across, coupling",
+            )
+        })?;
+        let response = response.unbind();
+        let at = move |k: f64| {
+            let asked = Python::attach(|py| response.bind(py).call1((k,))?.extract());
+            let (normal, along, across, coupling) = asked.unwrap_or([f64::NAN; 4].into());
+            Response {
+                normal,
+                along,
+                across,
+                coupling,
+            }
+        };
+        stickslip::Kernel::isotropic(near.0, thickness.0, at)
+            .or_raise(py)
+            .map(Self)
+    }
+
+    /// Bodies by their influence coefficients, for grids that do not repeat.
+    ///
+    /// Parameters
+    /// ----------
+    /// near : ElasticPair
+    ///     Homogeneous bodies that lend hardness and moduli.
+    /// sides : (float, float)
+    ///     Sides of a cell along x and y (lengths): those of the grids.
+    /// coefficients : dict
+    ///     By the name of a component, "zz" and others, an array of shape (ny, nx): the displacement at the centre of a cell,
+    ///     j cells further along y and i along x, by a unit traction on one (lengths over pressures). Distances of the other
+    ///     sign follow from the parity. "xy", "zx" and "zy" are zero where they are not given, and "yx", "xz" and "yz" are
+    ///     theirs.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive, Length, Sample, Coated
+    #[staticmethod]
+    fn tabulated(
+        py: Python<'_>,
+        near: ElasticPair,
+        sides: [f64; 2],
+        coefficients: HashMap<String, Vec<Vec<f64>>>,
+    ) -> PyResult<Self> {
+        let rows = coefficients.values().next();
+        let size = rows.map_or([0, 0], |rows| {
+            [rows.first().map_or(0, Vec::len), rows.len()]
+        });
+        let mut table = CoefficientTable::new(sides, size).or_raise(py)?;
+        for (name, rows) in &coefficients {
+            let name = name.into_pyobject(py)?;
+            let component: Choice<Component> = name.as_any().extract()?;
+            table = table.with(component.0, rows.concat()).or_raise(py)?;
+        }
+        stickslip::Kernel::tabulated(near.0, table)
+            .or_raise(py)
+            .map(Self)
+    }
+
+    /// The pair that lends hardness and moduli, marked as that of this kernel.
+    #[getter]
+    fn pair(&self) -> ElasticPair {
+        self.0.pair().into()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Kernel({})", self.pair().__repr__())
+    }
+}

@@ -1,0 +1,137 @@
+//! Layers of coated bodies, and the response of such bodies to waves.
+
+use pyo3::prelude::*;
+use stickslip::layers;
+
+use crate::digits::short;
+use crate::error::OrRaise;
+use crate::pickle::picklable;
+use crate::real::Real;
+
+/// An elastic, isotropic layer bonded to what lies below it.
+///
+/// Parameters
+/// ----------
+/// youngs_modulus : float
+///     Young's modulus (a pressure), positive.
+/// poisson_ratio : float
+///     Poisson's ratio, in (-1, 0.5].
+/// thickness : float
+///     Thickness (a length), positive.
+///
+/// Raises
+/// ------
+/// NotPositive, PoissonRatio
+///
+/// Examples
+/// --------
+/// >>> import stickslip as ss
+/// >>> oxide = ss.layers.Layer(380e9, 0.22, 5e-6)
+/// >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
+/// >>> anodised.layers[0].thickness
+/// 5e-06
+#[pyclass(frozen, eq, module = "stickslip.layers", from_py_object)]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Layer(pub(crate) layers::Layer);
+
+#[pymethods]
+impl Layer {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        youngs_modulus: Real,
+        poisson_ratio: Real,
+        thickness: Real,
+    ) -> PyResult<Self> {
+        layers::Layer::new(youngs_modulus.0, poisson_ratio.0, thickness.0)
+            .or_raise(py)
+            .map(Self)
+    }
+
+    /// Young's modulus (a pressure).
+    #[getter]
+    fn youngs_modulus(&self) -> f64 {
+        self.0.youngs_modulus()
+    }
+
+    /// Poisson's ratio.
+    #[getter]
+    fn poisson_ratio(&self) -> f64 {
+        self.0.poisson_ratio()
+    }
+
+    /// Thickness (a length).
+    #[getter]
+    fn thickness(&self) -> f64 {
+        self.0.thickness()
+    }
+
+    /// Shear modulus (a pressure).
+    #[getter]
+    fn shear_modulus(&self) -> f64 {
+        self.0.shear_modulus()
+    }
+
+    /// Equal layers have equal ones.
+    fn __hash__(&self) -> u64 {
+        crate::material::hash_of(&numbers(&self.0))
+    }
+
+    fn __repr__(&self) -> String {
+        let [modulus, ratio, thickness] = numbers(&self.0).map(short);
+        format!("Layer(youngs_modulus={modulus}, poisson_ratio={ratio}, thickness={thickness})")
+    }
+}
+
+picklable!(Layer: layers::Layer);
+
+/// Those that make a layer.
+pub(crate) fn numbers(layer: &layers::Layer) -> [f64; 3] {
+    [
+        layer.youngs_modulus(),
+        layer.poisson_ratio(),
+        layer.thickness(),
+    ]
+}
+
+/// The effect of a wave of traction on the surface of two bodies (lengths over pressures):
+/// :meth:`ElasticPair.response <stickslip.ElasticPair.response>`.
+#[pyclass(frozen, eq, module = "stickslip.layers", name = "WaveResponse")]
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct WaveResponse(pub(crate) layers::Response);
+
+#[pymethods]
+impl WaveResponse {
+    /// Normal displacement by pressure.
+    #[getter]
+    fn normal(&self) -> f64 {
+        self.0.normal
+    }
+
+    /// Tangential displacement along the wave vector by traction along it.
+    #[getter]
+    fn along(&self) -> f64 {
+        self.0.along
+    }
+
+    /// Tangential displacement across the wave vector by traction across it.
+    #[getter]
+    fn across(&self) -> f64 {
+        self.0.across
+    }
+
+    /// Normal displacement by traction along the wave vector, and displacement along it by pressure, up to i.
+    #[getter]
+    fn coupling(&self) -> f64 {
+        self.0.coupling
+    }
+
+    fn __repr__(&self) -> String {
+        let of = self.0;
+        let [normal, along, across, coupling] =
+            [of.normal, of.along, of.across, of.coupling].map(short);
+        format!(
+            "WaveResponse(normal={normal}, along={along}, across={across}, coupling={coupling})"
+        )
+    }
+}

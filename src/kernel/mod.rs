@@ -1,0 +1,491 @@
+//! Bodies of a user: linear, described by their response to waves or by influence coefficients.
+//!
+//! A [`Kernel`] takes the place of an [`ElasticPair`] where a [`HalfSpace`](crate::HalfSpace) is made: pressure, traction,
+//! both at once, histories, wear, stiffness and rolling then work with it. It describes the relative displacement
+//! $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of three ways.
+//!
+//! | | given | grids |
+//! |---|---|---|
+//! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all that take coated bodies |
+//! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 of $`(k_x, k_y)`$: a [`ResponseTensor`] | that repeat along both axes |
+//! | [`Kernel::tabulated`] | a [`CoefficientTable`]: of a finite-element code, measured | that do not repeat |
+//!
+//! ```
+//! use stickslip::layers::Response;
+//! use stickslip::*;
+//! // An incompressible half-space whose modulus of shear grows in proportion to the depth, G = m z, responds to pressure
+//! // as independent springs do: u_z = p / 2 m (Gibson 1967, https://doi.org/10.1680/geot.1967.17.1.58).
+//! let (m, grid) = (3.0, Grid::square(32, 1.0)?);
+//! let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+//! let soil = Kernel::isotropic(near, 1.0, move |k| Response {
+//!     normal: 0.5 / m,
+//!     along: 1.0 / (m * k), // of no effect on pressures
+//!     across: 1.0 / (m * k),
+//!     coupling: 0.0,
+//! })?;
+//! let bodies = HalfSpace::with_boundary(grid, &soil, Boundary::Periodic)?;
+//! let ball = surface::sphere(grid, 1.0)?;
+//! let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.02)).build()?.solve()?;
+//! // p = 2 m (depth - r^2 / 2 R): the largest pressure is twice the mean one of the contact.
+//! let mean = 0.02 / contact.contact_area();
+//! assert!((contact.pressure().max() / mean - 2.0).abs() < 0.03);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! # How a free grid is computed
+//!
+//! Isotropic kernels go the way of [coatings](crate::layers#from-waves-to-cells). With A of the half-space `near`,
+//! $`B = \lim k\,C(k)`$ for $`k \to 0`$ and H twice the `thickness`,
+//!
+//! ```math
+//! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
+//! ```
+//!
+//! The rest R must be gone at $`kH = 40`$: it is looked at when bodies are made, and refused ([`Error::Below`]) if
+//! $`k R`$ is more than 1e-10 of $`A_n`$ there. That of a layer is, if `thickness` is its thickness. A body that changes
+//! gradually from the surface on approaches A like $`1/k`$ only, and one that has no half-space as its limit, such as
+//! springs, not at all: take a grid that repeats along both axes, or a table.
+//!
+//! A table is used as it is. On windows and coarser grids its coefficients are cut and averaged; beyond its last
+//! distance, where only the periodic continuation of the transform reaches, it goes on linearly.
+//!
+//! # Certificate
+//!
+//! The least eigenvalue of the kernel on the grid is found when an operator is planned. Where it is positive errors are
+//! certified as of any bodies; where it is not, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction
+//! are found together, the eigenvalues of each alone count.
+//!
+//! # Moduli and identity
+//!
+//! The pair `near` lends what is one number: its hardness, the ratio of tangential to normal compliance in the law of
+//! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
+//! [refuse](Error::Coated) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
+//! same: of a closure those of 41 wave numbers in single precision, of a table all. States of histories keep it, so that a
+//! history goes on with the same kernel only.
+
+mod table;
+
+pub use table::CoefficientTable;
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::boundary::Boundary;
+use crate::digest;
+use crate::error::{Error, Result, at_least, finite, positive};
+use crate::grid::Grid;
+use crate::influence::Component;
+use crate::layers::Response;
+use crate::material::{ElasticPair, KernelMark};
+
+/// Two bodies by their response, or a pair of materials as it is; the page of [`kernel`](crate::kernel) tells more.
+///
+/// ```
+/// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, layers::Layer};
+/// // A closure that is a coating, on cells of any size beside the layer.
+/// let rigid = Material::rigid();
+/// let coating = Material::new(1.0, 0.3)?.coated(&[Layer::new(4.0, 0.2, 0.5)?])?;
+/// let coated = ElasticPair::new(coating, rigid)?;
+/// let outermost = ElasticPair::new(Material::new(4.0, 0.2)?, rigid)?;
+/// let kernel = Kernel::isotropic(outermost, 0.5, move |k| coated.response(k).expect("k is positive"))?;
+///
+/// use stickslip::{Operator, influence::Component::ZZ};
+/// let grid = Grid::square(16, 4.0)?;
+/// let [built_in, given] = [HalfSpace::new(grid, coated)?, HalfSpace::new(grid, &kernel)?];
+/// let sag = |bodies: &HalfSpace| -> stickslip::Result<f64> {
+///     let (operator, mut u) = (bodies.operator(ZZ)?, vec![0.0; grid.cells()]);
+///     operator.apply([&vec![1.0; grid.cells()]], [&mut u], &mut operator.workspace());
+///     Ok(u[8 * 16 + 8])
+/// };
+/// assert!((sag(&given)? / sag(&built_in)? - 1.0).abs() < 1e-12);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Kernel {
+    pair: ElasticPair,
+    given: Option<Given>,
+}
+
+/// What a user gives of two bodies.
+#[derive(Clone)]
+pub(crate) enum Given {
+    Isotropic(Isotropic),
+    Orthotropic(Arc<dyn Fn([f64; 2]) -> ResponseTensor + Send + Sync>),
+    Table(Arc<CoefficientTable>),
+}
+
+/// A response that tends to that of a half-space for short waves.
+#[derive(Clone)]
+pub(crate) struct Isotropic {
+    response: Arc<dyn Fn(f64) -> Response + Send + Sync>,
+    pub(crate) thickness: f64,
+    /// k times the response for k to zero.
+    pub(crate) far: Response,
+}
+
+/// The displacements by a wave of traction of one wave vector, in lengths over pressures, of bodies that are mirror images of
+/// themselves along x and along y.
+///
+/// The Hermitian matrix of a wave has these real parts and imaginary ones; the other entries follow, such as
+/// $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. Even in $`k_x`$ and $`k_y`$ but for `xy`, which is odd in both, `zx`, odd in
+/// $`k_x`$, and `zy`, odd in $`k_y`$. Of isotropic bodies they are those of the page of [`layers`](crate::layers).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResponseTensor {
+    /// Displacement along x by traction along x.
+    pub xx: f64,
+    /// Displacement along y by traction along y.
+    pub yy: f64,
+    /// Normal displacement by pressure.
+    pub zz: f64,
+    /// Displacement along x by traction along y.
+    pub xy: f64,
+    /// Normal displacement by traction along x, over i.
+    pub zx: f64,
+    /// Normal displacement by traction along y, over i.
+    pub zy: f64,
+}
+
+impl ResponseTensor {
+    /// One of the nine, or its imaginary part.
+    pub(crate) fn component(&self, component: Component) -> f64 {
+        match component {
+            Component::XX => self.xx,
+            Component::YY => self.yy,
+            Component::ZZ => self.zz,
+            Component::XY | Component::YX => self.xy,
+            Component::ZX => self.zx,
+            Component::ZY => self.zy,
+            Component::XZ => -self.zx,
+            Component::YZ => -self.zy,
+        }
+    }
+
+    fn values(&self) -> [f64; 6] {
+        [self.xx, self.yy, self.zz, self.xy, self.zx, self.zy]
+    }
+}
+
+/// The longest wave that is looked at, in thicknesses.
+const LONGEST: f64 = 1e7;
+/// k times the thickness where a response must be that of its half-space, and how closely.
+const NEAR: f64 = 20.0;
+const CLOSE: f64 = 1e-10;
+/// Difference of a tensor from its mirror image that round-off explains.
+const MIRRORED: f64 = 1e-10;
+
+impl Kernel {
+    /// Bodies without a direction in their plane, by their response to waves of the wave number k > 0: that of
+    /// [`ElasticPair::response`] (not times k), of the relative displacement. It is called on many threads, at any k up to that
+    /// of the shortest wave of a grid, and must be finite and store energy there.
+    ///
+    /// `near` is the pair of homogeneous half-spaces that waves much shorter than `thickness` (a length) see, to 1e-10 for
+    /// $`k > 20/\text{thickness}`$: of a coating its outermost layer. Grids that repeat along both axes take the response
+    /// as it is.
+    ///
+    /// # Errors
+    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::NotPositive`] for the thickness, and for a response that is
+    /// not positive, or whose coupling is too strong, at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the
+    /// thickness; [`Error::NotFinite`].
+    pub fn isotropic(
+        near: ElasticPair,
+        thickness: f64,
+        response: impl Fn(f64) -> Response + Send + Sync + 'static,
+    ) -> Result<Self> {
+        near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
+        positive("thickness of the kernel", thickness)?;
+        // Extrapolated from two long waves.
+        let times_k = |k: f64| response(k).map(|value| k * value);
+        let k = 1.0 / (LONGEST * thickness);
+        let far = times_k(0.5 * k).with(times_k(k), |longer, shorter| 2.0 * longer - shorter);
+        let mut digested = Vec::new();
+        let mut coupling: f64 = 0.0;
+        for k in wave_numbers(thickness) {
+            let found = checked(response(k))?;
+            digested.extend([found.normal, found.along, found.across, found.coupling]);
+            coupling = stronger(
+                coupling,
+                found.coupling / (found.normal * found.along).sqrt(),
+            );
+        }
+        let response = Arc::new(response);
+        Ok(Self::new(
+            &near,
+            (digest_of(&digested), coupling),
+            Given::Isotropic(Isotropic {
+                response,
+                thickness,
+                far: checked_far(far)?,
+            }),
+        ))
+    }
+
+    /// The same with `base` as k times the response for k to zero: zero on a rigid base, of elastic bodies the numbers
+    /// $`G k\,C`$ over G of the page of [`layers`](crate::layers). By default it is
+    /// extrapolated from the response at k of 1e-7 over the thickness and at half of it. Of other kernels without effect.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn with_long_waves(mut self, base: Response) -> Result<Self> {
+        if let Some(Given::Isotropic(isotropic)) = &mut self.given {
+            isotropic.far = checked_far(base)?;
+        }
+        Ok(self)
+    }
+
+    /// Bodies whose elastic axes lie along the grid, by their response to waves of the wave vector $`(k_x, k_y)`$, not zero:
+    /// for grids that repeat along both axes. `near` lends hardness and moduli, `length` is about that on which the response
+    /// changes.
+    ///
+    /// ```
+    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem};
+    /// use stickslip::{Field, kernel::ResponseTensor};
+    /// // A pressure sinks waves along x four times as far as waves along y.
+    /// let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let fibres = Kernel::orthotropic(near, 1.0, |[x, y]| {
+    ///     let c = 1.0 / (x * x / 16.0 + y * y).sqrt();
+    ///     ResponseTensor { xx: c, yy: c, zz: c, xy: 0.0, zx: 0.0, zy: 0.0 }
+    /// })?;
+    /// let grid = Grid::square(48, 1.0)?;
+    /// let bodies = HalfSpace::with_boundary(grid, &fibres, Boundary::Periodic)?;
+    /// let ball = stickslip::surface::sphere(grid, 1.0)?;
+    /// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.01)).build()?.solve()?;
+    /// // The contact is an ellipse, the longer axis along the softer direction of its waves.
+    /// let pressed = |i, j| contact.pressure().get(i, j).unwrap_or(0.0) > 0.0;
+    /// let along = |x: bool| (0..48).filter(|&n| if x { pressed(n, 24) } else { pressed(24, n) }).count();
+    /// assert!(along(true) != along(false));
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::NotPositive`] for the length, and for a compliance of an axis
+    /// that is not positive at one of 41 wave numbers in three directions; [`Error::NotFinite`]; [`Error::Below`] for a
+    /// tensor that is not its mirror image to 1e-10.
+    pub fn orthotropic(
+        near: ElasticPair,
+        length: f64,
+        response: impl Fn([f64; 2]) -> ResponseTensor + Send + Sync + 'static,
+    ) -> Result<Self> {
+        near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
+        positive("length of the kernel", length)?;
+        let mut digested = Vec::new();
+        let mut coupling: f64 = 0.0;
+        for k in wave_numbers(length) {
+            for [x, y] in [[0.8 * k, 0.6 * k], [k, 0.0], [0.0, k]] {
+                let found = checked_tensor(response([x, y]))?;
+                check_mirrored(&found, &response([-x, y]), [true, false])?;
+                check_mirrored(&found, &response([x, -y]), [false, true])?;
+                digested.extend(found.values());
+                coupling = stronger(coupling, found.zx / (found.zz * found.xx).sqrt());
+                coupling = stronger(coupling, found.zy / (found.zz * found.yy).sqrt());
+            }
+        }
+        let mark = (digest_of(&digested), coupling);
+        Ok(Self::new(
+            &near,
+            mark,
+            Given::Orthotropic(Arc::new(response)),
+        ))
+    }
+
+    /// Bodies by their influence coefficients, for free grids of the cells of the table, as large as it or smaller. `near` lends
+    /// hardness and moduli.
+    ///
+    /// # Errors
+    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::Sample`] for a coefficient that is odd along an axis and not
+    /// zero at distance zero along it, to 1e-12 of the largest.
+    pub fn tabulated(near: ElasticPair, table: CoefficientTable) -> Result<Self> {
+        near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
+        table.check_odd()?;
+        let mark = (table.digest(), table.coupling());
+        Ok(Self::new(&near, mark, Given::Table(Arc::new(table))))
+    }
+
+    fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
+        Self {
+            pair: near.standing_for(KernelMark { digest, coupling }),
+            given: Some(given),
+        }
+    }
+
+    /// The pair that lends hardness and moduli, marked as that of this kernel: [`HalfSpace::pair`](crate::HalfSpace::pair). By
+    /// itself it makes no bodies ([`Error::KernelMissing`]).
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// What a user gives; nothing of a pair of materials.
+    pub(crate) fn given(&self) -> Option<&Given> {
+        self.given.as_ref()
+    }
+
+    /// The wave number k > 0 times the response to waves of it, of bodies without a direction.
+    pub(crate) fn times_k(&self, k: f64) -> Response {
+        match &self.given {
+            Some(Given::Isotropic(of)) => (of.response)(k).map(|value| k * value),
+            _ => self.pair.times_k(k),
+        }
+    }
+
+    /// `Ok` if bodies on the grid can be made of it.
+    pub(crate) fn check_on(&self, grid: Grid, boundary: Boundary) -> Result<()> {
+        const REPEATING: &str =
+            "take a grid that repeats along both axes, or a table of coefficients";
+        match &self.given {
+            None => self.pair.check_no_kernel(),
+            Some(Given::Isotropic(of)) if boundary == Boundary::Periodic => {
+                let check = |k: f64| checked((of.response)(k)).map(drop);
+                waves_of(grid).try_for_each(check)
+            }
+            Some(Given::Isotropic(of)) => of.check_near(&self.pair),
+            Some(Given::Orthotropic(of)) if boundary == Boundary::Periodic => {
+                let check = |k: f64| checked_tensor(of([0.8 * k, 0.6 * k])).map(drop);
+                waves_of(grid).try_for_each(check)
+            }
+            Some(Given::Orthotropic(_)) => Err(Error::Coated {
+                quantity: "a grid that does not repeat along both axes, under an orthotropic response,",
+                remedy: REPEATING,
+            }),
+            Some(Given::Table(table)) if boundary == Boundary::NonPeriodic => table.check_on(grid),
+            Some(Given::Table(_)) => Err(Error::Coated {
+                quantity: "a grid that repeats, under a table of coefficients,",
+                remedy: "take a grid that does not repeat, or a response to waves",
+            }),
+        }
+    }
+}
+
+impl Isotropic {
+    fn check_near(&self, near: &ElasticPair) -> Result<()> {
+        let k = NEAR / self.thickness;
+        let (found, near) = ((self.response)(k).map(|value| k * value), near.times_k(k));
+        let beside = found.with(near, |found, near| (found - near).abs());
+        let most = beside.normal.max(beside.along).max(beside.across);
+        let quantity = "most over found difference of the response from the half-space near, at 20 over the thickness,";
+        let found = most.max(beside.coupling) / near.normal;
+        at_least("one", 1.0, quantity, CLOSE / found.max(CLOSE))?;
+        finite("response of the kernel", found)?;
+        Ok(())
+    }
+}
+
+const NEAR_IS: &str = "the half-space near of a kernel";
+const NEAR_REMEDY: &str = "give a pair of homogeneous bodies";
+
+/// The wave numbers at which a kernel is looked at.
+fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
+    (-28..=12).map(move |n| (0.5 * f64::from(n)).exp2() / thickness)
+}
+
+/// Half octaves from the longest wave of a grid to the shortest.
+fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
+    let pi = std::f64::consts::PI;
+    let longest = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
+    let shortest = pi * (1.0 / grid.dx()).hypot(1.0 / grid.dy());
+    let next =
+        move |k: &f64| (*k < shortest).then_some((std::f64::consts::SQRT_2 * k).min(shortest));
+    std::iter::successors(Some(2.0 * pi / longest), next)
+}
+
+/// Of values in single precision: what differs between machines by the last digits is the same.
+fn digest_of(values: &[f64]) -> u64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the digest is of rounded values"
+    )]
+    let bytes = values
+        .iter()
+        .flat_map(|value| (*value as f32).to_le_bytes());
+    digest::of_bytes(&bytes.collect::<Vec<_>>())
+}
+
+fn stronger(one: f64, other: f64) -> f64 {
+    if other.abs() > one.abs() { other } else { one }
+}
+
+fn checked(found: Response) -> Result<Response> {
+    positive("response of the kernel to waves of pressure", found.normal)?;
+    positive(
+        "response of the kernel to traction along waves",
+        found.along,
+    )?;
+    positive(
+        "response of the kernel to traction across waves",
+        found.across,
+    )?;
+    finite("coupling of the kernel", found.coupling)?;
+    let energy = found.normal * found.along - found.coupling * found.coupling;
+    positive("energy of a wave of pressure and traction", energy)?;
+    Ok(found)
+}
+
+fn checked_far(far: Response) -> Result<Response> {
+    let quantity = "response of the kernel to long waves, times k,";
+    for value in [far.normal, far.along, far.across, far.coupling] {
+        finite(quantity, value)?;
+    }
+    Ok(far)
+}
+
+fn checked_tensor(found: ResponseTensor) -> Result<ResponseTensor> {
+    positive("response of the kernel to waves of pressure", found.zz)?;
+    positive(
+        "response of the kernel to waves of traction along x",
+        found.xx,
+    )?;
+    positive(
+        "response of the kernel to waves of traction along y",
+        found.yy,
+    )?;
+    for value in [found.xy, found.zx, found.zy] {
+        finite("coupling of the kernel", value)?;
+    }
+    Ok(found)
+}
+
+/// `Ok` if a tensor is that of the mirrored wave vector, along x or y.
+fn check_mirrored(
+    found: &ResponseTensor,
+    mirrored: &ResponseTensor,
+    [along_x, along_y]: [bool; 2],
+) -> Result<()> {
+    let signs = [false, false, false, true, along_x, along_y];
+    let unit = found.xx.max(found.yy).max(found.zz);
+    let values = found.values().into_iter().zip(mirrored.values());
+    let differences = values.zip(signs).map(|((found, mirrored), is_odd)| {
+        let mirrored = if is_odd { -mirrored } else { mirrored };
+        (found - mirrored).abs() / unit
+    });
+    let most = differences.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) });
+    let quantity = "most over found difference of a response from its mirror image";
+    at_least("one", 1.0, quantity, MIRRORED / most.max(MIRRORED))?;
+    Ok(())
+}
+
+impl From<ElasticPair> for Kernel {
+    fn from(pair: ElasticPair) -> Self {
+        Self { pair, given: None }
+    }
+}
+
+impl From<&Kernel> for Kernel {
+    fn from(kernel: &Kernel) -> Self {
+        kernel.clone()
+    }
+}
+
+impl fmt::Debug for Kernel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = match self.given {
+            None => "pair",
+            Some(Given::Isotropic(_)) => "isotropic",
+            Some(Given::Orthotropic(_)) => "orthotropic",
+            Some(Given::Table(_)) => "table",
+        };
+        let mut shown = f.debug_struct("Kernel");
+        shown
+            .field("kind", &kind)
+            .field("pair", &self.pair)
+            .finish()
+    }
+}

@@ -1,0 +1,479 @@
+//! Kernels of a user: a closure and a table of a coating are that coating, in every problem; what no kernel is, is refused.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use kit::{max_abs, max_difference, press, shear};
+use stickslip::cgm::Method;
+use stickslip::influence::Direction::{X, Y, Z};
+use stickslip::influence::{Component, Table};
+use stickslip::kernel::{CoefficientTable, ResponseTensor};
+use stickslip::layers::{Layer, Response};
+use stickslip::ranks::Threads;
+use stickslip::subsurface::{Body, Tractions, at_points};
+use stickslip::{
+    Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Friction, Grid,
+    HalfSpace, History, Kernel, LoadStep, Material, NormalControl, Operator, TangentialControl,
+    TangentialLoad, TangentialModel, analytical, surface,
+};
+
+const THICKNESS: f64 = 0.4;
+
+/// A coating, and its outermost layer as a half-space.
+fn coating(second: bool) -> [ElasticPair; 2] {
+    let top = Material::new(4.0, 0.2).unwrap();
+    let coated = Material::new(1.0, 0.3).unwrap();
+    let coated = coated.coated(&[Layer::new(4.0, 0.2, THICKNESS).unwrap()]);
+    let of = |body: Material| {
+        let other = if second { body } else { Material::rigid() };
+        ElasticPair::new(body, other).unwrap()
+    };
+    [of(coated.unwrap()), of(top)]
+}
+
+fn closure(second: bool) -> Kernel {
+    let [coated, near] = coating(second);
+    Kernel::isotropic(near, THICKNESS, move |k| coated.response(k).unwrap()).unwrap()
+}
+
+fn table(second: bool, grid: Grid, distances: [usize; 2]) -> Kernel {
+    let [coated, near] = coating(second);
+    let [nx, ny] = distances;
+    let larger = Grid::new(nx, ny, grid.dx(), grid.dy()).unwrap();
+    let mut table = CoefficientTable::new([grid.dx(), grid.dy()], distances).unwrap();
+    for component in [
+        Component::XX,
+        Component::YY,
+        Component::ZZ,
+        Component::YX,
+        Component::XZ,
+        Component::ZY,
+    ] {
+        let sampled = Table::sample(larger, &coated, component).unwrap();
+        let at = |n: usize| sampled.get((n % nx).cast_signed(), (n / nx).cast_signed());
+        let values = (0..nx * ny).map(|n| at(n).unwrap()).collect();
+        table = table.with(component, values).unwrap();
+    }
+    Kernel::tabulated(near, table).unwrap()
+}
+
+fn size(grid: Grid) -> [usize; 2] {
+    [grid.nx(), grid.ny()]
+}
+
+/// The coating, a closure of it and a table of it on a free grid.
+fn three(grid: Grid, second: bool) -> [HalfSpace; 3] {
+    let [coated, _] = coating(second);
+    [
+        HalfSpace::new(grid, coated).unwrap(),
+        HalfSpace::new(grid, &closure(second)).unwrap(),
+        HalfSpace::new(grid, &table(second, grid, size(grid))).unwrap(),
+    ]
+}
+
+fn product(bodies: &HalfSpace, component: Component, load: &[f64]) -> Vec<f64> {
+    let operator = bodies.operator(component).unwrap();
+    let mut u = vec![0.0; load.len()];
+    operator.apply([load], [&mut u], &mut operator.workspace());
+    u
+}
+
+/// Issue: 1e-10 of the cell's own coefficient.
+#[test]
+fn all_nine_coefficients_are_those_of_the_coating() {
+    let line = Boundary::PeriodicAlongY { datum: 50.0 };
+    for (nx, ny, dx, boundary) in [
+        (24, 17, 0.15, Boundary::NonPeriodic),
+        (9, 12, 2.0, Boundary::NonPeriodic),
+        (16, 18, 0.15, Boundary::Periodic),
+        (40, 1, 0.2, line),
+    ] {
+        for value in [CellValue::Uniform, CellValue::Centre] {
+            let grid = Grid::new(nx, ny, dx, 0.2).unwrap();
+            let [coated, _] = coating(false);
+            let of = |kernel: Kernel| {
+                let bodies = HalfSpace::with_boundary(grid, kernel, boundary).unwrap();
+                bodies.with_cell_value(value).unwrap()
+            };
+            let mut others = vec![of(closure(false))];
+            if boundary == Boundary::NonPeriodic {
+                others.push(of(table(false, grid, [nx + 3, ny + 3])));
+            }
+            let built_in = of(coated.into());
+            let mut load = vec![0.0; nx * ny];
+            load[0] = 1.0;
+            let own = max_abs(&product(&built_in, Component::ZZ, &load));
+            for component in Component::ALL {
+                let expected = product(&built_in, component, &load);
+                for other in &others {
+                    let found = product(other, component, &load);
+                    let error = max_difference(&found, &expected) / own;
+                    assert!(
+                        error < 1e-11,
+                        "{component:?} {boundary:?} {value:?}: {error:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Pressure, traction in the plane, both at once, and a history that comes back: with starts from coarser cells, windows and
+/// rolling sets, all solved far below what is compared.
+#[test]
+fn solves_are_those_of_the_coating() {
+    let grid = Grid::square(72, 7.2).unwrap();
+    let load = NormalControl::Force(0.6);
+    let friction = Friction::coulomb(0.4).unwrap();
+    let close = |found: &Field, expected: &Field| {
+        let error = max_difference(found.as_slice(), expected.as_slice());
+        assert!(error < 1e-10 * max_abs(expected.as_slice()), "{error:e}");
+    };
+    // Equal bodies: nothing couples.
+    let solved = three(grid, true).map(|bodies| {
+        let gap = surface::sphere(grid, 4.0).unwrap();
+        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
+        let sheared = TangentialLoad::force([0.1, 0.05]);
+        let problem =
+            stickslip::TangentialProblem::builder(&bodies, &normal, friction.clone(), sheared)
+                .model(TangentialModel::Vector)
+                .tolerance(1e-13);
+        let sheared = problem.build().unwrap().solve().unwrap();
+        let mut history = History::builder(&bodies, &gap, friction.clone())
+            .tolerance(1e-13)
+            .build()
+            .unwrap();
+        for (normal, force) in [(0.6, 0.0), (0.6, 0.12), (0.7, -0.05)] {
+            let step = LoadStep::hold()
+                .normal(NormalControl::Force(normal))
+                .tangential(Axis::X, TangentialControl::Force(force));
+            history.step(&step).unwrap();
+        }
+        (normal, sheared, history.state().traction()[0].clone())
+    });
+    let [(normal, sheared, traction), others @ ..] = &solved;
+    for (other_normal, other_sheared, other_traction) in others {
+        close(other_normal.pressure(), normal.pressure());
+        assert!((other_normal.approach() / normal.approach() - 1.0).abs() < 1e-10);
+        close(other_sheared.traction()[0], sheared.traction()[0]);
+        close(other_sheared.traction()[1], sheared.traction()[1]);
+        close(other_traction, traction);
+    }
+
+    let grid = Grid::square(40, 6.0).unwrap();
+    let solved = three(grid, false).map(|bodies| {
+        assert!(bodies.pair().is_coupled());
+        let gap = surface::sphere(grid, 4.0).unwrap();
+        let still = TangentialLoad::force([0.05, 0.0]);
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), load, still);
+        problem.tolerance(1e-12).build().unwrap().solve().unwrap()
+    });
+    let [expected, others @ ..] = &solved;
+    for other in others {
+        let scale = max_abs(expected.normal().pressure().as_slice());
+        let near = |a: &Field, b: &Field| {
+            let error = max_difference(a.as_slice(), b.as_slice());
+            assert!(error < 1e-10 * scale, "{error:e}");
+        };
+        near(other.normal().pressure(), expected.normal().pressure());
+        let traction = |of: &stickslip::CoupledSolution| of.tangential().traction()[0].clone();
+        near(&traction(other), &traction(expected));
+    }
+}
+
+/// States of histories know the kernel, in files and across processes, and no other goes on with them.
+#[test]
+fn histories_go_on_with_their_kernel_alone() {
+    let grid = Grid::square(24, 6.0).unwrap();
+    let bodies = HalfSpace::new(grid, &closure(true)).unwrap();
+    let gap = surface::sphere(grid, 4.0).unwrap();
+    let friction = Friction::coulomb(0.4).unwrap();
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let step = |force: f64| {
+        LoadStep::hold()
+            .normal(NormalControl::Force(0.6))
+            .tangential(Axis::X, TangentialControl::Force(force))
+    };
+    history.step(&step(0.1)).unwrap();
+    let bytes = history.to_bytes();
+    // An equal closure, made anew.
+    let same = HalfSpace::new(grid, &closure(true)).unwrap();
+    let mut again = History::from_bytes(&same, &bytes).unwrap();
+    for history in [&mut history, &mut again] {
+        history.step(&step(-0.1)).unwrap();
+    }
+    assert_eq!(history.to_bytes(), again.to_bytes());
+    let [coated, near] = coating(true);
+    let softer = move |k| {
+        let Response { normal, .. } = coated.response(k).unwrap();
+        let along = 1.0001 * normal;
+        Response {
+            normal,
+            along,
+            across: along,
+            coupling: 0.0,
+        }
+    };
+    let softer = Kernel::isotropic(near, THICKNESS, softer).unwrap();
+    let softer = HalfSpace::with_boundary(grid, softer, Boundary::Periodic).unwrap();
+    for other in [
+        HalfSpace::new(grid, near).unwrap(),
+        HalfSpace::new(grid, coated).unwrap(),
+        HalfSpace::new(grid, &table(true, grid, size(grid))).unwrap(),
+    ] {
+        let refused = History::from_bytes(&other, &bytes);
+        assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+    }
+    assert!(softer.pair() != bodies.pair());
+}
+
+/// Ranks find the bits of one process.
+#[test]
+fn ranks_share_kernels() {
+    let grid = Grid::new(48, 40, 0.1, 0.1).unwrap();
+    let find = |bodies: &HalfSpace| {
+        let gap = surface::sphere(bodies.grid(), 5.0).unwrap();
+        let load = NormalControl::Force(0.1);
+        press(bodies, &gap, load, 1e-8, Method::default())
+            .pressure()
+            .as_slice()
+            .to_vec()
+    };
+    for kernel in [closure(false), table(false, grid, size(grid))] {
+        let alone = find(&HalfSpace::new(grid, &kernel).unwrap());
+        let parts = Threads::run(3, Duration::from_secs(120), |rank| {
+            let boundary = Boundary::NonPeriodic;
+            find(&HalfSpace::distributed(grid, &kernel, boundary, Arc::new(rank)).unwrap())
+        });
+        assert_eq!(parts.concat(), alone);
+    }
+}
+
+/// An isotropic response is an orthotropic one, and axes that differ turn with the grid.
+#[test]
+fn orthotropic_responses_follow_their_axes() {
+    let [coated, near] = coating(false);
+    let tensor = move |[x, y]: [f64; 2], soft: f64| {
+        let k = x.hypot(y);
+        let of = coated.response(k).unwrap();
+        let (c, s) = (x / k, y / k);
+        ResponseTensor {
+            xx: soft * (of.along * c * c + of.across * s * s),
+            yy: of.along * s * s + of.across * c * c,
+            zz: of.normal,
+            xy: (of.along - of.across) * c * s,
+            zx: -of.coupling * c,
+            zy: -of.coupling * s,
+        }
+    };
+    let grid = Grid::new(20, 24, 0.15, 0.2).unwrap();
+    let on = |kernel: Kernel| HalfSpace::with_boundary(grid, kernel, Boundary::Periodic).unwrap();
+    let same = on(Kernel::orthotropic(near, 1.0, move |k| tensor(k, 1.0)).unwrap());
+    let built_in = on(coated.into());
+    let mut load = vec![0.0; grid.cells()];
+    load[0] = 1.0;
+    for component in Component::ALL {
+        let [found, expected] = [&same, &built_in].map(|bodies| product(bodies, component, &load));
+        assert!(max_difference(&found, &expected) < 1e-13);
+    }
+    let softer = on(Kernel::orthotropic(near, 1.0, move |k| tensor(k, 1.5)).unwrap());
+    let gap = surface::sphere(grid, 4.0).unwrap();
+    let friction = Friction::coulomb(1.0).unwrap();
+    let shift = |bodies: &HalfSpace, force: [f64; 2]| {
+        let normal = press(
+            bodies,
+            &gap,
+            NormalControl::Force(0.2),
+            1e-8,
+            Method::ActiveSet,
+        );
+        let load = TangentialLoad::force(force);
+        shear(bodies, &normal, &friction, load, 1e-8, Method::ActiveSet).shift()
+    };
+    assert!(shift(&softer, [0.05, 0.0])[0] > 1.2 * shift(&same, [0.05, 0.0])[0]);
+}
+
+/// What stores no energy on a grid is told by its eigenvalue.
+#[test]
+fn kernels_without_a_bound_are_refused() {
+    let [_, near] = coating(false);
+    let grid = Grid::square(16, 4.0).unwrap();
+    let mut values = vec![0.0; 16 * 16];
+    (values[0], values[1], values[16]) = (1.0, 0.6, 0.6);
+    let sides = [grid.dx(), grid.dy()];
+    let table = CoefficientTable::new(sides, [16; 2]).unwrap();
+    let table = table.with(Component::ZZ, values).unwrap();
+    let bodies = HalfSpace::new(grid, &Kernel::tabulated(near, table).unwrap()).unwrap();
+    let refused = bodies.tensor_preconditioner([Z]).unwrap_err();
+    assert!(matches!(refused, Error::NotDefinite { eigenvalue, .. } if eigenvalue < 0.0));
+    // No coefficient of traction is in the table.
+    let missing = bodies.tensor_operator([X, Y]).unwrap_err();
+    assert!(matches!(missing, Error::KernelMissing(_)));
+}
+
+#[test]
+fn bad_kernels_are_refused() {
+    let [coated, near] = coating(false);
+    let response = move |k| coated.response(k).unwrap();
+    let grid = Grid::square(16, 4.0).unwrap();
+
+    // What is no half-space, and what does not tend to it.
+    assert!(matches!(
+        Kernel::isotropic(coated, 0.4, response),
+        Err(Error::Coated { .. })
+    ));
+    assert!(matches!(
+        Kernel::isotropic(near, 0.0, response),
+        Err(Error::NotPositive { value: 0.0, .. })
+    ));
+    let other = ElasticPair::new(Material::new(3.9, 0.2).unwrap(), Material::rigid()).unwrap();
+    let astray = Kernel::isotropic(other, 0.4, response).unwrap();
+    assert!(matches!(
+        HalfSpace::new(grid, &astray),
+        Err(Error::Below { .. })
+    ));
+    assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
+    // A thickness beyond that of the layer, likewise.
+    let thick = Kernel::isotropic(near, 0.9, response).unwrap();
+    assert!(matches!(
+        HalfSpace::new(grid, &thick),
+        Err(Error::Below { .. })
+    ));
+
+    // Responses that store no energy, or are none.
+    let with = |change: fn(&mut Response, f64)| {
+        Kernel::isotropic(near, 0.4, move |k| {
+            let mut of = response(k);
+            change(&mut of, k);
+            of
+        })
+    };
+    assert!(matches!(
+        with(|of, _| of.normal = -1.0),
+        Err(Error::NotPositive { value: -1.0, .. })
+    ));
+    assert!(matches!(
+        with(|of, _| of.along = f64::NAN),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        with(|of, _| of.coupling = 2.0 * of.normal),
+        Err(Error::NotPositive { .. })
+    ));
+    assert!(matches!(
+        with(|of, _| of.coupling = f64::INFINITY),
+        Err(Error::NotFinite { .. })
+    ));
+    // Beyond what is looked at first, but among the waves of a grid.
+    let late = with(|of, k| {
+        if k > 200.0 {
+            of.normal = f64::NAN
+        }
+    })
+    .unwrap();
+    let fine = Grid::square(16, 0.1).unwrap();
+    let refused = HalfSpace::with_boundary(fine, &late, Boundary::Periodic);
+    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+
+    // Axes that do not lie along the grid, and grids that do not repeat.
+    let oblique = |[x, y]: [f64; 2]| {
+        let c = 1.0 / (x * x + x * y + y * y).sqrt();
+        ResponseTensor {
+            xx: c,
+            yy: c,
+            zz: c,
+            xy: 0.0,
+            zx: 0.0,
+            zy: 0.0,
+        }
+    };
+    assert!(matches!(
+        Kernel::orthotropic(near, 1.0, oblique),
+        Err(Error::Below { .. })
+    ));
+    let straight = |[x, y]: [f64; 2]| {
+        let c = 1.0 / x.hypot(y);
+        ResponseTensor {
+            xx: c,
+            yy: c,
+            zz: c,
+            xy: 0.0,
+            zx: 0.0,
+            zy: 0.0,
+        }
+    };
+    let straight = Kernel::orthotropic(near, 1.0, straight).unwrap();
+    assert!(matches!(
+        HalfSpace::new(grid, &straight),
+        Err(Error::Coated { .. })
+    ));
+
+    // Tables: of other cells, too small, of what repeats, odd coefficients that are not.
+    let tabulated = table(false, grid, size(grid));
+    for other in [
+        Grid::square(17, 4.25).unwrap(),
+        Grid::square(16, 4.1).unwrap(),
+    ] {
+        let refused = HalfSpace::new(other, &tabulated);
+        assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    }
+    let refused = HalfSpace::with_boundary(grid, &tabulated, Boundary::Periodic);
+    assert!(matches!(refused, Err(Error::Coated { .. })));
+    let empty = || CoefficientTable::new([1.0; 2], [2, 1]).unwrap();
+    let not_odd = empty().with(Component::ZX, vec![1.0, 0.0]).unwrap();
+    assert!(matches!(
+        Kernel::tabulated(near, not_odd),
+        Err(Error::Sample {
+            index: 0,
+            value: 1.0,
+            ..
+        })
+    ));
+    assert!(matches!(
+        empty().with(Component::ZZ, vec![1.0]),
+        Err(Error::Length { .. })
+    ));
+    assert!(matches!(
+        CoefficientTable::new([1.0; 2], [0, 1]),
+        Err(Error::Length { .. })
+    ));
+    assert!(matches!(
+        CoefficientTable::new([1.0, -1.0], [1, 1]),
+        Err(Error::NotPositive { value: -1.0, .. })
+    ));
+}
+
+/// A pair that stands for a kernel makes no bodies, and answers no question of one modulus.
+#[test]
+fn the_pair_of_a_kernel_is_not_taken_for_it() {
+    let kernel = closure(false);
+    let pair = *kernel.pair();
+    let grid = Grid::square(16, 4.0).unwrap();
+    assert!(matches!(
+        HalfSpace::new(grid, pair),
+        Err(Error::KernelMissing(_))
+    ));
+    assert!(matches!(pair.response(1.0), Err(Error::KernelMissing(_))));
+    assert!(matches!(
+        Table::sample(grid, &pair, Component::ZZ),
+        Err(Error::KernelMissing(_))
+    ));
+    assert!(matches!(
+        analytical::HertzSphere::new(&pair, 1.0, 1.0),
+        Err(Error::Coated { .. })
+    ));
+    let bodies = HalfSpace::new(grid, &kernel).unwrap();
+    let pressure = Field::constant(grid, 0.1);
+    let tractions = Tractions::new(&pressure);
+    let asked = at_points(&bodies, Body::One, tractions, &[[0.0, 0.0, 0.1]]);
+    assert!(matches!(asked, Err(Error::Coated { .. })));
+    let gap = surface::sphere(grid, 5.0).unwrap();
+    let contact = press(
+        &bodies,
+        &gap,
+        NormalControl::Force(0.3),
+        1e-6,
+        Method::ActiveSet,
+    );
+    assert!(matches!(contact.edges(), Err(Error::Coated { .. })));
+}
