@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::grid::Grid;
 use crate::influence::Component;
 use crate::influence::integrals::Integral;
+use crate::layers::Response;
 use crate::material::{Compliances, ElasticPair};
 
 /// The symbol of one coefficient for the waves that fit a periodic grid.
@@ -63,9 +64,12 @@ impl Component {
     /// The symbol of a pair, or its imaginary part, of the wave vector.
     fn symbol(self, pair: &ElasticPair, [x, y]: [f64; 2]) -> f64 {
         let k = x.hypot(y);
-        let (x, y) = (x / k, y / k);
-        let found = pair.times_k(k);
-        let value = match self {
+        self.of_response(pair.times_k(k), [x / k, y / k]) / k
+    }
+
+    /// What a response comes to in the direction of the wave vector, a unit vector; or its imaginary part.
+    pub(super) fn of_response(self, found: Response, [x, y]: [f64; 2]) -> f64 {
+        match self {
             Self::ZZ => found.normal,
             Self::XX => found.along * x * x + found.across * y * y,
             Self::YY => found.along * y * y + found.across * x * x,
@@ -74,8 +78,7 @@ impl Component {
             Self::ZY => -found.coupling * y,
             Self::XZ => found.coupling * x,
             Self::YZ => found.coupling * y,
-        };
-        value / k
+        }
     }
 }
 

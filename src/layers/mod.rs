@@ -91,8 +91,10 @@
 //! 110 (1988) 235, <https://doi.org/10.1115/1.3261591> (one layer); T. Nogi and T. Kato, J. Tribology 119 (1997) 493,
 //! <https://doi.org/10.1115/1.2833525>.
 
+mod depth;
 mod response;
 
+pub(crate) use depth::Below;
 pub use response::Response;
 pub(crate) use response::{Base, Waves};
 
@@ -164,6 +166,19 @@ impl Layer {
             quantity: "the modulus of the layer, and its reciprocal,",
             value: youngs_modulus,
         })
+    }
+
+    /// Of a part of a body, also one without thickness.
+    fn of_shear(modulus: f64, poisson_ratio: f64, thickness: f64) -> Self {
+        Self {
+            youngs_modulus: 2.0 * (1.0 + poisson_ratio) * modulus,
+            poisson_ratio,
+            thickness,
+        }
+    }
+
+    fn of_thickness(self, thickness: f64) -> Self {
+        Self { thickness, ..self }
     }
 
     /// Young's modulus (a pressure).

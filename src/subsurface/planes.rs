@@ -68,13 +68,16 @@ use crate::watch::{Watch, unwatched};
 pub struct Planes {
     bodies: HalfSpace,
     depths: Arc<[f64]>,
-    kernels: Arc<[OnceLock<Spectra>]>,
+    kernels: Arc<[Kept]>,
     with_displacements: bool,
     torus: Torus,
     transforms: Superposition,
 }
 
 shown!(Planes: bodies, depths);
+
+/// The kernels of a depth: of homogeneous bodies, of a coated body 1 and of a coated body 2.
+type Kept = [OnceLock<Spectra>; 3];
 
 impl Planes {
     /// Planes at these depths (lengths, zero or positive) below the surface of either body.
@@ -189,8 +192,10 @@ impl Planes {
         let fields = tractions.checked(&self.bodies)?;
         let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
+        constants.check_depths(&self.depths[index..=index])?;
         let kernels = Arc::clone(&self.kernels);
-        let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
+        let kept = &kernels[index][constants.place()];
+        let spectra = parallel::get_or_make(kept, || self.spectra(index, &constants, watch))?;
         plane.prepare(body, self.with_displacements)?;
         self.load(fields, &constants, watch)?;
         self.fill(plane, spectra, &constants, watch)?;
@@ -231,16 +236,17 @@ impl Planes {
         let fields = tractions.checked(&self.bodies)?;
         let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
+        constants.check_depths(&self.depths)?;
         let mut plane = self.plane(body)?;
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants, watch)?;
         let has_edge = has_edge(fields);
         for (index, kept) in kernels.iter().enumerate() {
             let made;
-            let spectra = if let Some(spectra) = kept.get() {
+            let spectra = if let Some(spectra) = kept[constants.place()].get() {
                 spectra
             } else {
-                made = self.spectra(index, watch)?;
+                made = self.spectra(index, &constants, watch)?;
                 &made
             };
             self.fill(&mut plane, spectra, &constants, watch)?;
@@ -264,10 +270,17 @@ impl Planes {
     }
 
     /// The kernels of a depth, made anew.
-    fn spectra(&self, index: usize, watch: &mut Watch<'_>) -> Result<Spectra> {
+    fn spectra(
+        &self,
+        index: usize,
+        constants: &Constants,
+        watch: &mut Watch<'_>,
+    ) -> Result<Spectra> {
         let (depth, with_displacements) = (self.depths[index], self.with_displacements);
-        parallel::enter_with(self.bodies.grid().cells(), || {
-            Spectra::new(&self.bodies, &self.torus, depth, with_displacements, watch)
+        let (bodies, torus) = (&self.bodies, &self.torus);
+        parallel::enter_with(bodies.grid().cells(), || match constants.coated() {
+            None => Spectra::new(bodies, torus, depth, with_displacements, watch),
+            Some(body) => Spectra::layered(bodies, body, torus, depth, with_displacements, watch),
         })
     }
 
@@ -320,6 +333,6 @@ fn has_edge(fields: [Option<&[f64]>; 3]) -> bool {
     pressure.is_some_and(is_free) && shear.into_iter().flatten().any(is_sheared)
 }
 
-fn no_kernels(depths: &[f64]) -> Arc<[OnceLock<Spectra>]> {
-    depths.iter().map(|_| OnceLock::new()).collect()
+fn no_kernels(depths: &[f64]) -> Arc<[Kept]> {
+    depths.iter().map(|_| Kept::default()).collect()
 }

@@ -113,6 +113,7 @@ mod steady_rolling;
 mod stick_zones_of_histories_have_edges;
 mod stiffness_is_the_slope_of_solves;
 mod stresses_below_the_surface;
+mod stresses_in_coated_bodies;
 mod superposition_is_exact;
 mod surfaces_of_slabs_are_those_of_the_whole;
 mod the_certificate_is_its_formula;
