@@ -82,7 +82,12 @@ impl HalfSpace {
             let is_compliance = (0..N).all(|i| components[i][i].is_odd() == [false; 2]);
             let is_free = self.boundary() == Boundary::NonPeriodic;
             // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
-            if N < 3 && is_compliance && is_free && self.pair().is_coated() && operator.lower_bound() <= 0.0 {
+            if N < 3
+                && is_compliance
+                && is_free
+                && self.pair().is_coated()
+                && operator.lower_bound() <= 0.0
+            {
                 let grid = self.grid().whole();
                 let least = least_of_lattice(grid, self.pair(), self.cell_value(), components);
                 return Ok(operator.bounded(least));

@@ -36,8 +36,8 @@ type Pair = [f64; 3];
 /// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases
 /// alternate in sign and fall as the cube of their number: the last one that is added bounds the sum of all that are not.
 /// S is even in each phase, smooth but for its pole at no phase, and is sampled in steps of pi/16. Between samples it is
-/// taken to be lower than the least one by no more than half the differences to the neighbours along both axes, four
-/// times what a parabola through them may be.
+/// taken to be lower than the least one by no more than a quarter of the second differences along both axes, twice what a
+/// parabola through the samples is. The bound is as sure as these two remarks.
 pub(crate) fn least_of_lattice<const N: usize>(
     grid: Grid,
     pair: &ElasticPair,
@@ -66,19 +66,26 @@ pub(crate) fn least_of_lattice<const N: usize>(
     for n in 1..width * width {
         let (x, y) = (n % width, n / width);
         let own = at(x, y);
-        let further = |a: f64, b: f64| (a - own).abs().max((b - own).abs());
-        let along = |place: usize| [place.abs_diff(1), if place < STEPS { place + 1 } else { STEPS - 1 }];
-        let ([left, right], [below, above]) = (along(x), along(y));
-        let differences = further(at(left, y), at(right, y)) + further(at(x, below), at(x, above));
-        if differences.is_finite() {
-            bound = bound.min(own - 0.5 * differences);
+        let beside = |place: usize| {
+            let next = if place < STEPS { place + 1 } else { STEPS - 1 };
+            [place.abs_diff(1), next]
+        };
+        let bent = |[before, after]: [f64; 2]| (before - 2.0 * own + after).abs();
+        let bends = bent(beside(x).map(|x| at(x, y))) + bent(beside(y).map(|y| at(x, y)));
+        if bends.is_finite() {
+            bound = bound.min(own - 0.25 * bends);
         }
     }
     bound
 }
 
 /// The sum over the aliases of a phase, less what those left out may take from its least eigenvalue; infinite at no phase.
-fn aliases(grid: Grid, pair: &ElasticPair, parts: [Option<Component>; 3], theta: [f64; 2]) -> (Pair, Pair) {
+fn aliases(
+    grid: Grid,
+    pair: &ElasticPair,
+    parts: [Option<Component>; 3],
+    theta: [f64; 2],
+) -> (Pair, Pair) {
     let (mut sum, mut shell) = ([0.0; 3], [0.0; 3]);
     if theta == [0.0; 2] {
         return ([f64::INFINITY, f64::INFINITY, 0.0], shell);
@@ -87,7 +94,8 @@ fn aliases(grid: Grid, pair: &ElasticPair, parts: [Option<Component>; 3], theta:
     for number in 0..=SHELLS {
         shell = [0.0; 3];
         for m in shell_of(number) {
-            let phase: [f64; 2] = std::array::from_fn(|axis| theta[axis] + TAU * f64::from(m[axis]));
+            let phase: [f64; 2] =
+                std::array::from_fn(|axis| theta[axis] + TAU * f64::from(m[axis]));
             let factor = phase.map(|phase| sinc(0.5 * phase)).iter().product::<f64>();
             if factor == 0.0 {
                 continue;

@@ -130,8 +130,17 @@ pub(crate) fn bessel(x: f64) -> [f64; 4] {
     if x >= 2.0 {
         let one = libm::j1(x) / x;
         let two = (2.0 * one - zero) / (x * x);
-        let three = if x < 4.0 { series(3, 1.0 / 48.0) } else { (4.0 * two - one) / (x * x) };
+        let three = if x < 4.0 {
+            series(3, 1.0 / 48.0)
+        } else {
+            (4.0 * two - one) / (x * x)
+        };
         return [zero, one, two, three];
     }
-    [zero, series(1, 0.5), series(2, 0.125), series(3, 1.0 / 48.0)]
+    [
+        zero,
+        series(1, 0.5),
+        series(2, 0.125),
+        series(3, 1.0 / 48.0),
+    ]
 }

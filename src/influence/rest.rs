@@ -3,8 +3,10 @@
 use std::sync::OnceLock;
 
 use crate::influence::Component;
+use crate::influence::images::{FAR, pieces};
 use crate::influence::radial::{
-    PIECES, RULES, TERMS, bessel, chebyshev, nodes, ends_of, piece_of, rule, tabulated, wave_numbers,
+    PIECES, RULES, TERMS, bessel, chebyshev, ends_of, nodes, piece_of, rule, tabulated,
+    wave_numbers,
 };
 use crate::layers::{Layer, Response};
 use crate::material::{Compliances, ElasticPair, Material};
@@ -185,6 +187,31 @@ impl Rest {
         }
     }
 
+    /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
+    /// displacements: [as](crate::influence::images) of the closed forms.
+    pub(crate) fn over_rows(
+        &self,
+        component: Component,
+        [a, b]: [f64; 2],
+        [x, y]: [f64; 2],
+        [period, datum]: [f64; 2],
+    ) -> f64 {
+        // Here, and half a period away, the images of one side are those of the other.
+        if component.is_odd()[1] && (y == 0.0 || 2.0 * y >= period) {
+            return 0.0;
+        }
+        let share = 2.0 * b / period;
+        let uniform = share * self.over_strip(component, a, x, datum);
+        // A cell as long as the period is a strip, and far away all are.
+        if share >= 1.0 || x >= a + FAR * period {
+            return uniform;
+        }
+        let images = pieces(b, period).map(|piece| {
+            piece.weight * self.over_cell(component, [a, piece.half], x, y + piece.offset)
+        });
+        uniform + images.sum::<f64>()
+    }
+
     /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
     pub(crate) fn over_strip(&self, component: Component, a: f64, x: f64, datum: f64) -> f64 {
         let Some(rule) = self.rule(a, x, 0.0) else {
@@ -333,7 +360,8 @@ impl Rest {
         of: impl Fn(Response) -> [f64; 4],
     ) -> Vec<(f64, [f64; 4])> {
         let numbers = wave_numbers([near, far], GONE / self.scale, self.least).into_iter();
-        let weighted = |(k, weight): (f64, f64)| (k, of(self.remainder(k)).map(|value| weight * value));
+        let weighted =
+            |(k, weight): (f64, f64)| (k, of(self.remainder(k)).map(|value| weight * value));
         numbers.map(weighted).collect()
     }
 }

@@ -81,7 +81,11 @@ impl Waves<'_> {
         for layer in below.iter().skip(1).rev() {
             surface = surface.under(layer, k);
         }
-        let left = if number.is_some() { host.thickness() - from_top } else { 0.0 };
+        let left = if number.is_some() {
+            host.thickness() - from_top
+        } else {
+            0.0
+        };
         let here = surface.under(&part(left), k);
         let mut carried = Carried::ALL;
         let mut surface = here;
@@ -144,7 +148,10 @@ impl Carried {
         };
         let x = layer.shear_modulus() / below.unit * below.across;
         Self {
-            along: [[product(0, 0), product(0, 1)], [product(1, 0), product(1, 1)]],
+            along: [
+                [product(0, 0), product(0, 1)],
+                [product(1, 0), product(1, 1)],
+            ],
             across: self.across * (-a).exp() / (cosh + x * sinh),
         }
     }
@@ -159,7 +166,14 @@ impl Surface {
             let [p, q] = [carried.along[0][load], carried.along[1][load]];
             let (along, normal) = (l * q + c * p, c * q + n * p);
             let stress = -(2.0 * along + nu * p) / (1.0 - nu);
-            [normal / self.unit, along / self.unit, p, q, stress, nu * (stress - p)]
+            [
+                normal / self.unit,
+                along / self.unit,
+                p,
+                q,
+                stress,
+                nu * (stress - p),
+            ]
         };
         let across = self.across * carried.across;
         Below {

@@ -56,7 +56,11 @@ impl Body {
         let is_coated = material.is_coated();
         Ok(Constants {
             // The kernels of a coated body have its moduli.
-            shear_modulus: if is_coated { 1.0 } else { material.shear_modulus() },
+            shear_modulus: if is_coated {
+                1.0
+            } else {
+                material.shear_modulus()
+            },
             poisson_ratio: material.poisson_ratio(),
             is_second: self == Self::Two,
             coated: is_coated.then_some(material),
@@ -82,10 +86,17 @@ impl Constants {
 
     /// `Ok` if something deforms at all these depths.
     pub(super) fn check_depths(&self, depths: &[f64]) -> Result<()> {
-        let Some(body) = self.coated.filter(|body| body.youngs_modulus().is_infinite()) else {
+        let Some(body) = self
+            .coated
+            .filter(|body| body.youngs_modulus().is_infinite())
+        else {
             return Ok(());
         };
-        let name = if self.is_second { "the base of body 2" } else { "the base of body 1" };
+        let name = if self.is_second {
+            "the base of body 2"
+        } else {
+            "the base of body 1"
+        };
         let is_in_base = |depth: &f64| body.waves().place(*depth).0.is_none();
         match depths.iter().any(is_in_base) {
             true => Err(Error::RigidBody(name)),

@@ -69,11 +69,18 @@ impl<'a> Layered<'a> {
             _ => None,
         };
         let scale = outermost.map_or(depth, |layer| 2.0 * layer.thickness() - depth);
+        let near = outermost.map(|layer| [layer.shear_modulus(), layer.poisson_ratio()]);
+        let of_base = match waves.base {
+            Base::Rigid => [0.0; 3],
+            Base::Elastic(constants) => of_half_space(constants),
+        };
+        let less = near.map_or([0.0; 3], of_half_space);
+        let pole = std::array::from_fn(|n| of_base[n] - less[n]);
         Self {
             waves,
             depth,
-            near: outermost.map(|layer| [layer.shear_modulus(), layer.poisson_ratio()]),
-            radial: Radial::new(body, scale),
+            near,
+            radial: Radial::new(body, scale, pole),
         }
     }
 
@@ -110,13 +117,14 @@ impl<'a> Layered<'a> {
             width,
         });
         let strips = Strips::new(grid, boundary);
+        let period = grid.dy() * grid.ny() as f64;
         let rest = |k: f64| self.rest(k);
         let work = |row: usize, rows: [Blocks<'_, f64>; Entry::COUNT]| {
             let (y, mut out) = (row as f64 * grid.dy(), rows.map(|row| row.items));
             for (ix, &x) in xs.iter().enumerate() {
                 let entries = match boundary {
                     Boundary::PeriodicAlongY { datum } => {
-                        self.radial.over_strip(&rest, sides[0], x, datum)
+                        self.radial.over_rows(&rest, sides, [x, y], [period, datum])
                     }
                     _ => self.radial.over_cell(&rest, sides, [x, y]),
                 };
@@ -155,6 +163,11 @@ impl<'a> Layered<'a> {
     }
 }
 
+/// k times the displacements of a half-space, normal, along and across.
+fn of_half_space([modulus, nu]: [f64; 2]) -> [f64; 3] {
+    [1.0 - nu, 1.0 - nu, 1.0].map(|factor| factor / modulus)
+}
+
 /// Adds the components in a half-space, which are sums of the integrals.
 fn add_homogeneous(
     weights: &Weights,
@@ -164,7 +177,11 @@ fn add_homogeneous(
 ) {
     for (n, out) in out.iter_mut().enumerate() {
         let Entry { load, component } = Entry::of(n);
-        let unit = if component.is_displacement() { modulus } else { 1.0 };
+        let unit = if component.is_displacement() {
+            modulus
+        } else {
+            1.0
+        };
         for (weight, integral) in weights.of(load, component).iter().zip(integrals) {
             if *weight != 0.0 {
                 for (out, value) in out.iter_mut().zip(&**integral) {

@@ -56,12 +56,30 @@ impl Spectra {
         let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
-            Boundary::Periodic => waves(grid, torus, |k| symbols(k, z), |n| Integral::ALL[n].is_odd())?,
+            Boundary::Periodic => waves(
+                grid,
+                torus,
+                |k| symbols(k, z),
+                |n| Integral::ALL[n].is_odd(),
+            )?,
             _ => samples(grid, boundary, torus, z)?,
         };
         let keeps = |n: usize| with_displacements || !Integral::ALL[n].is_length();
-        transform(&mut values, boundary, torus, keeps, |n| Integral::ALL[n].is_odd(), watch)?;
-        Ok(Self::of(depth, z, Values::Integrals(values), torus, boundary))
+        transform(
+            &mut values,
+            boundary,
+            torus,
+            keeps,
+            |n| Integral::ALL[n].is_odd(),
+            watch,
+        )?;
+        Ok(Self::of(
+            depth,
+            z,
+            Values::Integrals(values),
+            torus,
+            boundary,
+        ))
     }
 
     /// Those of a coated body.

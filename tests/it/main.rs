@@ -66,6 +66,7 @@ mod histories_in_the_plane;
 mod histories_keep_their_state_through_wear;
 mod histories_obey_the_spring;
 mod histories_obey_their_laws;
+mod histories_of_coated_bodies;
 mod histories_remember_what_has_yielded;
 mod influence_coefficients;
 mod known_contacts_beyond_spheres;

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
+use crate::influence::images::{FAR, pieces};
 use crate::influence::radial::{
     PIECES, RULES, TERMS, bessel, chebyshev, ends_of, nodes, piece_of, rule, wave_numbers,
 };
@@ -34,18 +35,18 @@ pub(super) struct Radial {
     least: f64,
     points: [OnceLock<Piece>; PIECES],
     lines: [OnceLock<Piece>; PIECES],
-    /// k times the displacement that waves without end cause, normal, along and across.
-    pole: OnceLock<[f64; 3]>,
+    /// k times the displacements that waves without end cause, normal, along and across.
+    pole: [f64; 3],
 }
 
 impl Radial {
-    pub(super) fn new(body: &Material, scale: f64) -> Self {
+    pub(super) fn new(body: &Material, scale: f64, pole: [f64; 3]) -> Self {
         Self {
             scale,
             least: 0.025 / slowest(body).max(scale),
             points: std::array::from_fn(|_| OnceLock::new()),
             lines: std::array::from_fn(|_| OnceLock::new()),
-            pole: OnceLock::new(),
+            pole,
         }
     }
 
@@ -85,14 +86,42 @@ impl Radial {
         sum
     }
 
-    /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
-    pub(super) fn over_strip(
+    /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
+    /// displacements: [as](crate::influence::images) of the surface.
+    pub(super) fn over_rows(
         &self,
         response: &impl Fn(f64) -> Below,
-        a: f64,
-        x: f64,
-        datum: f64,
+        [a, b]: [f64; 2],
+        [x, y]: [f64; 2],
+        [period, datum]: [f64; 2],
     ) -> Entries {
+        let share = 2.0 * b / period;
+        let mut sum = self
+            .over_strip(response, a, x, datum)
+            .map(|value| share * value);
+        // A cell as long as the period is a strip, and far away all are.
+        if share >= 1.0 || x >= a + FAR * period {
+            return sum;
+        }
+        for piece in pieces(b, period) {
+            let values = self.over_cell(response, [a, piece.half], [x, y + piece.offset]);
+            for (sum, value) in sum.iter_mut().zip(values) {
+                *sum += piece.weight * value;
+            }
+        }
+        // Here, and half a period away, the images of one side are those of the other.
+        if y == 0.0 || 2.0 * y >= period {
+            for (n, sum) in sum.iter_mut().enumerate() {
+                if Entry::of(n).is_odd()[1] {
+                    *sum = 0.0;
+                }
+            }
+        }
+        sum
+    }
+
+    /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
+    fn over_strip(&self, response: &impl Fn(f64) -> Below, a: f64, x: f64, datum: f64) -> Entries {
         let Some(rule) = rule(a, x.abs(), self.scale) else {
             let part = |x: f64| self.over_strip(response, 0.5 * a, x, datum);
             let (one, other) = (part(x + 0.5 * a), part(x - 0.5 * a));
@@ -150,9 +179,17 @@ impl Radial {
             self.line_piece(response, ends)
         });
         let log = -2.0 * (x / datum).hypot(self.scale / datum).ln();
-        let pole = self.pole(response).map(|pole| pole * log);
-        let [normal, along, across, p, stress_along, stress_across, q, passed] =
-            std::array::from_fn(|n| functions[n]);
+        let pole = self.pole.map(|pole| pole * log);
+        let [
+            normal,
+            along,
+            across,
+            p,
+            stress_along,
+            stress_across,
+            q,
+            passed,
+        ] = std::array::from_fn(|n| functions[n]);
         let [
             along_p,
             normal_q,
@@ -199,7 +236,7 @@ impl Radial {
     }
 
     fn line_piece(&self, response: &impl Fn(f64) -> Below, ends: [f64; 2]) -> Piece {
-        let pole = self.pole(response);
+        let pole = self.pole;
         let numbers = wave_numbers(ends, GONE / self.scale, self.least);
         let waves: Vec<_> = numbers
             .into_iter()
@@ -241,13 +278,6 @@ impl Radial {
                 }
             }
             sum
-        })
-    }
-
-    fn pole(&self, response: &impl Fn(f64) -> Below) -> [f64; 3] {
-        *self.pole.get_or_init(|| {
-            let below = response(1e-9 * self.least);
-            [below.by_pressure[0], below.by_traction[1], below.across[0]]
         })
     }
 }
