@@ -35,9 +35,9 @@ type Pair = [f64; 3];
 ///
 /// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases
 /// alternate in sign and fall as the cube of their number: the last one that is added bounds the sum of all that are not.
-/// S is even in each phase, smooth but for its pole at no phase, and is sampled in steps of pi/16. Between samples it is
-/// taken to be lower than the least one by no more than a quarter of the second differences along both axes, twice what a
-/// parabola through the samples is. The bound is as sure as these two remarks.
+/// S is even in each phase, smooth but for its pole at no phase, and is sampled in steps of pi/16. A sample that is the least
+/// one along an axis is taken to be lower by a quarter of the second difference along it, twice what a parabola through the
+/// samples may be lower between them. The bound is as sure as these two remarks.
 pub(crate) fn least_of_lattice<const N: usize>(
     grid: Grid,
     pair: &ElasticPair,
@@ -70,10 +70,17 @@ pub(crate) fn least_of_lattice<const N: usize>(
             let next = if place < STEPS { place + 1 } else { STEPS - 1 };
             [place.abs_diff(1), next]
         };
-        let bent = |[before, after]: [f64; 2]| (before - 2.0 * own + after).abs();
-        let bends = bent(beside(x).map(|x| at(x, y))) + bent(beside(y).map(|y| at(x, y)));
-        if bends.is_finite() {
-            bound = bound.min(own - 0.25 * bends);
+        let between = |[before, after]: [f64; 2]| {
+            let rises = [before - own, after - own];
+            if rises[0].min(rises[1]) >= 0.0 {
+                0.25 * (rises[0] + rises[1])
+            } else {
+                0.0
+            }
+        };
+        let lower = between(beside(x).map(|x| at(x, y))) + between(beside(y).map(|y| at(x, y)));
+        if lower.is_finite() {
+            bound = bound.min(own - lower);
         }
     }
     bound
@@ -87,7 +94,7 @@ fn aliases(
     theta: [f64; 2],
 ) -> (Pair, Pair) {
     let (mut sum, mut shell) = ([0.0; 3], [0.0; 3]);
-    if theta == [0.0; 2] {
+    if theta.iter().all(|phase| *phase == 0.0) {
         return ([f64::INFINITY, f64::INFINITY, 0.0], shell);
     }
     let sides = [grid.dx(), grid.dy()];

@@ -98,10 +98,10 @@ impl Constants {
             "the base of body 1"
         };
         let is_in_base = |depth: &f64| body.waves().place(*depth).0.is_none();
-        match depths.iter().any(is_in_base) {
-            true => Err(Error::RigidBody(name)),
-            false => Ok(()),
+        if depths.iter().any(is_in_base) {
+            return Err(Error::RigidBody(name));
         }
+        Ok(())
     }
 
     /// The factor of a traction before it acts on the half-space.
