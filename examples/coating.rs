@@ -1,5 +1,5 @@
 //! Two equal spheres with coatings softer or harder than themselves, pressed and sheared: pressure and contact radius
-//! beside an axisymmetric solution, and how the coating changes traction and stick zone.
+//! beside an axisymmetric solution, traction and stick zone, and von Mises stress down to the interface and below it.
 //!
 //! `cargo run --release -p stickslip --example coating` prints both, and writes `target/gallery/coating.csv` and `.svg`.
 
@@ -13,6 +13,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use stickslip::analytical::HertzSphere;
 use stickslip::layers::Layer;
+use stickslip::subsurface::{Body, Planes};
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, surface,
@@ -45,10 +46,15 @@ const COLOURS: [RGBColor; 5] = [
     support::ORANGE,
 ];
 
+/// Steps of the depth down to the interface, and as many in three times the distance below it.
+const DEPTHS: usize = 20;
+
 /// A contact of coated spheres.
 struct Contact {
     normal: NormalSolution,
     sheared: TangentialSolution,
+    /// Depth and von Mises stress in the middle, down to the interface and from there on.
+    stress: [Vec<(f64, f64)>; 2],
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -94,6 +100,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     table.flush()?;
     let svg = support::gallery("coating.svg")?;
     draw(&svg, &contacts, &hertz)?;
+    println!("\nE1/E2 | von Mises stress / p_H, most in the coating | most below it");
+    for ((ratio, _), (contact, _)) in COATINGS.iter().zip(&contacts) {
+        let [above, below] = contact.stress.each_ref().map(|line| {
+            let most = line.iter().map(|(_, stress)| *stress).fold(0.0, f64::max);
+            most / hertz.max_pressure()
+        });
+        println!("{ratio:>5} | {above:>46.4} | {below:.4}");
+    }
     println!("\ntable: {}\nfigure: {}", path.display(), svg.display());
     Ok(())
 }
@@ -111,7 +125,30 @@ fn solve(coated: Material, hertz: &HertzSphere) -> stickslip::Result<Contact> {
     let sheared = TangentialProblem::builder(&bodies, &normal, friction, load)
         .build()?
         .solve()?;
-    Ok(Contact { normal, sheared })
+    let thickness = coated.layers()[0].thickness();
+    let part = |n: usize| n as f64 / DEPTHS as f64;
+    let above: Vec<f64> = (0..=DEPTHS).map(|n| thickness * part(n)).collect();
+    // The first is the other side of the interface.
+    let next = f64::from_bits(thickness.to_bits() + 1);
+    let below: Vec<f64> = (0..=DEPTHS)
+        .map(|n| next + 3.0 * thickness * part(n))
+        .collect();
+    let stress = |depths: &[f64]| {
+        let mut line = Vec::new();
+        let mut planes = Planes::new(&bodies, depths)?;
+        planes.through(Body::One, (&normal, &sheared), |plane| {
+            let middle = plane.get(CELLS / 2, CELLS / 2).unwrap_or_default();
+            line.push((plane.depth(), middle.von_mises()));
+            Ok(())
+        })?;
+        Ok::<_, stickslip::Error>(line)
+    };
+    let stress = [stress(&above)?, stress(&below)?];
+    Ok(Contact {
+        normal,
+        sheared,
+        stress,
+    })
 }
 
 fn draw(
@@ -120,8 +157,10 @@ fn draw(
     hertz: &HertzSphere,
 ) -> Result<(), Box<dyn Error>> {
     let title = "Coated spheres: coatings half as thick as the contact radius without them";
-    let figure = support::figure(path, (1800, 860), title)?;
-    let (left, right) = figure.split_horizontally(900);
+    let figure = support::figure(path, (1800, 1640), title)?;
+    let (top, bottom) = figure.split_vertically(780);
+    let (left, right) = top.split_horizontally(900);
+    let (lower_left, lower_right) = bottom.split_horizontally(900);
     let radius = hertz.contact_radius();
     let along_x = |field: &Field, unit: f64| -> Vec<(f64, f64)> {
         let grid = field.grid();
@@ -145,6 +184,58 @@ fn draw(
         tractions.draw_series(LineSeries::new(traction, line))?;
     }
     support::legend(&mut pressures, SeriesLabelPosition::UpperRight)?;
+
+    let mut stresses = support::axes(
+        &lower_left,
+        (0.0..2.0, "depth / a_H"),
+        (0.0..1.2, "von Mises stress / p_H"),
+    )?;
+    for (colour, (contact, _)) in COLOURS.iter().zip(contacts) {
+        for side in &contact.stress {
+            let unit = hertz.max_pressure();
+            let points = side.iter().map(|(z, stress)| (z / radius, stress / unit));
+            stresses.draw_series(LineSeries::new(points, colour.stroke_width(3)))?;
+        }
+    }
+    let interface = [(0.5, 0.0), (0.5, 1.2)];
+    stresses.draw_series(LineSeries::new(interface, BLACK.mix(0.4).stroke_width(2)))?;
+    let mut zones = support::axes(
+        &lower_right,
+        (-2.0..2.0, "log2 (E1 / E2)"),
+        (0.0..1.4, "radius / a_H"),
+    )?;
+    let area_radius = |cells: usize, contact: &Contact| {
+        let area = cells as f64 * contact.normal.grid().cell_area();
+        (area / std::f64::consts::PI).sqrt() / radius
+    };
+    let of = |cells: &dyn Fn(&Contact) -> usize| -> Vec<(f64, f64)> {
+        let points = COATINGS.iter().zip(contacts);
+        points
+            .map(|((ratio, _), (contact, _))| (ratio.log2(), area_radius(cells(contact), contact)))
+            .collect()
+    };
+    let contact = of(&|contact| contact.normal.contact_cells());
+    let stick = of(&|contact| {
+        let contact_cells = contact.normal.contact_cells() as f64;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a part of some cells"
+        )]
+        let cells = (contact.sheared.stick_ratio() * contact_cells).round() as usize;
+        cells
+    });
+    for (points, name, colour) in [
+        (contact, "contact", support::BLUE),
+        (stick, "stick zone", support::ORANGE),
+    ] {
+        let line = colour.stroke_width(3);
+        zones
+            .draw_series(LineSeries::new(points, line))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+    }
+    support::legend(&mut zones, SeriesLabelPosition::UpperRight)?;
     figure.present()?;
     Ok(())
 }

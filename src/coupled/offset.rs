@@ -14,7 +14,7 @@ impl CoupledIncrement {
     pub(crate) fn enter(&mut self, gap: Option<impl Fn(usize) -> f64>) -> Result<()> {
         self.enters = gap.is_some();
         if let Some(gap) = gap {
-            let kappa = ratio_of_compliances(self.bodies.pair());
+            let kappa = ratio_of_compliances(&self.bodies);
             buffer::resize(&mut self.closing, self.offset[0].len(), 0.0)?;
             for (i, closing) in self.closing.iter_mut().enumerate() {
                 *closing = kappa * gap(i);

@@ -148,6 +148,16 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
+    /// With a bound of the eigenvalues in place of that of the periodic continuation.
+    pub(crate) fn bounded(self, least: f64) -> Self {
+        Self {
+            least,
+            lower_bound: (least - 1e-14 * self.upper_bound).max(0.0),
+            is_single_enough: least > SINGLE_RANGE * self.upper_bound,
+            ..self
+        }
+    }
+
     /// The least eigenvalue of the periodic continuation, of whatever sign.
     pub(crate) fn least_eigenvalue(&self) -> f64 {
         self.least
@@ -268,7 +278,8 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
     /// periodic grid that on fields of mean zero. Zero for a single component between two directions; and
     /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
-    /// continuation is not definite though the operator is; likewise for stiff layers on soft bodies.
+    /// continuation is not definite though the operator is. Where that of stiff layers on soft bodies is not, the least
+    /// eigenvalue of the infinite lattice of these cells.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

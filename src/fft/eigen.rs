@@ -30,10 +30,14 @@ pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -
 }
 
 /// How strongly the first component couples with the other two: $`\sqrt{b' T^{-1} b / a}`$ of the matrix with the blocks
-/// a, b and T, less than one where it is positive definite.
+/// a, b and T, less than one where it is positive definite; infinite where one of the blocks is not.
 pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
     let [[a, x, y], [_, xx, xy], [_, _, yy]] = matrix;
-    let square = (x * x * yy - 2.0 * x * y * xy + y * y * xx) / (xx * yy - xy * xy);
+    let determinant = xx * yy - xy * xy;
+    if a < 0.0 || determinant < 0.0 || xx + yy < 0.0 {
+        return f64::INFINITY;
+    }
+    let square = (x * x * yy - 2.0 * x * y * xy + y * y * xx) / determinant;
     (square / a).sqrt()
 }
 

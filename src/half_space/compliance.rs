@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::half_space::HalfSpace;
-use crate::influence::{Component, Direction, Kernel};
+use crate::influence::{Component, Direction, Kernel, least_of_lattice};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::pool::Pool;
@@ -76,7 +77,23 @@ impl HalfSpace {
         components: [[Component; N]; N],
         size: [usize; 2],
     ) -> Result<Arc<Convolution<N>>> {
-        self.made(components, size, Convolution::of_kernels)
+        self.made(components, size, |size, share, kernels| {
+            let operator = Convolution::of_kernels(size, share, kernels)?;
+            let is_compliance = (0..N).all(|i| components[i][i].is_odd() == [false; 2]);
+            let is_free = self.boundary() == Boundary::NonPeriodic;
+            // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
+            if N < 3
+                && is_compliance
+                && is_free
+                && self.kernel().has_response()
+                && operator.lower_bound() <= 0.0
+            {
+                let grid = self.grid().whole();
+                let least = least_of_lattice(grid, self.kernel(), self.cell_value(), components);
+                return Ok(operator.bounded(least));
+            }
+            Ok(operator)
+        })
     }
 
     /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.
@@ -108,7 +125,6 @@ pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boundary::Boundary;
     use crate::grid::Grid;
     use crate::material::{ElasticPair, Material};
 

@@ -120,8 +120,7 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`HalfSpace::new`]; [`Error::Coated`] for coated bodies on several rows that repeat along y alone;
-    /// [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
+    /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(
         grid: Grid,
         bodies: impl Into<kernel::Kernel>,
@@ -396,12 +395,6 @@ fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize;
         at_least("the least allowed", THINNEST, quantity, part)?;
     }
     if let Boundary::PeriodicAlongY { datum } = boundary {
-        if grid.ny() > 1 {
-            let quantity = "a grid of several rows that repeats along y alone";
-            let remedy =
-                "take a line of cells, or a grid that repeats along both axes or not at all";
-            pair.check_homogeneous(quantity, remedy)?;
-        }
         let length = grid.dx() * grid.nx() as f64;
         finite("distance of the datum", datum)?;
         at_least(

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::history::Passage;
 use crate::neighbours::neighbours;
 use crate::normal::NormalSolution;
-use crate::tangential::{OwnCompliance, Pressed, own_compliance};
+use crate::tangential::{OwnCompliance, Pressed, own_compliance, ratios_of_compliances};
 
 /// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
 ///
@@ -14,7 +14,8 @@ use crate::tangential::{OwnCompliance, Pressed, own_compliance};
 /// ```
 ///
 /// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
-/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it. Of rough
+/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it (of coated bodies
+/// $`C_l/C_n`$ and $`C_t/C_n`$ of the waves of two cells in place of 1 and $`1 + c_l/c_n`$). Of rough
 /// surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
 pub(crate) fn compliance(
     normal: &NormalSolution,
@@ -25,11 +26,10 @@ pub(crate) fn compliance(
     if gap <= 0.0 {
         return OwnCompliance::NONE;
     }
-    let compliances = normal.pair().compliances();
-    let along = 1.0 + compliances.lateral / compliances.normal;
+    let [through, along] = ratios_of_compliances(normal.pair(), normal.grid());
     let most = own_compliance(along * gap, pressure);
     let [xx, xy, yy] = across(normal, before);
-    let less = most * (1.0 - 1.0 / along);
+    let less = most * (1.0 - through / along);
     OwnCompliance {
         xx: most - less * xx,
         xy: -less * xy,

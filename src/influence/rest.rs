@@ -1,10 +1,13 @@
 //! The part that coated bodies add to the coefficients of their outermost layers.
 
-use std::f64::consts::{SQRT_2, TAU};
-use std::sync::{LazyLock, OnceLock};
+use std::sync::OnceLock;
 
-use crate::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, Rule};
 use crate::influence::Component;
+use crate::influence::images::{FAR, pieces};
+use crate::influence::radial::{
+    PIECES, RULES, TERMS, bessel, chebyshev, ends_of, nodes, piece_of, rule, tabulated,
+    wave_numbers,
+};
 use crate::kernel::{Isotropic, Kernel};
 use crate::layers::{Layer, Response};
 use crate::material::{Compliances, ElasticPair, Material};
@@ -36,16 +39,10 @@ pub(crate) struct Rest {
     lines: [OnceLock<Piece>; PIECES],
 }
 
-/// Pieces of a table: up to half of H, to H, to 2 H and so on.
-const PIECES: usize = 100;
-/// Chebyshev coefficients of a piece.
-const TERMS: usize = 21;
 /// k H where R(k) is gone.
 const GONE: f64 = 40.0;
 /// Thickness of a kernel times the wave number below which nothing is supposed to happen.
 const LEAST: f64 = 1e-7;
-/// Phase of the wave at the far end of a piece over a panel of twelve points.
-const PHASE: f64 = 7.0;
 
 /// Four functions of the distance on a piece, by the coefficients of Chebyshev polynomials.
 type Piece = [[f64; TERMS]; 4];
@@ -53,18 +50,6 @@ type Piece = [[f64; TERMS]; 4];
 /// Points at which a function is evaluated together.
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
-
-/// Gauss rules along a side of a cell, and how far away, of half its length, the nearest singularity of the kernels
-/// must be: of n points they leave the power -2n of the sum of the axes of the ellipse through it, 1e-14.
-const RULES: [(f64, Rule); 7] = [
-    (3200.0, &GAUSS_2),
-    (215.0, &GAUSS_3),
-    (56.0, &GAUSS_4),
-    (25.0, &GAUSS_5),
-    (14.7, &GAUSS_6),
-    (7.5, &GAUSS_8),
-    (3.9, &GAUSS_12),
-];
 
 impl Rest {
     /// Of a pair; `None` of homogeneous bodies, which need none.
@@ -221,6 +206,31 @@ impl Rest {
         }
     }
 
+    /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
+    /// displacements: [as](crate::influence::images) of the closed forms.
+    pub(crate) fn over_rows(
+        &self,
+        component: Component,
+        [a, b]: [f64; 2],
+        [x, y]: [f64; 2],
+        [period, datum]: [f64; 2],
+    ) -> f64 {
+        // Here, and half a period away, the images of one side are those of the other.
+        if component.is_odd()[1] && (y == 0.0 || 2.0 * y >= period) {
+            return 0.0;
+        }
+        let share = 2.0 * b / period;
+        let uniform = share * self.over_strip(component, a, x, datum);
+        // A cell as long as the period is a strip, and far away all are.
+        if share >= 1.0 || x >= a + FAR * period {
+            return uniform;
+        }
+        let images = pieces(b, period).map(|piece| {
+            piece.weight * self.over_cell(component, [a, piece.half], x, y + piece.offset)
+        });
+        uniform + images.sum::<f64>()
+    }
+
     /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
     pub(crate) fn over_strip(&self, component: Component, a: f64, x: f64, datum: f64) -> f64 {
         let Some(rule) = self.rule(a, x, 0.0) else {
@@ -238,9 +248,7 @@ impl Rest {
     /// The cheapest rule along a side of half length `a` of a cell at `x` along it and `y` across, by the nearest
     /// singularity of the kernels, i H in the distance; none where the side is too long.
     fn rule(&self, a: f64, x: f64, y: f64) -> Option<usize> {
-        let away = (x.hypot(y) - a).max(0.0).hypot(self.scale) / a;
-        let ellipse = away + (away * away + 1.0).sqrt();
-        RULES.iter().position(|(least, _)| ellipse >= *least)
+        rule(a, x.hypot(y), self.scale)
     }
 
     fn at_points(&self, component: Component, x: Lanes, y: f64) -> Lanes {
@@ -322,7 +330,7 @@ impl Rest {
             let mut sum = self.point_images(r);
             for (k, [normal, mean, half, coupling]) in &waves {
                 let x = k * r;
-                let [zero, one, two] = bessel(x);
+                let [zero, one, two, _] = bessel(x);
                 sum[0] += normal * zero;
                 sum[1] += mean * zero;
                 sum[2] += half * two * k * k;
@@ -365,43 +373,15 @@ impl Rest {
     }
 
     /// Wave numbers and what of k R(k) with the weights of a quadrature, for distances between the ends of a piece.
-    ///
-    /// Far from the origin short waves are cut off, smoothly on the scale of the distance, which adds less than
-    /// round-off.
     fn waves(
         &self,
         [near, far]: [f64; 2],
         of: impl Fn(Response) -> [f64; 4],
     ) -> Vec<(f64, [f64; 4])> {
-        let gone = GONE / self.scale;
-        let is_cut = near * gone > 156.0;
-        let last = if is_cut { 156.0 / near } else { gone };
-        let weight = |k: f64| {
-            if is_cut {
-                0.5 * libm::erfc((k * near - 78.0) / 12.5)
-            } else {
-                1.0
-            }
-        };
-        let mut waves = Vec::new();
-        let mut start = 0.0;
-        while start < last {
-            let end = (SQRT_2 * start).max(self.least).min(last);
-            let panels = ((end - start) * far / PHASE).ceil().max(1.0);
-            let half = 0.5 * (end - start) / panels;
-            let mut panel = 0.0;
-            while panel < panels {
-                let middle = start + half * (2.0 * panel + 1.0);
-                panel += 1.0;
-                waves.extend(GAUSS_12.map(|[node, part]| {
-                    let k = middle + half * node;
-                    let factor = half * part * weight(k);
-                    (k, of(self.remainder(k)).map(|value| factor * value))
-                }));
-            }
-            start = end;
-        }
-        waves
+        let numbers = wave_numbers([near, far], GONE / self.scale, self.least).into_iter();
+        let weighted =
+            |(k, weight): (f64, f64)| (k, of(self.remainder(k)).map(|value| weight * value));
+        numbers.map(weighted).collect()
     }
 }
 
@@ -415,7 +395,7 @@ fn times_k(compliances: Compliances) -> Response {
 }
 
 /// A length beyond which a body is its base: all layers, as thick as their contrast makes them.
-fn slowest(body: &Material) -> f64 {
+pub(crate) fn slowest(body: &Material) -> f64 {
     let layers = body.layers().iter();
     let thickness: f64 = layers.clone().map(Layer::thickness).sum();
     let base = (!body.youngs_modulus().is_infinite()).then(|| body.shear_modulus());
@@ -435,18 +415,11 @@ fn sample<const N: usize>(
     function: usize,
     make: impl Fn([f64; 2]) -> Piece,
 ) -> [f64; N] {
-    // The exponent of a ratio in [1, 2) is 0x3ff.
-    let octave = |distance: f64| {
-        let exponent = (2.0 * distance / scale).to_bits() >> 52;
-        (exponent as usize + 2)
-            .saturating_sub(0x400)
-            .min(PIECES - 1)
-    };
+    let octave = |distance: f64| piece_of(distance, scale);
     let on_piece = |piece: usize| {
-        let end = 0.5 * scale * 2.0_f64.powi(i32::try_from(piece).unwrap_or(0));
-        let start = if piece == 0 { 0.0 } else { 0.5 * end };
-        let terms = &table[piece].get_or_init(|| make([start, end]))[function];
-        (terms, [start, end])
+        let ends = ends_of(piece, scale);
+        let terms = &table[piece].get_or_init(|| make(ends))[function];
+        (terms, ends)
     };
     let first = octave(distances[0]);
     if distances.iter().all(|&distance| octave(distance) == first) {
@@ -475,55 +448,4 @@ fn clenshaw<const N: usize>(terms: &[f64; TERMS], t: [f64; N]) -> [f64; N] {
 /// Twice where a number is between two ends, from -1 to 1.
 fn scaled([start, end]: [f64; 2], x: f64) -> f64 {
     4.0 * (x - 0.5 * (start + end)) / (end - start)
-}
-
-/// The zeros of the first Chebyshev polynomial that is not used, between two ends.
-fn nodes([start, end]: [f64; 2]) -> [f64; TERMS] {
-    let cosine = |node: usize| COSINES[1][node];
-    std::array::from_fn(|node| 0.5 * (start + end) + 0.5 * (end - start) * cosine(node))
-}
-
-/// The coefficients of a function by its values at the nodes.
-fn chebyshev(value: impl Fn(usize) -> f64) -> [f64; TERMS] {
-    std::array::from_fn(|term| {
-        let share = if term == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-        let waves = COSINES[term].iter().enumerate();
-        share
-            * waves
-                .map(|(node, cosine)| cosine * value(node))
-                .sum::<f64>()
-    })
-}
-
-/// The polynomials at the nodes: those of each term.
-static COSINES: LazyLock<[[f64; TERMS]; TERMS]> = LazyLock::new(|| {
-    let angle = |node: usize| 0.5 * TAU * (node as f64 + 0.5) / TERMS as f64;
-    std::array::from_fn(|term| std::array::from_fn(|node| (term as f64 * angle(node)).cos()))
-});
-
-/// That of four functions between two ends.
-fn tabulated(ends: [f64; 2], at: impl Fn(f64) -> [f64; 4]) -> Piece {
-    let values = nodes(ends).map(at);
-    std::array::from_fn(|function| chebyshev(|node| values[node][function]))
-}
-
-/// $`J_0(x)`$, $`J_1(x)/x`$ and $`J_2(x)/x^2`$.
-fn bessel(x: f64) -> [f64; 3] {
-    let zero = libm::j0(x);
-    if x >= 2.0 {
-        let one = libm::j1(x) / x;
-        return [zero, one, (2.0 * one - zero) / (x * x)];
-    }
-    let square = -0.25 * x * x;
-    let series = |order: u32| {
-        let start = if order == 1 { 0.5 } else { 0.125 };
-        let mut term = start;
-        let mut sum = start;
-        for n in 1..14 {
-            term *= square / f64::from(n * (n + order));
-            sum += term;
-        }
-        sum
-    };
-    [zero, series(1), series(2)]
 }

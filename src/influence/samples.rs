@@ -201,13 +201,14 @@ impl Samples {
             Some(Added::Rest(rest)) => rest,
         };
         let y = row as f64 * self.sides[1] / unit;
-        let sides @ [a, _] = self.rectangle.half_sides();
+        let sides = self.rectangle.half_sides();
         let lengths: Vec<f64> = xs.iter().map(|x| x * unit).collect();
         match self.images {
             None => rest.along_row(component, sides, &lengths, y * unit, out),
             Some((images, _)) => {
+                let of = [images.period, images.datum].map(|length| length * unit);
                 for (out, x) in out.iter_mut().zip(&lengths) {
-                    *out = rest.over_strip(component, a, *x, images.datum * unit);
+                    *out = rest.over_rows(component, sides, [*x, y * unit], of);
                 }
             }
         }

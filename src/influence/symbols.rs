@@ -6,6 +6,7 @@ use crate::grid::Grid;
 use crate::influence::Component;
 use crate::influence::integrals::Integral;
 use crate::kernel::{Given, Kernel};
+use crate::layers::Response;
 use crate::material::Compliances;
 
 /// The symbol of one coefficient for the waves that fit a periodic grid.
@@ -68,9 +69,12 @@ impl Component {
             return response([x, y]).component(self);
         }
         let k = x.hypot(y);
-        let (x, y) = (x / k, y / k);
-        let found = kernel.times_k(k);
-        let value = match self {
+        self.of_response(kernel.times_k(k), [x / k, y / k]) / k
+    }
+
+    /// What a response comes to in the direction of the wave vector, a unit vector; or its imaginary part.
+    pub(super) fn of_response(self, found: Response, [x, y]: [f64; 2]) -> f64 {
+        match self {
             Self::ZZ => found.normal,
             Self::XX => found.along * x * x + found.across * y * y,
             Self::YY => found.along * y * y + found.across * x * x,
@@ -79,8 +83,7 @@ impl Component {
             Self::ZY => -found.coupling * y,
             Self::XZ => found.coupling * x,
             Self::YZ => found.coupling * y,
-        };
-        value / k
+        }
     }
 }
 

@@ -327,6 +327,14 @@ impl Kernel {
         }
     }
 
+    /// Whether it is a response to waves that is not that of homogeneous half-spaces.
+    pub(crate) fn has_response(&self) -> bool {
+        match &self.given {
+            None => self.pair.is_coated(),
+            Some(given) => matches!(given, Given::Isotropic(_)),
+        }
+    }
+
     /// `Ok` if bodies on the grid can be made of it.
     pub(crate) fn check_on(&self, grid: Grid, boundary: Boundary) -> Result<()> {
         const REPEATING: &str =

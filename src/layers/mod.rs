@@ -68,31 +68,31 @@
 //! # Limits of the model
 //!
 //! - Layers are bonded, their surfaces plane, and [`LIMIT`] in number at most.
-//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) coated bodies need a single row of
-//!   cells; the displacement far from the load is that of the substrate with the datum given, and goes to zero on a
-//!   rigid base.
+//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) the displacement far from the load is that of
+//!   the substrate with the datum given, and goes to zero on a rigid base.
 //! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
 //!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
-//!   operator is. It is not for an incompressible layer of ten times the modulus that is sheared on cells as wide as two
-//!   thicknesses, and for one of 1000 times that is pressed on 256 x 256 cells over sixty thicknesses. Such grids are
-//!   [refused](crate::Error::NotDefinite). Grids that repeat along both axes have no such limit, but for incompressible
-//!   beds on rigid bases over millions of thicknesses. Where pressure and traction are found together, the eigenvalues
-//!   of each alone count.
+//!   operator is: an incompressible layer of ten times the modulus that is sheared on cells as wide as two thicknesses,
+//!   or one of 1000 times that is pressed over sixty thicknesses. The least eigenvalue of the infinite lattice of the
+//!   same cells then takes its place, by sums over the aliases of a wave. Where pressure and traction are found together
+//!   on such a grid, the halves have their bounds and the whole has [none](crate::Report), but an estimate.
 //! - On a grid that repeats along both axes a mean traction moves nothing, also on a rigid base, where
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure might be added to the approach.
-//! - The law of cells that enter a growing or rolling contact takes the ratio of tangential to normal compliance from the
-//!   outermost layers. Where cells are wider than a layer the ratio is another, such as 0.57 for 1.21 on a layer of four
-//!   times the modulus at $`kh = 0.5`$: short steps remain exact, long ones have an error as without the law.
+//! - The law of cells that enter a growing or rolling contact takes the ratio of tangential to normal compliance from
+//!   the waves of two cells a period, $`k = \pi/h_{max}`$.
 //! - Moduli of a pair that are one number ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
 //!   Dundurs' beta) are those of the outermost layers: what waves much shorter than a layer is thick see. Closed forms,
-//!   which have no other, [refuse](crate::Error::Coated) coated bodies, as do stresses below the surface.
+//!   which have no other, [refuse](crate::Error::Coated) coated bodies, as do stresses [at
+//!   points](crate::subsurface::at_points); [planes](crate::subsurface::Planes) have them.
 //!
 //! Sources: J. W. Dunkin, Bull. Seismol. Soc. Am. 55 (1965) 335 (minors); T. C. O'Sullivan and R. B. King, J. Tribology
 //! 110 (1988) 235, <https://doi.org/10.1115/1.3261591> (one layer); T. Nogi and T. Kato, J. Tribology 119 (1997) 493,
 //! <https://doi.org/10.1115/1.2833525>.
 
+mod depth;
 mod response;
 
+pub(crate) use depth::Below;
 pub use response::Response;
 pub(crate) use response::{Base, Waves};
 
@@ -164,6 +164,19 @@ impl Layer {
             quantity: "the modulus of the layer, and its reciprocal,",
             value: youngs_modulus,
         })
+    }
+
+    /// Of a part of a body, also one without thickness.
+    fn of_shear(modulus: f64, poisson_ratio: f64, thickness: f64) -> Self {
+        Self {
+            youngs_modulus: 2.0 * (1.0 + poisson_ratio) * modulus,
+            poisson_ratio,
+            thickness,
+        }
+    }
+
+    fn of_thickness(self, thickness: f64) -> Self {
+        Self { thickness, ..self }
     }
 
     /// Young's modulus (a pressure).

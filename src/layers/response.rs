@@ -58,10 +58,12 @@ pub(crate) struct Waves<'a> {
 /// The minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across, in
 /// the unit `1/(G k)` of a modulus.
 #[derive(Debug, Clone, Copy)]
-struct Surface {
-    unit: f64,
-    minors: [f64; 5],
-    across: f64,
+pub(super) struct Surface {
+    pub(super) unit: f64,
+    pub(super) minors: [f64; 5],
+    pub(super) across: f64,
+    /// The first minor over that of what the outermost layer lies on, times exp(-2kh) of that layer.
+    pub(super) determinant: f64,
 }
 
 impl Waves<'_> {
@@ -83,12 +85,13 @@ impl Waves<'_> {
 }
 
 impl Surface {
-    fn of(base: Base) -> Self {
+    pub(super) fn of(base: Base) -> Self {
         match base {
             Base::Rigid => Self {
                 unit: 1.0,
                 minors: [1.0, 0.0, 0.0, 0.0, 0.0],
                 across: 0.0,
+                determinant: 1.0,
             },
             Base::Elastic([unit, nu]) => Self {
                 unit,
@@ -100,12 +103,13 @@ impl Surface {
                     0.25 * (3.0 - 4.0 * nu),
                 ],
                 across: 1.0,
+                determinant: 1.0,
             },
         }
     }
 
     /// That of a layer on it.
-    fn under(self, layer: &Layer, k: f64) -> Self {
+    pub(super) fn under(self, layer: &Layer, k: f64) -> Self {
         let (modulus, nu) = (layer.shear_modulus(), layer.poisson_ratio());
         let ratio = modulus / self.unit;
         let [s, n, l, c, d] = self.minors;
@@ -151,6 +155,7 @@ impl Surface {
             unit: modulus,
             minors: minors.map(|minor| minor / largest),
             across: (x + tanh) / (1.0 + x * tanh),
+            determinant: minors[0] / s,
         }
     }
 }

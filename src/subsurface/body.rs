@@ -1,7 +1,7 @@
 //! Which body is looked into, and what its half-space is told.
 
 use crate::error::{Error, Result};
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Material};
 use crate::subsurface::kernel::{Component, Load};
 
 /// One of the two bodies of a contact.
@@ -40,6 +40,7 @@ pub(super) struct Constants {
     pub(super) shear_modulus: f64,
     pub(super) poisson_ratio: f64,
     is_second: bool,
+    coated: Option<Material>,
 }
 
 impl Body {
@@ -49,25 +50,66 @@ impl Body {
             Self::One => (one, "body 1"),
             Self::Two => (two, "body 2"),
         };
-        if material.is_coated() || pair.kernel().is_some() {
+        if pair.kernel().is_some() {
             return Err(Error::Coated {
-                quantity: "stress below the surface",
-                remedy: "leave the coating out, or ask for that of a body without one",
+                quantity: "stress below the surface of a kernel",
+                remedy: "describe the bodies by materials and layers",
             });
         }
         if material.is_rigid() {
             return Err(Error::RigidBody(name));
         }
+        let is_coated = material.is_coated();
         Ok(Constants {
-            shear_modulus: material.shear_modulus(),
+            // The kernels of a coated body have its moduli.
+            shear_modulus: if is_coated {
+                1.0
+            } else {
+                material.shear_modulus()
+            },
             poisson_ratio: material.poisson_ratio(),
             is_second: self == Self::Two,
+            coated: is_coated.then_some(material),
         })
     }
 }
 
 /// Body 2 is the half-space `z >= 0` seen from below: mirrored in z, its tractions along x and y are the opposites.
 impl Constants {
+    /// The body, if it is coated.
+    pub(super) fn coated(&self) -> Option<&Material> {
+        self.coated.as_ref()
+    }
+
+    /// Which of the kernels of a depth are its own: those of homogeneous bodies, of body 1 and of body 2.
+    pub(super) fn place(&self) -> usize {
+        match (&self.coated, self.is_second) {
+            (None, _) => 0,
+            (Some(_), false) => 1,
+            (Some(_), true) => 2,
+        }
+    }
+
+    /// `Ok` if something deforms at all these depths.
+    pub(super) fn check_depths(&self, depths: &[f64]) -> Result<()> {
+        let Some(body) = self
+            .coated
+            .filter(|body| body.youngs_modulus().is_infinite())
+        else {
+            return Ok(());
+        };
+        let name = if self.is_second {
+            "the base of body 2"
+        } else {
+            "the base of body 1"
+        };
+        let is_in_base = |depth: &f64| body.waves().place(*depth).0.is_none();
+        if depths.iter().any(is_in_base) {
+            return Err(Error::RigidBody(name));
+        }
+        Ok(())
+    }
+
     /// The factor of a traction before it acts on the half-space.
     pub(super) fn factor_in(&self, load: Load) -> f64 {
         if self.is_second && load != Load::P {

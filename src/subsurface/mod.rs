@@ -56,6 +56,7 @@
 mod body;
 mod distances;
 mod kernel;
+mod layered;
 mod loaded;
 mod plane;
 mod planes;

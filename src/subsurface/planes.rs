@@ -24,9 +24,12 @@ use crate::watch::{Watch, unwatched};
 ///
 /// The kernels of a depth are made when it is first solved, and kept: 112 bytes per cell and depth, or 152 with
 /// displacements (while they are made 170), and a tenth more where the padded length is not twice the number of
-/// cells. They do not depend on the materials and serve both bodies; clones share them. On a grid that repeats along
+/// cells. Those of homogeneous bodies do not depend on the materials and serve both; clones share them. On a grid that repeats along
 /// both axes they take a quarter. [`through`](Self::through) keeps none, so its memory does not grow with the number
 /// of depths. The transforms take 96 bytes per cell, a [`Plane`] 48, or 72 with displacements.
+///
+/// In [coated](crate::layers) bodies the kernels are those of the body: 144 bytes per cell and depth more, or 216 with
+/// displacements.
 ///
 /// One depth costs three transforms of the tractions and one back for each component: the six stresses of 512 x 512
 /// cells take the time of nine products of [`HalfSpace::operator`]; the kernels, once, that of fifty.
@@ -40,6 +43,36 @@ use crate::watch::{Watch, unwatched};
 ///   displacement: at every depth displacements have zero mean.
 /// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the sum over all images along y. Displacements are
 ///   relative to the datum, a point of the surface. One row of cells is in plane strain.
+///
+/// # Coated bodies
+///
+/// The waves are carried downwards through the layers by decaying parts alone, at any contrast and depth. On free grids
+/// and lines the part that is singular at a cell is the closed form of the outermost layer, and the rest Hankel
+/// integrals, right to about 1e-11 of the largest component. A depth equal to the sum of the thicknesses of layers, added
+/// from the surface, is the side of the outer layer; the next number is the other side.
+/// `szz`, `sxz`, `syz` and displacements are continuous there, `sxx`, `syy` and `sxy` jump. The mean of a grid that
+/// repeats has Poisson's ratio of the layer.
+///
+/// ```
+/// use stickslip::layers::Layer;
+/// use stickslip::subsurface::{Body, Planes, Tractions};
+/// use stickslip::*;
+/// // A stiff layer on a soft body bends under a ball: its lower side is in tension, the body below is not.
+/// let coated = Material::new(1.0, 0.3)?.coated(&[Layer::new(50.0, 0.3, 0.1)?])?;
+/// let bodies = HalfSpace::new(Grid::square(31, 1.0)?, ElasticPair::new(coated, Material::rigid())?)?;
+/// let pressure = Field::from_fn(bodies.grid(), |x, y| (0.05 - x * x - y * y).max(0.0));
+/// let below = 0.1 * (1.0 + f64::EPSILON);
+/// let mut planes = Planes::new(&bodies, &[0.1, below])?;
+/// let mut in_the_middle = |n| -> Result<_> {
+///     Ok(planes.solve(n, Body::One, Tractions::new(&pressure))?.get(15, 15).unwrap_or_default())
+/// };
+/// let (layer, base) = (in_the_middle(0)?, in_the_middle(1)?);
+/// assert!(layer.xx > 5.0 * pressure.max() && base.xx < 0.1 * pressure.max());
+/// assert!((layer.zz - base.zz).abs() < 1e-9 * pressure.max());
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// # A ball
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Planes};
@@ -68,13 +101,16 @@ use crate::watch::{Watch, unwatched};
 pub struct Planes {
     bodies: HalfSpace,
     depths: Arc<[f64]>,
-    kernels: Arc<[OnceLock<Spectra>]>,
+    kernels: Arc<[Kept]>,
     with_displacements: bool,
     torus: Torus,
     transforms: Superposition,
 }
 
 shown!(Planes: bodies, depths);
+
+/// The kernels of a depth: of homogeneous bodies, of a coated body 1 and of a coated body 2.
+type Kept = [OnceLock<Spectra>; 3];
 
 impl Planes {
     /// Planes at these depths (lengths, zero or positive) below the surface of either body.
@@ -124,7 +160,8 @@ impl Planes {
     ///
     /// # Errors
     /// [`Error::Length`](crate::Error::Length) if there is no such depth;
-    /// [`Error::RigidBody`](crate::Error::RigidBody); [`Error::Memory`](crate::Error::Memory) for its kernels;
+    /// [`Error::RigidBody`](crate::Error::RigidBody), also for a depth in the rigid base of a coated body;
+    /// [`Error::Memory`](crate::Error::Memory) for its kernels;
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) and [`Error::Sample`](crate::Error::Sample) for
@@ -189,8 +226,10 @@ impl Planes {
         let fields = tractions.checked(&self.bodies)?;
         let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
+        constants.check_depths(&self.depths[index..=index])?;
         let kernels = Arc::clone(&self.kernels);
-        let spectra = parallel::get_or_make(&kernels[index], || self.spectra(index, watch))?;
+        let kept = &kernels[index][constants.place()];
+        let spectra = parallel::get_or_make(kept, || self.spectra(index, &constants, watch))?;
         plane.prepare(body, self.with_displacements)?;
         self.load(fields, &constants, watch)?;
         self.fill(plane, spectra, &constants, watch)?;
@@ -231,16 +270,17 @@ impl Planes {
         let fields = tractions.checked(&self.bodies)?;
         let fields = fields.each_ref().map(Option::as_deref);
         let uniform = tractions.checked_uniform()?;
+        constants.check_depths(&self.depths)?;
         let mut plane = self.plane(body)?;
         let kernels = Arc::clone(&self.kernels);
         self.load(fields, &constants, watch)?;
         let has_edge = has_edge(fields);
         for (index, kept) in kernels.iter().enumerate() {
             let made;
-            let spectra = if let Some(spectra) = kept.get() {
+            let spectra = if let Some(spectra) = kept[constants.place()].get() {
                 spectra
             } else {
-                made = self.spectra(index, watch)?;
+                made = self.spectra(index, &constants, watch)?;
                 &made
             };
             self.fill(&mut plane, spectra, &constants, watch)?;
@@ -264,10 +304,17 @@ impl Planes {
     }
 
     /// The kernels of a depth, made anew.
-    fn spectra(&self, index: usize, watch: &mut Watch<'_>) -> Result<Spectra> {
+    fn spectra(
+        &self,
+        index: usize,
+        constants: &Constants,
+        watch: &mut Watch<'_>,
+    ) -> Result<Spectra> {
         let (depth, with_displacements) = (self.depths[index], self.with_displacements);
-        parallel::enter_with(self.bodies.grid().cells(), || {
-            Spectra::new(&self.bodies, &self.torus, depth, with_displacements, watch)
+        let (bodies, torus) = (&self.bodies, &self.torus);
+        parallel::enter_with(bodies.grid().cells(), || match constants.coated() {
+            None => Spectra::new(bodies, torus, depth, with_displacements, watch),
+            Some(body) => Spectra::layered(bodies, body, torus, depth, with_displacements, watch),
         })
     }
 
@@ -320,6 +367,6 @@ fn has_edge(fields: [Option<&[f64]>; 3]) -> bool {
     pressure.is_some_and(is_free) && shear.into_iter().flatten().any(is_sheared)
 }
 
-fn no_kernels(depths: &[f64]) -> Arc<[OnceLock<Spectra>]> {
-    depths.iter().map(|_| OnceLock::new()).collect()
+fn no_kernels(depths: &[f64]) -> Arc<[Kept]> {
+    depths.iter().map(|_| Kept::default()).collect()
 }

@@ -84,8 +84,8 @@ pub struct Response {
 /// [`Error::Sample`] for a depth that is negative, a coordinate, traction or uniform stress that is not finite, or a point
 /// farther away than 1e60 of the shorter side of a cell;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
-/// those of these bodies; [`Error::RigidBody`]; [`Error::Repeats`] if the grid
-/// repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
+/// those of these bodies; [`Error::RigidBody`]; [`Error::Coated`] for a coated body, which has [`Planes`](crate::subsurface::Planes);
+/// [`Error::Repeats`] if the grid repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
@@ -109,6 +109,12 @@ pub fn at_points_observed<'a>(
 ) -> Result<Vec<Response>> {
     bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
+    if constants.coated().is_some() {
+        return Err(Error::Coated {
+            quantity: "stress at points",
+            remedy: "take planes of cell centres (subsurface::Planes)",
+        });
+    }
     let tractions = tractions.into();
     let fields = tractions.checked(bodies)?;
     let fields = fields.each_ref().map(Option::as_deref);

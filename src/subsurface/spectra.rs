@@ -8,29 +8,40 @@ use crate::error::{Result, memory};
 use crate::fft::{Kernels, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::material::Material;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::distances::depth_in;
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::layered::{Entry, Layered};
 use crate::subsurface::strip::Strips;
 use crate::watch::Watch;
 
-/// The spectra of the integrals at one depth: they depend on the cells, not on the materials, so both bodies have
-/// them in common.
+/// The spectra of the kernels at one depth.
 #[derive(Debug)]
 pub(super) struct Spectra {
     depth: f64,
     /// Where the integrals are taken.
     z: f64,
-    /// Those of the displacements only where they are asked for; otherwise they are empty.
-    values: [Vec<f64>; Integral::COUNT],
+    values: Values,
     /// Waves along y.
     height: usize,
     repeats: bool,
 }
 
+/// Those of the displacements only where they are asked for; otherwise they are empty.
+#[derive(Debug)]
+enum Values {
+    /// The integrals, which depend on the cells, not on the materials, so that homogeneous bodies have them in common.
+    Integrals([Vec<f64>; Integral::COUNT]),
+    /// The components in a coated body under each traction, and Poisson's ratio at the depth.
+    Layered([Vec<f64>; Entry::COUNT], f64),
+}
+
 /// What the integrals take while they are made, per sampled distance: all of them, the rows of one and the spectrum of
 /// one.
 const BYTES: usize = (Integral::COUNT + 2) * size_of::<f64>();
+/// What the components of a coated body take.
+const LAYERED_BYTES: usize = (Entry::COUNT + 2) * size_of::<f64>();
 
 impl Spectra {
     pub(super) fn new(
@@ -45,26 +56,65 @@ impl Spectra {
         let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
-            Boundary::Periodic => waves(grid, torus, z)?,
+            Boundary::Periodic => waves(
+                grid,
+                torus,
+                |k| symbols(k, z),
+                |n| Integral::ALL[n].is_odd(),
+            )?,
             _ => samples(grid, boundary, torus, z)?,
         };
-        let width = torus.quarter()[0];
-        for (integral, values) in Integral::ALL.into_iter().zip(&mut values) {
-            if integral.is_length() && !with_displacements {
-                *values = Vec::new();
-            } else if boundary != Boundary::Periodic {
-                watch.ask()?;
-                *values = torus.spectrum(integral.is_odd(), |i, j| values[j * width + i])?;
-            }
-        }
+        let keeps = |n: usize| with_displacements || !Integral::ALL[n].is_length();
+        transform(
+            &mut values,
+            boundary,
+            torus,
+            keeps,
+            |n| Integral::ALL[n].is_odd(),
+            watch,
+        )?;
+        Ok(Self::of(
+            depth,
+            z,
+            Values::Integrals(values),
+            torus,
+            boundary,
+        ))
+    }
+
+    /// Those of a coated body.
+    pub(super) fn layered(
+        bodies: &HalfSpace,
+        body: &Material,
+        torus: &Torus,
+        depth: f64,
+        with_displacements: bool,
+        watch: &mut Watch<'_>,
+    ) -> Result<Self> {
+        memory("kernels of a depth", torus.quarter(), LAYERED_BYTES)?;
+        let (grid, boundary) = (bodies.grid(), bodies.boundary());
+        watch.ask()?;
+        let layered = Layered::new(body, depth_in(grid, depth));
+        let is_odd = |n: usize| Entry::of(n).is_odd();
+        let mut values = match boundary {
+            Boundary::Periodic => waves(grid, torus, |k| layered.symbols(k), is_odd)?,
+            _ => layered.samples(grid, boundary, torus)?,
+        };
+        let keeps = |n: usize| with_displacements || !Entry::of(n).component.is_displacement();
+        transform(&mut values, boundary, torus, keeps, is_odd, watch)?;
+        let values = Values::Layered(values, layered.poisson_ratio());
+        Ok(Self::of(depth, 0.0, values, torus, boundary))
+    }
+
+    fn of(depth: f64, z: f64, values: Values, torus: &Torus, boundary: Boundary) -> Self {
         let [_, height] = torus.quarter();
-        Ok(Self {
+        Self {
             depth,
             z,
             values,
             height,
             repeats: boundary == Boundary::Periodic,
-        })
+        }
     }
 
     pub(super) fn depth(&self) -> f64 {
@@ -81,6 +131,27 @@ impl Spectra {
             poisson_ratio,
         }
     }
+}
+
+/// Transforms the samples of all kernels that are kept; those of waves are their transforms.
+fn transform<const N: usize>(
+    values: &mut [Vec<f64>; N],
+    boundary: Boundary,
+    torus: &Torus,
+    keeps: impl Fn(usize) -> bool,
+    is_odd: impl Fn(usize) -> [bool; 2],
+    watch: &mut Watch<'_>,
+) -> Result<()> {
+    let [width, _] = torus.quarter();
+    for (n, values) in values.iter_mut().enumerate() {
+        if !keeps(n) {
+            *values = Vec::new();
+        } else if boundary != Boundary::Periodic {
+            watch.ask()?;
+            *values = torus.spectrum(is_odd(n), |i, j| values[j * width + i])?;
+        }
+    }
+    Ok(())
 }
 
 /// The integrals at all distances of a quarter of the torus, row by row.
@@ -111,8 +182,13 @@ fn samples(
     Ok(values)
 }
 
-/// The symbols of the integrals, or their imaginary parts, for the waves of a quarter.
-fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::COUNT]> {
+/// Symbols of kernels, or their imaginary parts, for the waves of a quarter.
+fn waves<const N: usize>(
+    grid: Grid,
+    torus: &Torus,
+    symbols: impl Fn([f64; 2]) -> [f64; N] + Sync,
+    is_odd: impl Fn(usize) -> [bool; 2] + Sync,
+) -> Result<[Vec<f64>; N]> {
     let [width, height] = torus.quarter();
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];
@@ -121,7 +197,7 @@ fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::C
         items: values,
         width: height,
     });
-    let work = |column: usize, lines: [Blocks<'_, f64>; Integral::COUNT]| {
+    let work = |column: usize, lines: [Blocks<'_, f64>; N]| {
         let mut lines = lines.map(|line| line.items);
         for row in 0..height {
             let periods = [column, row];
@@ -129,10 +205,9 @@ fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::C
                 continue;
             }
             let [x, y] = [0, 1].map(|axis| TAU / sides[axis] * periods[axis] as f64);
-            let symbols = symbols([x, y], depth);
-            for ((line, symbol), integral) in lines.iter_mut().zip(symbols).zip(Integral::ALL) {
+            for (n, (line, symbol)) in lines.iter_mut().zip(symbols([x, y])).enumerate() {
                 // A wave of two cells per period has no direction, so what is odd vanishes there.
-                let odd = integral.is_odd();
+                let odd = is_odd(n);
                 let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == size[axis]);
                 line[row] = if is_lost { 0.0 } else { symbol };
             }
@@ -176,7 +251,7 @@ fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
     Integral::ALL.map(|integral| decay * of(integral))
 }
 
-/// Three components under each traction, as sums of the integrals.
+/// Three components under each traction, of a homogeneous body as sums of the integrals.
 #[derive(Debug)]
 pub(super) struct Composed<'a> {
     spectra: &'a Spectra,
@@ -189,7 +264,10 @@ impl Composed<'_> {
     /// What a unit mean traction causes on a grid that repeats along both axes: the stresses of a body whose sides do
     /// not move, and no displacement.
     fn mean(&self, component: Component, load: Load) -> f64 {
-        let nu = self.poisson_ratio;
+        let nu = match self.spectra.values {
+            Values::Integrals(_) => self.poisson_ratio,
+            Values::Layered(_, nu) => nu,
+        };
         match (component, load) {
             (Component::Szz, Load::P) | (Component::Sxz, Load::Qx) | (Component::Syz, Load::Qy) => {
                 -1.0
@@ -202,29 +280,27 @@ impl Composed<'_> {
 
 impl Kernels for Composed<'_> {
     fn is_odd(&self) -> [[[bool; 2]; 3]; 3] {
-        self.components.map(|component| {
-            Load::ALL.map(|load| {
-                let (odd, turns) = (component.is_odd(), load.turns());
-                [odd[0] != turns[0], odd[1] != turns[1]]
-            })
-        })
+        self.components
+            .map(|component| Load::ALL.map(|load| Entry { load, component }.is_odd()))
     }
 
     fn add(&self, out: &mut [f64], [i, j]: [usize; 2], factor: f64, kx: usize) {
         let (component, load) = (self.components[i], Load::ALL[j]);
         let height = self.spectra.height;
-        for (weight, values) in self
-            .weights
-            .of(load, component)
-            .iter()
-            .zip(&self.spectra.values)
-        {
-            if *weight != 0.0 {
-                let weight = factor * weight;
-                for (out, value) in out.iter_mut().zip(&values[kx * height..(kx + 1) * height]) {
-                    *out += weight * value;
+        let mut add = |weight: f64, values: &[f64]| {
+            for (out, value) in out.iter_mut().zip(&values[kx * height..(kx + 1) * height]) {
+                *out += weight * value;
+            }
+        };
+        match &self.spectra.values {
+            Values::Integrals(values) => {
+                for (weight, values) in self.weights.of(load, component).iter().zip(values) {
+                    if *weight != 0.0 {
+                        add(factor * weight, values);
+                    }
                 }
             }
+            Values::Layered(values, _) => add(factor, &values[Entry { load, component }.index()]),
         }
         if kx == 0 && self.spectra.repeats {
             out[0] = factor * self.mean(component, load);

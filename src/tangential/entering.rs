@@ -3,15 +3,33 @@
 use crate::buffer;
 use crate::cgm::{Own, reduce};
 use crate::error::Result;
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
 use crate::parallel;
 use crate::tangential::{Axis, Increment, at};
 
 /// $`\kappa = 1 + c_l / 2 c_n`$, the tangential displacement of a cell by a traction of its own over the normal one by a
-/// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$.
-pub(crate) fn ratio_of_compliances(pair: &ElasticPair) -> f64 {
-    let compliances = pair.compliances();
+/// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. Of coated bodies it is the mean of both
+/// [directions](ratios_of_compliances), as it is of others.
+pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
+    if bodies.pair().is_coated() {
+        let [along, across] = ratios_of_compliances(bodies.pair(), bodies.grid());
+        return 0.5 * (along + across);
+    }
+    let compliances = bodies.pair().compliances();
     1.0 + 0.5 * compliances.lateral / compliances.normal
+}
+
+/// The same across an edge, in plane strain, and along it, in antiplane strain: $`1`$ and $`1 + c_l/c_n`$. Of coated bodies
+/// $`C_l/C_n`$ and $`C_t/C_n`$ of the waves whose half is the longer side of a cell.
+pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] {
+    if pair.is_coated() {
+        let found = pair.times_k(std::f64::consts::PI / grid.dx().max(grid.dy()));
+        return [found.along, found.across].map(|tangential| tangential / found.normal);
+    }
+    let compliances = pair.compliances();
+    [1.0, 1.0 + compliances.lateral / compliances.normal]
 }
 
 /// The compliance $`B = \kappa\,g/p`$ of its own of a cell that enters the contact, by its $`\kappa g`$; zero without pressure.
@@ -56,7 +74,7 @@ impl Increment {
         let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
         buffer::resize(diagonal, pressed.region.cells(), 0.0)?;
         pressed.region.collect(gap, diagonal);
-        let kappa = ratio_of_compliances(self.bodies.pair());
+        let kappa = ratio_of_compliances(&self.bodies);
         let (pressure, limits) = (&pressed.pressure, &pressed.limits.cells);
         parallel::update(diagonal, |first, chunk| {
             for (k, value) in (first..).zip(chunk) {

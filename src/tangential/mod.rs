@@ -60,7 +60,9 @@ pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use drawing::Drawing;
 pub(crate) use engine::{PlaneVector, at, displacement, zeros};
-pub(crate) use entering::{OwnCompliance, own_compliance, ratio_of_compliances};
+pub(crate) use entering::{
+    OwnCompliance, own_compliance, ratio_of_compliances, ratios_of_compliances,
+};
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};

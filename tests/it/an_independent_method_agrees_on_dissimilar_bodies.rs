@@ -5,6 +5,7 @@ use kit::{Random, max_difference};
 use rayon::prelude::*;
 use stickslip::history::TouchRule;
 use stickslip::influence::Direction::{X, Y, Z};
+use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, Operator,
@@ -142,8 +143,9 @@ fn projected(p: f64, q: [f64; 2], friction: f64) -> [f64; 3] {
     }
 }
 
-/// Bodies of any pair, pressed, sheared, turned, unloaded, worn, with another friction, and pressed further.
-fn scene_agrees(scene: u64) {
+/// Bodies of any pair, pressed, sheared, turned, unloaded, worn, with another friction, and pressed further; with a coating
+/// on body 1, if there is one.
+fn scene_agrees(scene: u64, coating: Option<Layer>) {
     let mut random = Random(scene);
     let (nx, ny) = (random.integer(2, 6), random.integer(3, 6));
     let grid = Grid::new(nx, ny, 1.0, random.decade(-0.6, 0.6)).unwrap();
@@ -157,6 +159,9 @@ fn scene_agrees(scene: u64) {
     } else {
         ElasticPair::new(soft, body(&mut random))
     };
+    let [one, two] = pair.unwrap().bodies();
+    let one = one.coated(coating.as_slice()).unwrap();
+    let pair = ElasticPair::new(one, two);
     let (boundary, is_free) = if random.chance(0.4) {
         (Boundary::Periodic, false)
     } else {
@@ -220,5 +225,18 @@ fn scene_agrees(scene: u64) {
 
 #[test]
 fn histories_are_those_of_projections() {
-    (0..100).into_par_iter().for_each(scene_agrees);
+    (0..100)
+        .into_par_iter()
+        .for_each(|scene| scene_agrees(scene, None));
+}
+
+/// Coatings softer and stiffer than what is below, thinner and thicker than the cells.
+#[test]
+fn coated_histories_are_those_of_projections() {
+    (0..16_u8).into_par_iter().for_each(|scene| {
+        let (modulus, thickness) = ([0.1, 0.5, 3.0, 10.0], [0.2, 0.6, 2.0]);
+        let (n, m) = (usize::from(scene) % 4, usize::from(scene) % 3);
+        let coating = Layer::new(modulus[n], 0.1 * f64::from(scene % 5), thickness[m]).unwrap();
+        scene_agrees(u64::from(scene), Some(coating));
+    });
 }

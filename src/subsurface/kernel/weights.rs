@@ -44,7 +44,6 @@ impl Component {
     pub(crate) const COUNT: usize = 9;
 
     /// All of them, displacements first.
-    #[cfg(test)]
     pub(crate) const ALL: [Self; Self::COUNT] = [
         Self::Ux,
         Self::Uy,

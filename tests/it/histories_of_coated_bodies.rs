@@ -1,0 +1,150 @@
+//! Growing, rolling and worn contacts of coated bodies, and their stiffness.
+
+use kit::{max_difference, press};
+use stickslip::cgm::Method;
+use stickslip::history::{Rolling, wear};
+use stickslip::layers::Layer;
+use stickslip::{
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    TangentialModel, surface,
+};
+
+const FRICTION: f64 = 0.5;
+
+/// A layer of `ratio` times the modulus, half as thick as a contact of the radius two is wide.
+fn bodies(grid: Grid, ratio: f64, nu: f64) -> HalfSpace {
+    let base = Material::new(1.0, nu).unwrap();
+    let body = base.coated(&[Layer::new(ratio, nu, 1.0).unwrap()]).unwrap();
+    HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap()
+}
+
+fn history(bodies: &HalfSpace, gap: &Field, model: TangentialModel) -> History {
+    let friction = Friction::coulomb(FRICTION).unwrap();
+    let builder = History::builder(bodies, gap, friction).model(model);
+    builder.tolerance(1e-10).build().unwrap()
+}
+
+fn step(history: &mut History, load: LoadStep) {
+    history.step(&load).unwrap();
+    let energy = history.last_step().energy();
+    let size = energy.work.abs() + energy.elastic_before + energy.elastic_after;
+    assert!(energy.imbalance().abs() <= 1e-10 * size, "{energy:?}");
+}
+
+/// Shear on a load that grows comes to the same tractions in one step as in many, on cells wider than a layer too: the
+/// law of entering cells has the ratio of compliances of waves as short as the cells.
+#[test]
+fn coated_contacts_grow_in_any_steps() {
+    for (ratio, thickness) in [(4.0, 0.3), (0.25, 0.3), (4.0, 4.0)] {
+        let grid = Grid::square(32, 32.0).unwrap();
+        let base = Material::new(1.0, 0.3).unwrap();
+        let body = base
+            .coated(&[Layer::new(ratio, 0.3, thickness).unwrap()])
+            .unwrap();
+        let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+        let gap = surface::sphere(grid, 144.0).unwrap();
+        let tractions = |steps: usize| {
+            let mut history = history(&bodies, &gap, TangentialModel::Scalar);
+            step(
+                &mut history,
+                LoadStep::hold().normal(NormalControl::Approach(0.4)),
+            );
+            for n in 1..=steps {
+                let part = n as f64 / steps as f64;
+                let load = NormalControl::Approach(0.4 + 0.6 * part);
+                step(
+                    &mut history,
+                    LoadStep::shift([0.15 * part, 0.0]).normal(load),
+                );
+            }
+            history.traction()[0].clone()
+        };
+        let [one, four, many] = [1, 4, 32].map(tractions);
+        let error = |found: &Field| {
+            let both = found.as_slice().iter().zip(many.as_slice());
+            both.map(|(a, b)| (a - b).abs()).sum::<f64>() / many.as_slice().iter().sum::<f64>()
+        };
+        println!("{ratio} {thickness}: {:e} {:e}", error(&one), error(&four));
+        assert!(error(&one) < 0.06 && error(&four) < 0.01);
+    }
+}
+
+/// A layer of the material below changes nothing where cells roll in and the surface wears.
+#[test]
+fn a_layer_of_its_substrate_rolls_and_wears_as_none() {
+    let grid = Grid::square(24, 6.0).unwrap();
+    let plain = Material::new(1.0, 0.3).unwrap();
+    let plain = HalfSpace::new(grid, ElasticPair::new(plain, plain).unwrap()).unwrap();
+    let answers = [plain, bodies(grid, 1.0, 0.3)].map(|bodies| {
+        let mut gap = surface::sphere(grid, 10.0).unwrap();
+        let mut history = history(&bodies, &gap, TangentialModel::Vector);
+        let load = || LoadStep::hold().normal(NormalControl::Force(0.4));
+        step(&mut history, load());
+        for n in 0..3 {
+            let load = LoadStep::hold().normal(NormalControl::Force(0.4 + 0.1 * f64::from(n)));
+            step(
+                &mut history,
+                load.roll(Rolling::new(1).creepage([0.02, 0.01])),
+            );
+        }
+        let slip = history.last_step().slip_distance().clone();
+        wear::archard(0.5, history.pressure(), &slip, &mut gap).unwrap();
+        history.set_gap(&gap).unwrap();
+        step(&mut history, load());
+        let [x, y] = history.traction();
+        [history.pressure(), x, y].map(Clone::clone)
+    });
+    for (one, other) in answers[0].iter().zip(&answers[1]) {
+        assert!(max_difference(one.as_slice(), other.as_slice()) < 1e-8);
+    }
+}
+
+/// A coating that wears loses what Archard's law says, and its pressure.
+#[test]
+fn coatings_wear_by_their_load_and_path() {
+    let grid = Grid::square(24, 6.0).unwrap();
+    let bodies = bodies(grid, 4.0, 0.3);
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let mut history = history(&bodies, &gap, TangentialModel::Scalar);
+    step(
+        &mut history,
+        LoadStep::hold().normal(NormalControl::Force(0.4)),
+    );
+    step(&mut history, LoadStep::shift([0.5, 0.0]));
+    let before = history.pressure().max();
+    step(&mut history, LoadStep::shift([0.7, 0.0]));
+    let mut depth = Field::zeros(grid);
+    let slip = history.last_step().slip_distance();
+    wear::archard(5.0, history.pressure(), slip, &mut depth).unwrap();
+    assert!((depth.integral() / (5.0 * 0.4 * 0.2) - 1.0).abs() < 1e-9);
+    let mut worn = gap.clone();
+    worn.add_scaled(1.0, &depth).unwrap();
+    history.set_gap(&worn).unwrap();
+    step(&mut history, LoadStep::shift([0.8, 0.0]));
+    println!("{before} {}", history.pressure().max());
+    assert!(history.pressure().max() < before);
+}
+
+/// The stiffness of a coated contact is the slope of its solves, and more than without a coating of the higher modulus.
+#[test]
+fn coated_stiffness_is_the_slope_of_solves() {
+    let grid = Grid::square(32, 8.0).unwrap();
+    let gap = surface::sphere(grid, 12.0).unwrap();
+    let stiffness = [1.0, 4.0].map(|ratio| {
+        let bodies = bodies(grid, ratio, 0.3);
+        let solve = |control| press(&bodies, &gap, control, 1e-12, Method::ActiveSet);
+        let contact = solve(NormalControl::Force(0.8));
+        let stiffness = contact.stiffness(&bodies).unwrap();
+        let step = 1e-6 * contact.approach();
+        let [more, less] = [step, -step].map(|step| {
+            let solution = solve(NormalControl::Approach(contact.approach() + step));
+            assert_eq!(solution.contact_cells(), contact.contact_cells());
+            solution.force()
+        });
+        let slope = (more - less) / (2.0 * step);
+        assert!((slope / stiffness.value - 1.0).abs() < 1e-6, "{slope:e}");
+        stiffness.value
+    });
+    println!("{stiffness:?}");
+    assert!(stiffness[1] > stiffness[0]);
+}
