@@ -7,7 +7,8 @@
 //!
 //! - [`Convolution`] is the operator of a half-space, free (padded with zeros) or periodic (not padded), exact up to
 //!   round-off.
-//! - [`CirculantInverse`] is its approximate inverse on the unpadded grid, exact on a periodic one: a preconditioner.
+//! - [`CirculantInverse`] is its approximate inverse on the grid and two cells beyond its edge, exact on a periodic grid: a
+//!   preconditioner.
 //!
 //! The transforms use AVX where the processor has it, and NEON. Those for SSE alone, of processors before 2013, take long to
 //! compile and are left out: a program that wants them asks for `rustfft` with its feature `sse` too.
