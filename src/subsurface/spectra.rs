@@ -23,7 +23,8 @@ pub(super) struct Spectra {
     z: f64,
     /// Those of the displacements only where they are asked for; otherwise they are empty.
     values: [Vec<f64>; Integral::COUNT],
-    /// Waves along y.
+    /// The first wave along x here, and waves along y.
+    first: usize,
     height: usize,
     repeats: bool,
 }
@@ -40,28 +41,30 @@ impl Spectra {
         with_displacements: bool,
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
-        memory("kernels of a depth", torus.quarter(), BYTES)?;
-        let (grid, boundary) = (bodies.grid(), bodies.boundary());
+        let ([width, height], waves_here) = (torus.quarter(), torus.own_waves());
+        memory("kernels of a depth", [waves_here.len(), height], BYTES)?;
+        let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
             Boundary::Periodic => waves(grid, torus, z)?,
             _ => samples(grid, boundary, torus, z)?,
         };
-        let width = torus.quarter()[0];
+        let first = torus.own_distances().start;
         for (integral, values) in Integral::ALL.into_iter().zip(&mut values) {
             if integral.is_length() && !with_displacements {
                 *values = Vec::new();
             } else if boundary != Boundary::Periodic {
                 watch.ask()?;
-                *values = torus.spectrum(integral.is_odd(), |i, j| values[j * width + i])?;
+                *values =
+                    torus.spectrum(integral.is_odd(), |i, j| values[(j - first) * width + i])?;
             }
         }
-        let [_, height] = torus.quarter();
         Ok(Self {
             depth,
             z,
             values,
+            first: waves_here.start,
             height,
             repeats: boundary == Boundary::Periodic,
         })
@@ -83,40 +86,43 @@ impl Spectra {
     }
 }
 
-/// The integrals at all distances of a quarter of the torus, row by row.
+/// The integrals at the distances of a quarter of the torus that are sampled here, row by row.
 fn samples(
     grid: Grid,
     boundary: Boundary,
     torus: &Torus,
     depth: f64,
 ) -> Result<[Vec<f64>; Integral::COUNT]> {
-    let [width, height] = torus.quarter();
+    let ([width, _], own) = (torus.quarter(), torus.own_distances());
     let (dx, dy) = (grid.dx(), grid.dy());
     let cell = LoadedRectangle::new(0.5 * dx, 0.5 * dy);
     let xs = buffer::collected(width, (0..width).map(|i| i as f64 * dx))?;
-    let mut values = buffer::vector(width * height)?;
+    let mut values = buffer::vector(width * own.len())?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width,
     });
     let strips = Strips::new(grid, boundary);
     let work = |row: usize, rows: [Blocks<'_, f64>; Integral::COUNT]| {
-        let (y, mut out) = (row as f64 * dy, rows.map(|row| row.items));
+        let mut out = rows.map(|row| row.items);
+        let y = (own.start + row) as f64 * dy;
         match &strips {
             None => cell.integrals_along_row(&xs, y, depth, &mut out),
             Some(strips) => strips.integrals_along_row(&cell, &xs, [y, depth], &mut out),
         }
     };
-    parallel::sweep(0..height, data, &work, &|(), ()| ());
+    if !own.is_empty() {
+        parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+    }
     Ok(values)
 }
 
-/// The symbols of the integrals, or their imaginary parts, for the waves of a quarter.
+/// The symbols of the integrals, or their imaginary parts, for the waves of a quarter that are multiplied here.
 fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::COUNT]> {
-    let [width, height] = torus.quarter();
+    let ([_, height], own) = (torus.quarter(), torus.own_waves());
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];
-    let mut values = buffer::vector(width * height)?;
+    let mut values = buffer::vector(own.len() * height)?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width: height,
@@ -124,7 +130,7 @@ fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::C
     let work = |column: usize, lines: [Blocks<'_, f64>; Integral::COUNT]| {
         let mut lines = lines.map(|line| line.items);
         for row in 0..height {
-            let periods = [column, row];
+            let periods = [own.start + column, row];
             if periods == [0, 0] {
                 continue;
             }
@@ -138,7 +144,9 @@ fn waves(grid: Grid, torus: &Torus, depth: f64) -> Result<[Vec<f64>; Integral::C
             }
         }
     };
-    parallel::sweep(0..width, data, &work, &|(), ()| ());
+    if !own.is_empty() {
+        parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+    }
     Ok(values)
 }
 
@@ -212,7 +220,7 @@ impl Kernels for Composed<'_> {
 
     fn add(&self, out: &mut [f64], [i, j]: [usize; 2], factor: f64, kx: usize) {
         let (component, load) = (self.components[i], Load::ALL[j]);
-        let height = self.spectra.height;
+        let (height, column) = (self.spectra.height, kx - self.spectra.first);
         for (weight, values) in self
             .weights
             .of(load, component)
@@ -221,7 +229,7 @@ impl Kernels for Composed<'_> {
         {
             if *weight != 0.0 {
                 let weight = factor * weight;
-                for (out, value) in out.iter_mut().zip(&values[kx * height..(kx + 1) * height]) {
+                for (out, value) in out.iter_mut().zip(&values[column * height..][..height]) {
                     *out += weight * value;
                 }
             }
