@@ -21,7 +21,7 @@ LAYERS = [
         "serial": {"error"},
         "report": {"error", "serial"},
         "error": {"report"},
-        "watch": {"error", "report"},
+        "watch": {"error", "ranks", "report"},
         "parallel": {"error"},
         "digest": set(),
         "ranks": {"digest", "error", "parallel"},

@@ -178,6 +178,32 @@ impl Layout {
         }
     }
 
+    /// What the nodes of the tree come to that are added up here, of anything.
+    pub(crate) fn at_nodes<T: Send>(
+        &self,
+        leaf: impl Fn(Range<usize>) -> T + Sync,
+        combine: impl Fn(T, T) -> T + Sync,
+    ) -> Vec<T> {
+        let work = |task: usize, ()| leaf(self.range(task));
+        let at = |node| parallel::sweep_cells(self.cells, node, (), &work, &combine);
+        match &self.share {
+            Some(share) => share.own_nodes().into_iter().map(at).collect(),
+            None => vec![at(0..self.tasks())],
+        }
+    }
+
+    /// The value of the whole tree, from those of [`Layout::at_nodes`].
+    pub(crate) fn finished<T: Words>(
+        &self,
+        mut own: impl Iterator<Item = T>,
+        combine: impl Fn(T, T) -> T + Sync,
+    ) -> T {
+        match &self.share {
+            Some(share) => share.finished(own, &combine),
+            None => own.next().unwrap_or(T::ZERO),
+        }
+    }
+
     /// The same of ranges of cells, read-only.
     pub(crate) fn fold<T: Words>(
         &self,

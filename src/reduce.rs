@@ -2,6 +2,8 @@
 //!
 //! Sums follow the tree of a [`Layout`], so that their bits do not depend on the number of threads or ranks.
 
+use std::array::from_fn;
+use std::collections::VecDeque;
 use std::ops::Range;
 
 use crate::layout::Layout;
@@ -94,6 +96,68 @@ pub(crate) fn in_lanes(values: &[f64]) -> f64 {
 /// `sum f(i)` over the cells.
 pub(crate) fn sum<T: Tally>(layout: &Layout, f: impl Fn(usize) -> T + Sync) -> T {
     over_chunks(layout, |range| range.map(&f).fold(T::ZERO, T::plus))
+}
+
+/// Sums by groups, `sum f(i).1` over the cells with `f(i).0 = group`, of groups from zero to `count`. The groups of
+/// neighbouring cells lie near each other.
+pub(crate) fn grouped<T: Tally>(
+    layout: &Layout,
+    count: usize,
+    f: impl Fn(usize) -> Option<(usize, T)> + Sync,
+) -> Vec<T> {
+    /// Sums that ranks put together at once.
+    const AT_ONCE: usize = 64;
+    let leaf = |cells: Range<usize>| {
+        let values = cells.filter_map(&f);
+        values.fold(Groups::default(), Groups::with)
+    };
+    let nodes = layout.at_nodes(leaf, |low, high: Groups<T>| {
+        (high.first..).zip(high.sums).fold(low, Groups::with)
+    });
+    let mut sums = Vec::new();
+    for first in (0..count).step_by(AT_ONCE) {
+        let own = nodes.iter().map(|node| from_fn(|k| node.get(first + k)));
+        sums.extend(layout.finished(own, <[T; AT_ONCE]>::plus));
+    }
+    sums.truncate(count);
+    sums
+}
+
+/// Sums of the groups from the first one that has any to the last.
+struct Groups<T> {
+    first: usize,
+    sums: VecDeque<T>,
+}
+
+impl<T> Default for Groups<T> {
+    fn default() -> Self {
+        let sums = VecDeque::new();
+        Self { first: 0, sums }
+    }
+}
+
+impl<T: Tally> Groups<T> {
+    fn with(mut self, (group, value): (usize, T)) -> Self {
+        if self.sums.is_empty() {
+            self.first = group;
+        }
+        while group < self.first {
+            self.sums.push_front(T::ZERO);
+            self.first -= 1;
+        }
+        let place = group - self.first;
+        if self.sums.len() <= place {
+            self.sums.resize(place + 1, T::ZERO);
+        }
+        self.sums[place] = self.sums[place].plus(value);
+        self
+    }
+
+    fn get(&self, group: usize) -> T {
+        let place = group.checked_sub(self.first);
+        let sum = place.and_then(|place| self.sums.get(place));
+        sum.copied().unwrap_or(T::ZERO)
+    }
 }
 
 /// The larger of two numbers; NaN if either is.

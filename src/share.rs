@@ -129,16 +129,34 @@ impl Share {
         work: &Work<'_, D, T>,
         combine: &Combine<'_, T>,
     ) -> T {
-        let own = self.chunks_of(self.team.rank());
-        let mut words = Vec::new();
         let mut left = Some(data);
-        visit(0..self.all_chunks(), &own, &mut |node| {
-            let Some(data) = left.take() else { return };
-            let (data, rest) = data.split(node.len());
+        let values = self.own_nodes().into_iter().filter_map(|node| {
+            let (data, rest) = left.take()?.split(node.len());
             left = Some(rest);
-            let local = node.start - own.start..node.end - own.start;
-            parallel::sweep_cells(self.cells(), local, data, work, combine).write(&mut words);
+            let value = parallel::sweep_cells(self.cells(), node, data, work, combine);
+            Some(value)
         });
+        self.finished(values, combine)
+    }
+
+    /// The largest nodes of the tree that this rank holds wholly, of its own chunks.
+    pub(crate) fn own_nodes(&self) -> Vec<Range<usize>> {
+        let own = self.chunks_of(self.team.rank());
+        let mut nodes = Vec::new();
+        visit(0..self.all_chunks(), &own, &mut |node| {
+            nodes.push(node.start - own.start..node.end - own.start);
+        });
+        nodes
+    }
+
+    /// The value of the whole tree, from those of [`Share::own_nodes`] of all ranks.
+    pub(crate) fn finished<T: Words>(
+        &self,
+        own: impl Iterator<Item = T>,
+        combine: &Combine<'_, T>,
+    ) -> T {
+        let mut words = Vec::new();
+        own.for_each(|value| value.write(&mut words));
         let counts: Vec<usize> = self.nodes.iter().map(|nodes| nodes * T::COUNT).collect();
         let all = self.team.gather(&words, &counts);
         // Of a rank on its own without any node nothing is known: zeros end its work soon.
@@ -209,10 +227,14 @@ impl Share {
             let is_expected: Vec<bool> = (0..ranks).map(|rank| !place(rank).is_empty()).collect();
             blocks = self.team.all_to_all(blocks, &is_expected);
             for (rank, block) in blocks.iter().enumerate() {
-                // Nothing has come of a rank that is lost.
                 let place = &mut found[place(rank)];
-                if rank != me && block.len() == place.len() {
+                if rank == me {
+                    continue;
+                }
+                if block.len() == place.len() {
                     parallel::copy(cast_slice(block), place);
+                } else {
+                    self.team.out_of_step(rank);
                 }
             }
         }

@@ -66,6 +66,15 @@ struct Spot {
     edges: [[bool; 2]; 2],
 }
 
+/// The counts of a strip that travel first: of its cells, rows without a cell, spots that are closed, and of the runs of
+/// both ends and the open spots that follow.
+type Head = (
+    [usize; 4],
+    [usize; 3],
+    (usize, usize, [bool; 2]),
+    [usize; 3],
+);
+
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     /// All counts, of all ranks if the map is that of the slab of each.
     pub(crate) fn survey(&self, team: Option<&Team>) -> Survey {
@@ -116,7 +125,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         let within = 2 * runs.len() - usize::from(at_first) - usize::from(at_last);
         strip.switches = within + usize::from(along_x && at_first != at_last);
         let count = if along_x && at_first && at_last && runs.len() > 1 {
-            // Its last run goes on in its first.
+            // The last run and the first one are one run across the edge that repeats.
             if let Some(last) = runs.last_mut() {
                 last.spot = 0;
             }
@@ -231,19 +240,16 @@ impl Strip {
     }
 
     fn write(&self, width: usize, words: &mut Vec<u64>) {
-        let counts = [self.rows, self.cells, self.switches, self.cells_on_edge];
-        counts.write(words);
-        self.free.write(words);
-        (
-            self.closed.all,
-            self.closed.unresolved,
-            self.closed.is_across,
-        )
-            .write(words);
+        let closed = self.closed;
+        let head: Head = (
+            [self.rows, self.cells, self.switches, self.cells_on_edge],
+            self.free,
+            (closed.all, closed.unresolved, closed.is_across),
+            [self.ends[0].len(), self.ends[1].len(), self.open.len()],
+        );
+        head.write(words);
         let columns = (0..width.div_ceil(64)).map(|word| self.columns.get(word).copied());
         words.extend(columns.map(|word| word.unwrap_or(0)));
-        let lengths = [&self.ends[0], &self.ends[1]].map(Vec::len);
-        (lengths, self.open.len()).write(words);
         for run in self.ends.iter().flatten() {
             [run.columns.start, run.columns.end, run.spot].write(words);
         }
@@ -252,26 +258,39 @@ impl Strip {
         }
     }
 
-    /// Of rows of so many columns. Of a rank that is lost there are no words, and nothing is read.
-    fn read(words: &mut &[u64], width: usize) -> Self {
-        let [rows, cells, switches, cells_on_edge] = Words::read(words);
-        let free = Words::read(words);
-        let (all, unresolved, is_across) = Words::read(words);
-        let columns = (0..width.div_ceil(64)).map(|_| u64::read(words)).collect();
-        let (lengths, open) = <([usize; 2], usize)>::read(words);
+    /// Of rows of so many columns; `None` if these are not the words of one.
+    fn read(mut words: &[u64], width: usize) -> Option<Self> {
+        let words = &mut words;
+        let columns = width.div_ceil(64);
+        let rest = words.len().checked_sub(Head::COUNT + columns)?;
+        let ([rows, cells, switches, cells_on_edge], free, closed, lengths) = Head::read(words);
+        let (all, unresolved, is_across) = closed;
+        let [.., open] = lengths;
+        let sizes = [3, 3, <(usize, [[bool; 2]; 2])>::COUNT];
+        let wanted = lengths
+            .iter()
+            .zip(sizes)
+            .try_fold(0_usize, |sum, (count, size)| {
+                sum.checked_add(count.checked_mul(size)?)
+            });
+        if wanted != Some(rest) {
+            return None;
+        }
+        let columns = (0..columns).map(|_| u64::read(words)).collect();
         let mut run = || {
             let [start, end, spot] = Words::read(words);
-            Run {
+            (spot < open).then_some(Run {
                 columns: start..end,
                 spot,
-            }
+            })
         };
-        let ends = lengths.map(|count| (0..count).map(|_| run()).collect());
+        let mut end = |count| (0..count).map(|_| run()).collect::<Option<_>>();
+        let ends = [end(lengths[0])?, end(lengths[1])?];
         let spot = |_| {
             let (cells, edges) = Words::read(words);
             Spot { cells, edges }
         };
-        Self {
+        Some(Self {
             rows,
             cells,
             switches,
@@ -285,7 +304,7 @@ impl Strip {
                 unresolved,
                 is_across,
             },
-        }
+        })
     }
 }
 
@@ -396,7 +415,10 @@ fn over_ranks(slab: Strip, width: usize, team: &Team) -> Strip {
         }
         let received = team.all_to_all(blocks, &is_expected);
         if place == 0 && me + step < ranks {
-            strip = strip.joined(Strip::read(&mut &received[me + step][..], width));
+            match Strip::read(&received[me + step], width) {
+                Some(above) => strip = strip.joined(above),
+                None => team.out_of_step(me + step),
+            }
         }
         step *= 2;
     }

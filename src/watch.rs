@@ -1,8 +1,10 @@
 //! Who watches long work that is no solve, and ends it.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use crate::error::{Error, Result};
+use crate::ranks::Team;
 use crate::report::{Iteration, Report, Status};
 
 /// Sees every step of an iteration, and may end it.
@@ -12,12 +14,14 @@ pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()>
 pub(crate) struct Watch<'a> {
     observer: Observer<'a>,
     shown: Iteration,
+    team: Option<Arc<Team>>,
 }
 
 impl<'a> Watch<'a> {
     pub(crate) fn new(observer: Observer<'a>) -> Self {
         Self {
             observer,
+            team: None,
             shown: Iteration {
                 iteration: 0,
                 double_precision_products: 0,
@@ -26,6 +30,12 @@ impl<'a> Watch<'a> {
                 free: 0,
             },
         }
+    }
+
+    /// The same of work that ranks share: the observer is asked on all, and the first decides.
+    pub(crate) fn shared(self, team: Option<&Arc<Team>>) -> Self {
+        let team = team.cloned();
+        Self { team, ..self }
     }
 
     /// What is shown from now on of the work so far.
@@ -38,7 +48,12 @@ impl<'a> Watch<'a> {
     /// # Errors
     /// [`Error::NotConverged`], cancelled.
     pub(crate) fn ask(&mut self) -> Result<()> {
-        if (self.observer)(&self.shown).is_break() {
+        let is_over = (self.observer)(&self.shown).is_break();
+        let is_over = match &self.team {
+            Some(team) => team.decided(is_over.into()) != Some(0),
+            None => is_over,
+        };
+        if is_over {
             return Err(Error::NotConverged(Box::new(Report {
                 status: Status::Cancelled,
                 iterations: self.shown.iteration,

@@ -93,13 +93,14 @@ impl<T: Real> Plan<T> {
         scratch: &Pool<ColumnScratch<T, N>>,
         multiply: impl Fn(usize, &mut [&mut [Complex<T>]; N]) + Sync,
     ) {
-        let (down, stride) = (self.tiles_down(), self.column_stride());
-        let fields = to.map(|tiles| blocks(tiles, down));
-        self.bands(self.tiles_across(), fields, |band, fields| {
+        let (along, stride) = (self.tiles_along(), self.column_stride());
+        let own = self.own_tile_columns();
+        let fields = to.map(|tiles| blocks(tiles, along));
+        self.bands(own.len(), fields, |band, fields| {
             let make = || self.column_scratch();
             scratch.lend(make, |scratch| {
                 for n in 0..N {
-                    let tiles = &from[n][band * down..(band + 1) * down];
+                    let tiles = &from[n][band * along..(band + 1) * along];
                     tiles::gather(
                         tiles,
                         &self.tile_rows,
@@ -108,7 +109,7 @@ impl<T: Real> Plan<T> {
                         stride,
                     );
                 }
-                self.multiply_band(band, scratch, &multiply);
+                self.multiply_band(own.start + band, scratch, &multiply);
                 for (field, columns) in fields.into_iter().zip(&scratch.columns) {
                     tiles::scatter(columns, stride, &self.tile_rows, field.items);
                 }

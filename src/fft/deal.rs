@@ -132,15 +132,20 @@ impl<T: Real> Plan<T> {
             for rank in others.clone() {
                 let [columns, rows] = received(rank);
                 let mut words = &blocks[rank][..];
+                let mut bits = 0;
                 if let Some(occupied) = occupied
                     .as_deref_mut()
                     .filter(|_| tells && !columns.is_empty())
                 {
                     unpack(&mut words, &mut occupied[rows.clone()]);
+                    bits = rows.len().div_ceil(64);
                 }
                 let columns = part(&columns, round, rounds);
                 let comes = |row: &usize| holds(occupied.as_deref(), *row);
                 let filled = rows.clone().filter(comes).count() * columns.len();
+                if blocks[rank].len() != bits + filled * TILE_WORDS {
+                    team.out_of_step(rank);
+                }
                 while spare.len() < rows.len() * columns.len() {
                     spare.push(or_abort(Tile::zero()));
                 }

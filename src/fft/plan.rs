@@ -217,8 +217,8 @@ impl<T: Real> Plan<T> {
         if self.is_line() {
             return self.convolve_line(symbol, x, out, scales, &scratch.rows);
         }
-        let (across, down) = (self.tiles_across(), self.tiles_down());
-        let along = self.tiles_along();
+        let (across, along) = (self.tiles_across(), self.tiles_along());
+        let down = self.tiles_down();
         let (rows_tiles, columns_tiles) = (across * down, self.own_tile_columns().len() * along);
         let Tiles {
             by_rows,
@@ -241,20 +241,40 @@ impl<T: Real> Plan<T> {
         for n in 0..N {
             let (rows, own) = (&mut *by_rows[n], &mut occupied[n][own.clone()]);
             self.forward_rows(x[n], scales[0], rows, own, &scratch.rows);
-            match &self.frame.share {
-                Some(share) => {
-                    self.deal_columns(share, rows, by_columns[n], &mut occupied[n], spare);
-                }
-                None => exchange(rows, by_columns[n], across),
-            }
+            self.to_columns(rows, by_columns[n], &mut occupied[n], spare);
         }
         self.columns(symbol, &mut by_columns, occupied, &scratch.columns);
         for (n, out) in out.into_iter().enumerate() {
-            match &self.frame.share {
-                Some(share) => self.deal_rows(share, by_columns[n], by_rows[n], spare),
-                None => exchange(by_columns[n], by_rows[n], down),
-            }
+            self.to_rows(by_columns[n], by_rows[n], spare);
             self.inverse_rows(by_rows[n], out, scales[1], &scratch.rows);
+        }
+    }
+
+    /// Hands tiles from who has their rows to who multiplies their columns. Every rank then knows which bands of all hold
+    /// anything.
+    pub(super) fn to_columns(
+        &self,
+        by_rows: &mut [Tile],
+        by_columns: &mut [Tile],
+        occupied: &mut [bool],
+        spare: &mut Vec<Tile>,
+    ) {
+        match &self.frame.share {
+            Some(share) => self.deal_columns(share, by_rows, by_columns, occupied, spare),
+            None => exchange(by_rows, by_columns, self.tiles_across()),
+        }
+    }
+
+    /// Hands them back.
+    pub(super) fn to_rows(
+        &self,
+        by_columns: &mut [Tile],
+        by_rows: &mut [Tile],
+        spare: &mut Vec<Tile>,
+    ) {
+        match &self.frame.share {
+            Some(share) => self.deal_rows(share, by_columns, by_rows, spare),
+            None => exchange(by_columns, by_rows, self.tiles_along()),
         }
     }
 }

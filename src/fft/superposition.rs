@@ -1,17 +1,20 @@
 //! Sums of convolutions of three fields: what three tractions cause, three components at a time.
 
 use std::array::from_fn;
+use std::ops::Range;
+use std::sync::Arc;
 
-use crate::buffer;
+use crate::buffer::{self, or_abort};
 use crate::error::{Result, memory};
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, Scratch};
 use crate::fft::spectrum::{Lines, of_samples};
 use crate::fft::symbol::Parity;
-use crate::fft::tiles::{Tiles, exchange};
+use crate::fft::tiles::{Tile, Tiles, exchange};
 use crate::parallel;
 use crate::pool::Pool;
+use crate::share::Share;
 
 /// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
 /// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for
@@ -33,17 +36,19 @@ pub(crate) struct Superposition {
 #[derive(Debug, Clone)]
 pub(crate) struct Torus {
     frame: Frame,
+    /// How the distances along y are dealt out, if they are.
+    distances: Option<Arc<Share>>,
 }
 
 impl Torus {
-    /// For fields of `[nx, ny]` cells that repeat or not.
-    pub(crate) fn new(size: [usize; 2], repeats: [bool; 2]) -> Self {
+    /// For fields of `[nx, ny]` cells that repeat or not, whose rows may be dealt out to ranks.
+    pub(crate) fn new(size: [usize; 2], repeats: [bool; 2], share: Option<Arc<Share>>) -> Self {
+        let torus = torus(size, repeats);
+        let quarter = torus.map(|m| m / 2 + 1);
+        let of = |share: &Arc<Share>| Arc::new(Share::new(share.team(), quarter));
         Self {
-            frame: Frame {
-                size,
-                torus: torus(size, repeats),
-                share: None,
-            },
+            distances: share.as_ref().map(of),
+            frame: Frame { size, torus, share },
         }
     }
 
@@ -52,8 +57,22 @@ impl Torus {
         self.frame.torus.map(|m| m / 2 + 1)
     }
 
+    /// Distances along y at which this rank samples kernels.
+    pub(crate) fn own_distances(&self) -> Range<usize> {
+        let all = 0..self.quarter()[1];
+        self.distances
+            .as_ref()
+            .map_or(all, |share| share.own_rows())
+    }
+
+    /// Waves along x whose kernels this rank multiplies.
+    pub(crate) fn own_waves(&self) -> Range<usize> {
+        self.frame.own_columns()
+    }
+
     /// The spectrum of a kernel sampled at the distances of a quarter, `at(i, j)`, or its imaginary part if it is odd
-    /// in one axis: the waves along y of each wave along x, one after the other.
+    /// in one axis: the waves along y of each wave along x that this rank multiplies, one after the other. It is asked
+    /// for its [own distances](Self::own_distances) along y.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
@@ -62,16 +81,27 @@ impl Torus {
         is_odd: [bool; 2],
         at: impl Fn(usize, usize) -> f64 + Sync,
     ) -> Result<Vec<f64>> {
-        let [width, height] = self.quarter();
-        let mut values = buffer::zeros(width * height)?;
+        let [_, height] = self.quarter();
+        let mut values = buffer::zeros(self.own_waves().len() * height)?;
         let lines = Lines {
             values: &mut values,
             stride: height,
             entry: 0..height,
         };
-        of_samples(is_odd, &self.frame, None, 1.0, lines, at)?;
+        let distances = self.distances.as_ref();
+        of_samples(is_odd, &self.frame, distances, 1.0, lines, at)?;
         Ok(values)
     }
+}
+
+/// Hands over the memory of tiles, whatever is in them, to the other order, `width` of which lie in a band of the first.
+fn lend(plan: &Plan<f64>, width: usize, from: &mut [Tile], to: &mut [Tile], spare: &mut Vec<Tile>) {
+    if plan.frame.share.is_none() {
+        return exchange(from, to, width);
+    }
+    // A rank may have more of one order than of the other.
+    spare.extend(from.iter_mut().map(std::mem::take));
+    to.fill_with(|| spare.pop().unwrap_or_else(|| or_abort(Tile::zero())));
 }
 
 /// Nine kernels of a column of waves.
@@ -94,15 +124,18 @@ impl Superposition {
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(torus: &Torus) -> Result<Self> {
-        memory("transforms of tractions and stresses", torus.frame.size, 96)?;
+        let own = [torus.frame.size[0], torus.frame.own_rows().len()];
+        memory("transforms of tractions and stresses", own, 96)?;
         let plan = Plan::new(torus.frame.clone());
         let mut results = plan.tiles()?;
-        for n in 0..3 {
-            exchange(
-                &mut results.by_rows[n],
-                &mut results.by_columns[n],
-                plan.tiles_across(),
-            );
+        let Tiles {
+            by_rows,
+            by_columns,
+            spare,
+            ..
+        } = &mut results;
+        for (rows, columns) in by_rows.iter_mut().zip(by_columns) {
+            lend(&plan, plan.tiles_across(), rows, columns, spare);
         }
         Ok(Self {
             sources: plan.tiles()?,
@@ -127,19 +160,19 @@ impl Superposition {
             by_rows,
             occupied,
             by_columns,
-            ..
+            spare,
         } = sources;
-        let (across, down) = (plan.tiles_across(), plan.tiles_down());
         for n in 0..3 {
             let (rows, columns) = (&mut by_rows[n], &mut by_columns[n]);
             if *is_loaded {
-                exchange(columns, rows, down);
+                lend(plan, plan.tiles_along(), columns, rows, spare);
             }
+            let own = &mut occupied[n][plan.own_tile_rows()];
             match fields[n] {
-                Some(x) => plan.forward_rows(x, factors[n], rows, &mut occupied[n], &scratch.rows),
-                None => occupied[n].fill(false),
+                Some(x) => plan.forward_rows(x, factors[n], rows, own, &scratch.rows),
+                None => own.fill(false),
             }
-            exchange(rows, columns, across);
+            plan.to_columns(rows, columns, &mut occupied[n], spare);
         }
         *is_loaded = true;
     }
@@ -159,12 +192,12 @@ impl Superposition {
             columns,
             ..
         } = self;
-        let (across, down) = (plan.tiles_across(), plan.tiles_down());
         let height = plan.frame.torus[1] / 2 + 1;
         let parity = Parity::new(kernels.is_odd());
         let Tiles {
             by_rows,
             by_columns,
+            spare,
             ..
         } = results;
         plan.columns_between(
@@ -190,9 +223,10 @@ impl Superposition {
         );
         let normalisation = 1.0 / plan.cells_of_torus();
         for (n, out) in out.into_iter().enumerate() {
-            exchange(&mut by_columns[n], &mut by_rows[n], down);
+            plan.to_rows(&mut by_columns[n], &mut by_rows[n], spare);
             plan.inverse_rows(&by_rows[n], out, factors[n] * normalisation, &scratch.rows);
-            exchange(&mut by_rows[n], &mut by_columns[n], across);
+            let (rows, columns) = (&mut by_rows[n], &mut by_columns[n]);
+            lend(plan, plan.tiles_across(), rows, columns, spare);
         }
     }
 

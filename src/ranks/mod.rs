@@ -21,8 +21,10 @@
 //! same numbers everywhere.
 //!
 //! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
-//! that differs from cell to cell, relative displacements, wear and stiffnesses; what cannot is refused
-//! ([`RankFailure::NotShared`]): stresses below the surface, dense matrices.
+//! that differs from cell to cell, relative displacements, wear and stiffnesses, and stresses on planes below the surface
+//! ([`Planes`](crate::subsurface::Planes)), of which each rank gets its rows. Refused ([`RankFailure::NotShared`]) are
+//! stresses at single points, since a sum over the loaded cells of all ranks is not made in slabs, stresses under values
+//! at the centres of cells, files of stresses, and dense matrices.
 //!
 //! Surfaces are made ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
 //! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab, and fields are read from and written
@@ -71,8 +73,11 @@
 //!
 //! Columns of the transform are dealt out in sixteens, two cache lines of each row, since both precisions share them:
 //! of $`n \times n`$ cells on a grid that repeats at most $`n/32`$ ranks have columns to transform (a free grid has
-//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row. Ranks beyond these numbers have
-//! nothing to do in that part, and only wait.
+//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row: 96 rows of 96 cells lie as 42, 42
+//! and 12 on three ranks. Shorter chunks would share them evenly, but would change the last digits of every sum, and such
+//! grids gain nothing from ranks: from $`4096 P`$ cells on no rank has more than twice its even part, from
+//! $`40\,960\, P`$ cells on at most a tenth more than it. Ranks beyond these numbers have nothing to do in that part, and only
+//! wait.
 //!
 //! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
 //! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows.
@@ -81,7 +86,8 @@
 //!
 //! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others. If a rank ends
 //! or is silent for too long, the calls of the others return [`RankFailure::Lost`] or [`RankFailure::Silent`], and so do
-//! all that follow on the same bodies. A file that they were writing together is then the old one, or the new one if all
+//! all that follow on the same bodies; a block of another length than is due is that of a rank that makes other calls
+//! ([`RankFailure::OutOfStep`]). A file that they were writing together is then the old one, or the new one if all
 //! of it was there.
 
 #[cfg(any(feature = "mpi", test))]

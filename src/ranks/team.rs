@@ -85,6 +85,11 @@ impl Team {
         self.kept(received).unwrap_or_else(none)
     }
 
+    /// Takes note of a rank whose block is not the one that is due; of no other failure than the first.
+    pub(crate) fn out_of_step(&self, rank: usize) {
+        self.failure.get_or_init(|| RankFailure::OutOfStep { rank });
+    }
+
     /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, if no call has failed.
     pub(crate) fn gather(&self, own: &[u64], counts: &[usize]) -> Option<Vec<u64>> {
         if self.has_failed() {

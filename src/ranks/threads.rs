@@ -42,6 +42,10 @@ pub struct Threads {
     office: Arc<Office>,
 }
 
+/// Number of looks for a block between which the thread yields to others, before it sleeps until one comes: to be woken
+/// takes longer than most blocks do.
+const EAGER: u32 = 100;
+
 /// Where blocks wait, of each receiver.
 type Office = Vec<Mailbox>;
 
@@ -146,10 +150,18 @@ impl Threads {
         let mailbox = &self.office[self.rank];
         let mut post = mailbox.post();
         let mut received = Vec::new();
+        let mut looks = 0;
         for from in from {
             while post.blocks[from].is_empty() {
                 if post.has_left[from] {
                     return Err(RankFailure::Lost { rank: from });
+                }
+                if looks < EAGER {
+                    looks += 1;
+                    drop(post);
+                    std::thread::yield_now();
+                    post = mailbox.post();
+                    continue;
                 }
                 let left = self.patience.saturating_sub(start.elapsed());
                 if left.is_zero() {
@@ -199,16 +211,5 @@ impl Ranks for Threads {
             received[from] = block;
         }
         Ok(received)
-    }
-
-    /// By one hand-over to each rank.
-    fn all_gather(&self, own: &[u64], counts: &[usize]) -> Result<Vec<u64>, RankFailure> {
-        let is_expected: Vec<bool> = counts.iter().map(|count| *count > 0).collect();
-        let mut all = self.all_to_all(vec![own.to_vec(); self.size], &is_expected)?;
-        all[self.rank] = own.to_vec();
-        match (0..self.size).find(|rank| all[*rank].len() != counts[*rank]) {
-            Some(rank) => Err(RankFailure::OutOfStep { rank }),
-            None => Ok(all.concat()),
-        }
     }
 }

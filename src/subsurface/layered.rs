@@ -100,18 +100,18 @@ impl<'a> Layered<'a> {
         )
     }
 
-    /// The coefficients at all distances of a quarter of the torus, row by row.
+    /// The coefficients at the distances of a quarter of the torus that are sampled here, row by row.
     pub(super) fn samples(
         &self,
         grid: Grid,
         boundary: Boundary,
         torus: &Torus,
     ) -> Result<[Vec<f64>; Entry::COUNT]> {
-        let [width, height] = torus.quarter();
+        let ([width, _], own) = (torus.quarter(), torus.own_distances());
         let sides = [0.5 * grid.dx(), 0.5 * grid.dy()];
         let cell = LoadedRectangle::new(sides[0], sides[1]);
         let xs = buffer::collected(width, (0..width).map(|i| i as f64 * grid.dx()))?;
-        let mut values = buffer::vector(width * height)?;
+        let mut values = buffer::vector(width * own.len())?;
         let data = values.each_mut().map(|values| Blocks {
             items: values,
             width,
@@ -120,7 +120,8 @@ impl<'a> Layered<'a> {
         let period = grid.dy() * grid.ny() as f64;
         let rest = |k: f64| self.rest(k);
         let work = |row: usize, rows: [Blocks<'_, f64>; Entry::COUNT]| {
-            let (y, mut out) = (row as f64 * grid.dy(), rows.map(|row| row.items));
+            let y = (own.start + row) as f64 * grid.dy();
+            let mut out = rows.map(|row| row.items);
             for (ix, &x) in xs.iter().enumerate() {
                 let entries = match boundary {
                     Boundary::PeriodicAlongY { datum } => {
@@ -146,7 +147,9 @@ impl<'a> Layered<'a> {
                 add_homogeneous(&Weights::new(nu, self.depth), modulus, &lines, &mut out);
             }
         };
-        parallel::sweep(0..height, data, &work, &|(), ()| ());
+        if !own.is_empty() {
+            parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+        }
         Ok(values)
     }
 

@@ -1,5 +1,7 @@
 //! Stress and displacement of whole planes, by fast convolution.
 
+use std::array::from_fn;
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
@@ -8,6 +10,7 @@ use crate::fft::{Superposition, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::parallel;
+use crate::ranks::Input;
 use crate::report::Iteration;
 use crate::shown::shown;
 use crate::subsurface::body::{Body, Constants};
@@ -15,8 +18,9 @@ use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::kernel::Load;
 use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
 use crate::subsurface::spectra::Spectra;
+use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
-use crate::watch::{Watch, unwatched};
+use crate::watch::{Observer, Watch, unwatched};
 
 /// Stress, and if asked for displacement, at the cell centres of planes at chosen depths below each body: the sum
 /// over all cells of [`at_points`](crate::subsurface::at_points), by fast transforms. Reusable for any tractions on
@@ -72,6 +76,13 @@ use crate::watch::{Watch, unwatched};
 /// # Ok::<(), Error>(())
 /// ```
 ///
+/// # Ranks
+///
+/// Of [distributed](HalfSpace::distributed) bodies every rank makes planes at the same depths, and holds of kernels,
+/// transforms and planes what belongs to its rows and columns; the values have the bits of one process. All ranks solve
+/// together; the observer of the first decides. Values at the centres of cells
+/// ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that does not repeat along both axes, and files
+/// ([`write_vti`](Self::write_vti)), are refused.
 /// # A ball
 ///
 /// ```
@@ -120,22 +131,22 @@ impl Planes {
     /// side of a cell;
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
-        bodies.check_alone("stresses on planes")?;
         let rule = "must be non-negative and finite";
-        samples_obey("depths", depths, rule, |depth| {
-            depth >= 0.0 && depth.is_finite()
-        })?;
-        samples_obey("depths", depths, TOO_FAR, |depth| {
-            reach(bodies.grid(), depth)
-        })?;
-        let size = bodies.grid().size();
-        let torus = Torus::new(size, bodies.boundary().repeats());
+        let is_depth = |depth: f64| depth >= 0.0 && depth.is_finite();
+        let checked = samples_obey("depths", depths, rule, is_depth).and_then(|()| {
+            samples_obey("depths", depths, TOO_FAR, |depth| {
+                reach(bodies.grid(), depth)
+            })
+        });
+        bodies.agreed_alike(checked, &[("depths", &depths)])?;
+        let size = bodies.grid().whole().size();
+        let torus = Torus::new(size, bodies.boundary().repeats(), bodies.share(size));
         Ok(Self {
             bodies: bodies.clone(),
             depths: depths.into(),
             kernels: no_kernels(depths),
             with_displacements: false,
-            transforms: Superposition::new(&torus)?,
+            transforms: bodies.agreed(Superposition::new(&torus))?,
             torus,
         })
     }
@@ -165,7 +176,8 @@ impl Planes {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch),
     /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) and [`Error::Sample`](crate::Error::Sample) for
-    /// tractions that are not those of these bodies, or tractions or a uniform stress that are not finite.
+    /// tractions that are not those of these bodies, or tractions or a uniform stress that are not finite;
+    /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn solve<'a>(
         &mut self,
         index: usize,
@@ -187,8 +199,8 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Plane> {
-        let (mut plane, mut watch) = (self.plane(body)?, Watch::new(&mut observer));
-        self.solve_watched(index, body, tractions.into(), &mut plane, &mut watch)?;
+        let mut plane = self.bodies.agreed(self.plane(body))?;
+        self.solve_watched(index, body, tractions.into(), &mut plane, &mut observer)?;
         Ok(plane)
     }
 
@@ -197,7 +209,7 @@ impl Planes {
     ///
     /// # Errors
     /// As [`Planes::solve`]; [`Error::GridMismatch`](crate::Error::GridMismatch) for the plane too. The plane is then
-    /// unchanged.
+    /// unchanged, unless ranks have lost each other on the way.
     pub fn solve_into<'a>(
         &mut self,
         index: usize,
@@ -205,9 +217,7 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         plane: &mut Plane,
     ) -> Result<()> {
-        let mut observer = unwatched;
-        let watch = &mut Watch::new(&mut observer);
-        self.solve_watched(index, body, tractions.into(), plane, watch)
+        self.solve_watched(index, body, tractions.into(), plane, &mut unwatched)
     }
 
     fn solve_watched(
@@ -216,26 +226,20 @@ impl Planes {
         body: Body,
         tractions: Tractions<'_>,
         plane: &mut Plane,
-        watch: &mut Watch<'_>,
+        observer: Observer<'_>,
     ) -> Result<()> {
-        let constants = body.constants(self.bodies.pair())?;
-        if index >= self.depths.len() {
-            length("list of depths", index.saturating_add(1), self.depths.len())?;
-        }
-        self.bodies.grid().expect("plane", plane.grid())?;
-        let fields = tractions.checked(&self.bodies)?;
-        let fields = fields.each_ref().map(Option::as_deref);
-        let uniform = tractions.checked_uniform()?;
-        constants.check_depths(&self.depths[index..=index])?;
+        let loads = self.begin(Some(index), body, &tractions, plane.grid())?;
+        let watch = &mut Watch::new(observer).shared(self.bodies.team());
         let kernels = Arc::clone(&self.kernels);
-        let kept = &kernels[index][constants.place()];
-        let spectra = parallel::get_or_make(kept, || self.spectra(index, &constants, watch))?;
-        plane.prepare(body, self.with_displacements)?;
-        self.load(fields, &constants, watch)?;
-        self.fill(plane, spectra, &constants, watch)?;
-        plane.place(spectra.depth(), has_edge(fields));
-        plane.add(&uniform);
-        Ok(())
+        let kept = &kernels[index][loads.constants.place()];
+        let made = || self.spectra(index, &loads.constants, watch);
+        let solved = parallel::get_or_make(kept, made).and_then(|spectra| {
+            self.bodies
+                .agreed(plane.prepare(body, self.with_displacements))?;
+            self.load(&loads, watch)?;
+            self.fill(plane, spectra, &loads, watch)
+        });
+        self.bodies.joint(solved)
     }
 
     /// Hands the planes of a body at all depths to `visit`, one after the other in the order given. The plane is
@@ -264,31 +268,32 @@ impl Planes {
         mut visit: impl FnMut(&Plane) -> Result<()>,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        let watch = &mut Watch::new(&mut observer);
-        let constants = body.constants(self.bodies.pair())?;
         let tractions = tractions.into();
-        let fields = tractions.checked(&self.bodies)?;
-        let fields = fields.each_ref().map(Option::as_deref);
-        let uniform = tractions.checked_uniform()?;
-        constants.check_depths(&self.depths)?;
-        let mut plane = self.plane(body)?;
+        let loads = self.begin(None, body, &tractions, self.bodies.grid())?;
+        let mut plane = self.bodies.agreed(self.plane(body))?;
+        let watch = &mut Watch::new(&mut observer).shared(self.bodies.team());
         let kernels = Arc::clone(&self.kernels);
-        self.load(fields, &constants, watch)?;
-        let has_edge = has_edge(fields);
-        for (index, kept) in kernels.iter().enumerate() {
-            let made;
-            let spectra = if let Some(spectra) = kept[constants.place()].get() {
-                spectra
-            } else {
-                made = self.spectra(index, &constants, watch)?;
-                &made
-            };
-            self.fill(&mut plane, spectra, &constants, watch)?;
-            plane.place(spectra.depth(), has_edge);
-            plane.add(&uniform);
-            visit(&plane)?;
-        }
-        Ok(())
+        let mut visited = || {
+            self.load(&loads, watch)?;
+            for (index, kept) in kernels.iter().enumerate() {
+                let made;
+                let spectra = if let Some(spectra) = kept[loads.constants.place()].get() {
+                    spectra
+                } else {
+                    made = self.spectra(index, &loads.constants, watch)?;
+                    &made
+                };
+                self.fill(&mut plane, spectra, &loads, watch)?;
+                self.bodies.agreed_on(|| visit(&plane))?;
+            }
+            Ok(())
+        };
+        let visited = visited();
+        self.bodies.joint(visited)
+    }
+
+    pub(super) fn check_alone(&self, quantity: &'static str) -> Result<()> {
+        self.bodies.check_alone(quantity)
     }
 
     pub(super) fn grid(&self) -> Grid {
@@ -301,6 +306,42 @@ impl Planes {
 
     fn plane(&self, body: Body) -> Result<Plane> {
         Plane::new(self.bodies.grid(), body, self.with_displacements)
+    }
+
+    /// The tractions of a body on all ranks, once it has a plane of this number, or any, on this grid.
+    fn begin<'a>(
+        &self,
+        index: Option<usize>,
+        body: Body,
+        tractions: &Tractions<'a>,
+        grid: Grid,
+    ) -> Result<Loads<'a>> {
+        let bodies = &self.bodies;
+        let check = || {
+            let constants = body.constants(bodies.pair())?;
+            if let Some(index) = index.filter(|index| *index >= self.depths.len()) {
+                length("list of depths", index.saturating_add(1), self.depths.len())?;
+            }
+            bodies.grid().expect("plane", grid)?;
+            let fields = tractions.checked(bodies)?;
+            let uniform = tractions.checked_uniform()?;
+            let depths = index.map_or(&*self.depths, |index| &self.depths[index..=index]);
+            constants.check_depths(depths)?;
+            Ok((constants, fields, uniform))
+        };
+        let plane = (index, body, self.with_displacements);
+        let inputs: [Input<'_>; 2] = [("plane", &plane), ("tractions", &tractions.shown())];
+        let (constants, fields, uniform) = bodies.agreed_alike(check(), &inputs)?;
+        let edge = edge(fields.each_ref().map(Option::as_deref));
+        let edge = bodies
+            .grid_layout()
+            .combined(edge, |one, other| from_fn(|k| one[k] || other[k]));
+        Ok(Loads {
+            constants,
+            fields,
+            uniform,
+            has_edge: edge == [true; 2],
+        })
     }
 
     /// The kernels of a depth, made anew.
@@ -319,14 +360,10 @@ impl Planes {
     }
 
     /// Hands the transforms the tractions of a body.
-    fn load(
-        &mut self,
-        fields: [Option<&[f64]>; 3],
-        constants: &Constants,
-        watch: &mut Watch<'_>,
-    ) -> Result<()> {
+    fn load(&mut self, loads: &Loads<'_>, watch: &mut Watch<'_>) -> Result<()> {
         watch.ask()?;
-        let factors = Load::ALL.map(|load| constants.factor_in(load));
+        let factors = Load::ALL.map(|load| loads.constants.factor_in(load));
+        let fields = loads.fields.each_ref().map(Option::as_deref);
         self.transforms
             .enter(|transforms| transforms.load(fields, factors));
         Ok(())
@@ -337,9 +374,10 @@ impl Planes {
         &mut self,
         plane: &mut Plane,
         spectra: &Spectra,
-        constants: &Constants,
+        loads: &Loads<'_>,
         watch: &mut Watch<'_>,
     ) -> Result<()> {
+        let constants = &loads.constants;
         self.transforms.enter(|transforms| {
             let mut convolve = |components, fields: [&mut [f64]; 3]| {
                 watch.ask()?;
@@ -355,16 +393,29 @@ impl Planes {
                 Some(displacement) => convolve(DISPLACEMENTS, displacement),
                 None => Ok(()),
             }
-        })
+        })?;
+        plane.place(spectra.depth(), loads.has_edge);
+        plane.add(&loads.uniform);
+        Ok(())
     }
 }
 
-/// Whether there are shear tractions, and an edge at which they end.
-fn has_edge(fields: [Option<&[f64]>; 3]) -> bool {
+/// What acts on a body, and whether shear tractions end at an edge.
+struct Loads<'a> {
+    constants: Constants,
+    fields: [Option<Cow<'a, [f64]>>; 3],
+    uniform: Stress,
+    has_edge: bool,
+}
+
+/// Whether there is an edge of the contact among these cells, and whether there are shear tractions.
+fn edge(fields: [Option<&[f64]>; 3]) -> [bool; 2] {
     let [pressure, shear @ ..] = fields;
-    let is_free = |field: &[f64]| field.contains(&0.0);
     let is_sheared = |field: &[f64]| field.iter().any(|q| *q != 0.0);
-    pressure.is_some_and(is_free) && shear.into_iter().flatten().any(is_sheared)
+    [
+        pressure.is_some_and(|field| field.contains(&0.0)),
+        shear.into_iter().flatten().any(is_sheared),
+    ]
 }
 
 fn no_kernels(depths: &[f64]) -> Arc<[Kept]> {

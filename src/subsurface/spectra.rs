@@ -23,7 +23,8 @@ pub(super) struct Spectra {
     /// Where the integrals are taken.
     z: f64,
     values: Values,
-    /// Waves along y.
+    /// The first wave along x here, and waves along y.
+    first: usize,
     height: usize,
     repeats: bool,
 }
@@ -51,8 +52,9 @@ impl Spectra {
         with_displacements: bool,
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
-        memory("kernels of a depth", torus.quarter(), BYTES)?;
-        let (grid, boundary) = (bodies.grid(), bodies.boundary());
+        let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
+        memory("kernels of a depth", [waves_here.len(), height], BYTES)?;
+        let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let z = depth_in(grid, depth);
         watch.ask()?;
         let mut values = match boundary {
@@ -91,8 +93,13 @@ impl Spectra {
         with_displacements: bool,
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
-        memory("kernels of a depth", torus.quarter(), LAYERED_BYTES)?;
-        let (grid, boundary) = (bodies.grid(), bodies.boundary());
+        let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
+        memory(
+            "kernels of a depth",
+            [waves_here.len(), height],
+            LAYERED_BYTES,
+        )?;
+        let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         watch.ask()?;
         let layered = Layered::new(body, depth_in(grid, depth));
         let is_odd = |n: usize| Entry::of(n).is_odd();
@@ -112,6 +119,7 @@ impl Spectra {
             depth,
             z,
             values,
+            first: torus.own_waves().start,
             height,
             repeats: boundary == Boundary::Periodic,
         }
@@ -142,57 +150,60 @@ fn transform<const N: usize>(
     is_odd: impl Fn(usize) -> [bool; 2],
     watch: &mut Watch<'_>,
 ) -> Result<()> {
-    let [width, _] = torus.quarter();
+    let ([width, _], first) = (torus.quarter(), torus.own_distances().start);
     for (n, values) in values.iter_mut().enumerate() {
         if !keeps(n) {
             *values = Vec::new();
         } else if boundary != Boundary::Periodic {
             watch.ask()?;
-            *values = torus.spectrum(is_odd(n), |i, j| values[j * width + i])?;
+            *values = torus.spectrum(is_odd(n), |i, j| values[(j - first) * width + i])?;
         }
     }
     Ok(())
 }
 
-/// The integrals at all distances of a quarter of the torus, row by row.
+/// The integrals at the distances of a quarter of the torus that are sampled here, row by row.
 fn samples(
     grid: Grid,
     boundary: Boundary,
     torus: &Torus,
     depth: f64,
 ) -> Result<[Vec<f64>; Integral::COUNT]> {
-    let [width, height] = torus.quarter();
+    let ([width, _], own) = (torus.quarter(), torus.own_distances());
     let (dx, dy) = (grid.dx(), grid.dy());
     let cell = LoadedRectangle::new(0.5 * dx, 0.5 * dy);
     let xs = buffer::collected(width, (0..width).map(|i| i as f64 * dx))?;
-    let mut values = buffer::vector(width * height)?;
+    let mut values = buffer::vector(width * own.len())?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width,
     });
     let strips = Strips::new(grid, boundary);
     let work = |row: usize, rows: [Blocks<'_, f64>; Integral::COUNT]| {
-        let (y, mut out) = (row as f64 * dy, rows.map(|row| row.items));
+        let mut out = rows.map(|row| row.items);
+        let y = (own.start + row) as f64 * dy;
         match &strips {
             None => cell.integrals_along_row(&xs, y, depth, &mut out),
             Some(strips) => strips.integrals_along_row(&cell, &xs, [y, depth], &mut out),
         }
     };
-    parallel::sweep(0..height, data, &work, &|(), ()| ());
+    if !own.is_empty() {
+        parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+    }
     Ok(values)
 }
 
-/// Symbols of kernels, or their imaginary parts, for the waves of a quarter.
+/// Symbols of kernels, or their imaginary parts, for the waves of a quarter that are multiplied here.
 fn waves<const N: usize>(
     grid: Grid,
     torus: &Torus,
     symbols: impl Fn([f64; 2]) -> [f64; N] + Sync,
     is_odd: impl Fn(usize) -> [bool; 2] + Sync,
 ) -> Result<[Vec<f64>; N]> {
-    let [width, height] = torus.quarter();
+    let ([_, height], own) = (torus.quarter(), torus.own_waves());
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];
-    let mut values = buffer::vector(width * height)?;
+    let mut values = buffer::vector(own.len() * height)?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width: height,
@@ -200,7 +211,7 @@ fn waves<const N: usize>(
     let work = |column: usize, lines: [Blocks<'_, f64>; N]| {
         let mut lines = lines.map(|line| line.items);
         for row in 0..height {
-            let periods = [column, row];
+            let periods = [own.start + column, row];
             if periods == [0, 0] {
                 continue;
             }
@@ -213,7 +224,9 @@ fn waves<const N: usize>(
             }
         }
     };
-    parallel::sweep(0..width, data, &work, &|(), ()| ());
+    if !own.is_empty() {
+        parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+    }
     Ok(values)
 }
 
@@ -286,9 +299,9 @@ impl Kernels for Composed<'_> {
 
     fn add(&self, out: &mut [f64], [i, j]: [usize; 2], factor: f64, kx: usize) {
         let (component, load) = (self.components[i], Load::ALL[j]);
-        let height = self.spectra.height;
+        let (height, column) = (self.spectra.height, kx - self.spectra.first);
         let mut add = |weight: f64, values: &[f64]| {
-            for (out, value) in out.iter_mut().zip(&values[kx * height..(kx + 1) * height]) {
+            for (out, value) in out.iter_mut().zip(&values[column * height..][..height]) {
                 *out += weight * value;
             }
         };

@@ -1,6 +1,7 @@
 //! What acts on the surface of the bodies.
 
 use std::borrow::Cow;
+use std::fmt::Debug;
 
 use crate::boundary::Boundary;
 use crate::buffer;
@@ -99,6 +100,11 @@ impl<'a> Tractions<'a> {
         }
     }
 
+    /// What of them must be the same on all ranks.
+    pub(super) fn shown(&self) -> impl Debug {
+        (self.traction.is_some(), self.uniform)
+    }
+
     /// The uniform stress that is added, once it is finite.
     pub(super) fn checked_uniform(&self) -> Result<Stress> {
         all_finite("uniform stress", &self.uniform.components())?;
@@ -135,6 +141,7 @@ fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>
     if is_of_waves || bodies.cell_value() == CellValue::Uniform {
         return Ok(Cow::Borrowed(values));
     }
+    bodies.check_alone("stresses under values at the centres of cells")?;
     let (size, repeats) = (bodies.grid().size(), bodies.boundary().repeats());
     let less = |i: usize| values[i] - second_difference(values, i, size, repeats) / 24.0;
     Ok(Cow::Owned(buffer::collected(

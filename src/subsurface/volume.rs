@@ -71,6 +71,7 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
+        self.check_alone("files of stresses")?;
         let tractions = tractions.into();
         let depths = self.depths();
         let (first, step) = equal_steps(depths)?;

@@ -14,7 +14,7 @@ use crate::grid::Grid;
 use crate::layout::Layout;
 use crate::parallel;
 use crate::ranks::Team;
-use crate::reduce;
+use crate::reduce::{self, Tally};
 use crate::share::Share;
 
 /// Complex amplitudes `a(i, j)` of a periodic field,
@@ -151,6 +151,11 @@ impl Waves {
         self.amplitudes
     }
 
+    /// The shortest waves of the grid.
+    pub(super) fn shortest(&self) -> Mode {
+        Mode::new(self.grid, self.grid.nx() / 2, self.grid.ny() / 2)
+    }
+
     /// Every amplitude kept, with its mode.
     pub(super) fn iter(&self) -> impl Iterator<Item = (Mode, Complex<f64>)> + '_ {
         let grid = self.grid;
@@ -168,6 +173,19 @@ impl Waves {
     ) -> [f64; K] {
         let ny = self.grid.ny();
         reduce::sum(&self.layout, |i| {
+            let mode = Mode::new(self.grid, self.first + i / ny, i % ny);
+            f(mode, self.amplitudes[i])
+        })
+    }
+
+    /// Sums over the amplitudes of all ranks, by groups of modes.
+    pub(super) fn grouped<T: Tally>(
+        &self,
+        count: usize,
+        f: impl Fn(Mode, Complex<f64>) -> Option<(usize, T)> + Sync,
+    ) -> Vec<T> {
+        let ny = self.grid.ny();
+        reduce::grouped(&self.layout, count, |i| {
             let mode = Mode::new(self.grid, self.first + i / ny, i % ny);
             f(mode, self.amplitudes[i])
         })

@@ -1,9 +1,8 @@
 //! The distribution of the mean square of the heights over wavelengths.
 
-use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use super::fourier::Waves;
+use super::fourier::{Mode, Waves};
 use super::heights::{about_mean, complete};
 use super::slab::Slab;
 #[cfg(feature = "serde")]
@@ -12,7 +11,6 @@ use crate::error::{Result, all_finite};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::parallel;
-use crate::ranks::Words;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 
@@ -187,7 +185,7 @@ pub(super) fn moments(waves: &Waves) -> [f64; 3] {
 }
 
 /// Waves of nearly the same length.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Ring {
     modes: usize,
     sum_of_wave_numbers: f64,
@@ -204,52 +202,29 @@ impl Ring {
     }
 }
 
-/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded. Ranks add their waves in
-/// turn, in the order in which one process does.
+/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded.
 fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     let width = ring_width(slab.whole());
-    let words = slab.in_turn(|words| {
-        let mut rings = read_rings(words);
-        for (mode, amplitude) in waves.iter() {
-            if mode.numbers == [0, 0] {
-                continue;
-            }
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "a rounded positive number"
-            )]
-            let ring = rings
-                .entry((mode.wave_number() / width).round() as u64)
-                .or_default();
-            ring.modes += if mode.copies > 1.0 { 2 } else { 1 };
-            ring.sum_of_wave_numbers += mode.copies * mode.wave_number();
-            ring.sum_of_powers += mode.copies * amplitude.norm_sqr();
-        }
-        let mut words = Vec::new();
-        for (number, ring) in rings {
-            let sums = (ring.sum_of_wave_numbers, ring.sum_of_powers);
-            (number, ring.modes, sums).write(&mut words);
-        }
-        words
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a rounded positive number"
+    )]
+    let ring = |mode: Mode| (mode.wave_number() / width).round() as usize;
+    // No rounding goes beyond the next ring.
+    let sums = waves.grouped(ring(waves.shortest()) + 2, |mode, amplitude| {
+        let modes = if mode.copies > 1.0 { 2 } else { 1 };
+        let [number, power] = [mode.wave_number(), amplitude.norm_sqr()];
+        let sums = (modes, mode.copies * number, mode.copies * power);
+        (mode.numbers != [0, 0]).then(|| (ring(mode), sums))
     });
-    read_rings(&words).into_values().collect()
-}
-
-/// Rings by their numbers, as they travel between ranks.
-fn read_rings(mut words: &[u64]) -> BTreeMap<u64, Ring> {
-    let mut rings = BTreeMap::new();
-    while !words.is_empty() {
-        let (number, modes, sums) = <(u64, usize, (f64, f64))>::read(&mut words);
-        let (sum_of_wave_numbers, sum_of_powers) = sums;
-        let ring = Ring {
-            modes,
-            sum_of_wave_numbers,
-            sum_of_powers,
-        };
-        rings.insert(number, ring);
-    }
-    rings
+    let held = sums.into_iter().filter(|(modes, ..)| *modes > 0);
+    held.map(|(modes, sum_of_wave_numbers, sum_of_powers)| Ring {
+        modes,
+        sum_of_wave_numbers,
+        sum_of_powers,
+    })
+    .collect()
 }
 
 /// `2 pi` over the longest wave a grid holds.

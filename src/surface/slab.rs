@@ -79,22 +79,4 @@ impl Slab {
         let columns = shared_columns(self.whole, rows.team());
         Some([Arc::clone(rows), Arc::new(columns)])
     }
-
-    /// Words on which every rank works in its turn, in the order of the ranks; none before the first.
-    pub(super) fn in_turn(&self, work: impl FnOnce(&[u64]) -> Vec<u64>) -> Vec<u64> {
-        let Some(share) = &self.share else {
-            return work(&[]);
-        };
-        let (team, mut work) = (share.team(), Some(work));
-        let (ranks, mut words) = (team.size(), Vec::new());
-        for rank in 0..ranks {
-            let own = work.take_if(|_| rank == team.rank());
-            let own = own.map_or_else(Vec::new, |work| work(&words));
-            let mut counts = vec![0; ranks];
-            counts[rank] = team.combined(own.len(), usize::max);
-            // Of ranks that have lost each other nothing is asked any more.
-            words = team.gather(&own, &counts).unwrap_or_default();
-        }
-        words
-    }
 }

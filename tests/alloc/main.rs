@@ -15,6 +15,8 @@ mod damaged_files_are_refused;
 mod histories_allocate_nothing;
 #[cfg(feature = "parallel")]
 mod histories_take_the_memory_they_say;
+#[cfg(feature = "parallel")]
+mod ranks_hold_their_part;
 mod states_take_no_more_than_they_are;
 #[cfg(feature = "parallel")]
 mod stresses_below_the_surface_take_the_memory_they_say;

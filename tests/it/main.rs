@@ -94,6 +94,7 @@ mod ranks_fail_together;
 mod ranks_share_a_contact;
 mod ranks_share_a_coupled_contact;
 mod ranks_share_a_history;
+mod ranks_share_stresses;
 mod ranks_with_other_inputs_are_told;
 mod repeated_solves_start_near_the_answer;
 mod rolling_carries_the_memory;

@@ -1,7 +1,8 @@
 //! The scenes that ranks share, on ranks that are processes of MPI: each holds the bits that one process finds.
 //!
 //! Run by `mpirun`. Every rank solves each scene with the others, and by itself. With `--stop-the-last` the last rank is
-//! stopped instead, and the others must say so and end.
+//! stopped instead, and the others must say so and end; with `--lose-the-last` it leaves while the others hold large
+//! blocks for each other, and they must say so too.
 
 #![allow(
     clippy::unwrap_used,
@@ -36,6 +37,9 @@ const BRIEFLY: Duration = Duration::from_secs(10);
 fn main() -> ExitCode {
     if std::env::args().any(|word| word == "--stop-the-last") {
         return stop_the_last();
+    }
+    if std::env::args().any(|word| word == "--lose-the-last") {
+        return lose_the_last();
     }
     let failed = Mpi::run(PATIENCE, |rank| {
         let ranks: Arc<dyn Ranks> = Arc::new(rank);
@@ -73,6 +77,20 @@ fn stop_the_last() -> ExitCode {
         println!("rank {number} ends with {outcome:?}");
     });
     println!("MPI ends with {ended:?}");
+    ExitCode::SUCCESS
+}
+
+/// Has the last process leave while the others send blocks of 1 MB to all.
+fn lose_the_last() -> ExitCode {
+    Mpi::run(PATIENCE, |rank| {
+        let (number, size) = (rank.rank(), rank.size());
+        if number + 1 < size {
+            let blocks = vec![vec![7; 1 << 17]; size];
+            let outcome = rank.all_to_all(blocks, &vec![true; size]).map(drop);
+            println!("rank {number} ends with {outcome:?}");
+        }
+    })
+    .unwrap();
     ExitCode::SUCCESS
 }
 

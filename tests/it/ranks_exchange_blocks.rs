@@ -1,6 +1,7 @@
 //! Exchanges between ranks bring each block where it belongs, with those that an implementation adds and without.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use stickslip::influence::Component;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
@@ -71,6 +72,85 @@ fn who_gathers_other_counts_is_told() {
         let told = Err(RankFailure::OutOfStep { rank: 1 });
         assert_eq!(outcomes[0], told);
         assert_eq!(outcomes[1], Ok(vec![7; 3]));
+    }
+}
+
+/// A rank that leaves while others hold large blocks for each other is lost to both: none waits for the other.
+#[test]
+fn who_leaves_among_large_blocks_is_told() {
+    for outcomes in on_both(3, |ranks| {
+        if ranks.rank() == 2 {
+            return Ok(());
+        }
+        let block = vec![7; 1 << 17];
+        ranks.all_to_all(vec![block; 3], &[true; 3]).map(drop)
+    }) {
+        let lost = Err(RankFailure::Lost { rank: 2 });
+        assert_eq!(outcomes, [lost, lost, Ok(())]);
+    }
+}
+
+/// Ranks of which the first gets a block of the second a word short, after so many others.
+#[derive(Debug)]
+struct Short {
+    rank: Threads,
+    after: usize,
+    blocks: AtomicUsize,
+}
+
+impl Ranks for Short {
+    fn rank(&self) -> usize {
+        self.rank.rank()
+    }
+
+    fn size(&self) -> usize {
+        self.rank.size()
+    }
+
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        let mut block = self.rank.swap(block, to, from)?;
+        if self.rank() == 0 && from == 1 && !block.is_empty() {
+            let blocks = self.blocks.fetch_add(1, Relaxed);
+            if blocks == self.after {
+                block.pop();
+            }
+        }
+        Ok(block)
+    }
+}
+
+/// Whatever is exchanged, a block that is not of its length is no answer.
+#[test]
+fn a_block_of_another_length_is_told() {
+    let grid = Grid::new(96, 300, 0.1, 0.05).unwrap();
+    let solve = |after: usize| {
+        Threads::run(3, PATIENCE, |rank| {
+            let ranks = Arc::new(Short {
+                rank,
+                after,
+                blocks: 0.into(),
+            });
+            let shared: Arc<dyn Ranks> = Arc::clone(&ranks) as _;
+            let outcome = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, shared);
+            let outcome = outcome.and_then(|bodies| {
+                let ball = surface::sphere(bodies.grid(), 10.0)?;
+                let load = NormalControl::Force(0.5);
+                let problem = NormalProblem::builder(&bodies, &ball, load).tolerance(1e-3);
+                problem.build()?.solve()
+            });
+            (outcome.map(drop), ranks.blocks.load(Relaxed))
+        })
+    };
+    let whole = solve(usize::MAX);
+    assert!(
+        whole.iter().all(|(outcome, _)| outcome.is_ok()),
+        "{whole:?}"
+    );
+    let all = whole[0].1;
+    for after in (0..all).step_by(all / 30).chain(all - 10..all) {
+        let outcomes = solve(after);
+        let told = Error::Ranks(RankFailure::OutOfStep { rank: 1 });
+        assert_eq!(outcomes[0].0, Err(told), "{after} of {all}");
     }
 }
 

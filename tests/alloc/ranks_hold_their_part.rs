@@ -1,0 +1,49 @@
+//! What a rank holds of a grid that ranks share is its part.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use kit::unit_pair;
+use stickslip::influence::Component;
+use stickslip::ranks::Threads;
+use stickslip::{Boundary, Field, Grid, HalfSpace, Operator};
+
+/// Bytes that the ranks hold after products in both precisions: bodies, operator, buffers and fields, of the rank that has
+/// most.
+fn held(size: usize, grid: Grid, boundary: Boundary) -> f64 {
+    let hold = |rank: Threads| {
+        let mut kept = None;
+        let make = || {
+            let pair = unit_pair(0.3);
+            let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank)).unwrap();
+            let operator = bodies.operator(Component::ZZ).unwrap();
+            let mut workspace = operator.workspace();
+            let pressure = Field::from_fn(bodies.grid(), |x, y| x.cos() + y.sin());
+            let mut out = Field::zeros(bodies.grid());
+            let x = [pressure.as_slice()];
+            operator.apply(x, [out.as_mut_slice()], &mut workspace);
+            operator.apply_f32(x, [out.as_mut_slice()], &mut workspace);
+            kept = Some((bodies, operator, workspace, pressure, out));
+        };
+        allocation_counter::measure(make).bytes_current
+    };
+    // Only the allocations of one thread are counted: each rank has one.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let ranks = || Threads::run(size, Duration::from_secs(120), hold);
+    let held = pool.unwrap().install(ranks);
+    held.into_iter().max().unwrap() as f64
+}
+
+/// Twice the ranks hold half each, beside what a rank needs whatever its part: a band of columns, and tables of transforms.
+#[test]
+fn beside_its_part_a_rank_holds_little() {
+    let grid = Grid::square(1024, 8.0).unwrap();
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let alone = held(1, grid, boundary);
+        for size in [2, 4] {
+            let part = 1.0 / size as f64;
+            let beside = (held(size, grid, boundary) / alone - part) / (1.0 - part);
+            assert!(beside < 0.03, "{boundary:?}, {size} ranks: {beside}");
+        }
+    }
+}
