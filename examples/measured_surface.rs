@@ -48,7 +48,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Missing heights have no weight in the filter, and are filled afterwards.
     let filtered = GaussianFilter::s(S_FILTER).apply(&inlying)?.into_heights();
     // Filled before its tilt is taken off, a surface would be filled askew near its edges.
-    let filled = |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
+    let filled =
+        |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
     let heights = filled(&filtered)?;
 
     let steel = Material::new(210e9, 0.3)?;
@@ -61,7 +62,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let force = pressure * heights.grid().area();
 
     println!("all pressed by {force:.3e} N, holes filled:");
-    println!("step       missing  rms height, nm  rms slope  spots  largest pressure, GPa  contact, %");
+    println!(
+        "step       missing  rms height, nm  rms slope  spots  largest pressure, GPa  contact, %"
+    );
     for (step, heights) in [("levelled", &levelled), ("inlying", &inlying)] {
         print_step(step, heights, &press(&bodies, &filled(heights)?, force)?)?;
     }
@@ -110,7 +113,8 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     let statistics = Statistics::of(rough.heights())?;
     let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
     let flat = rough.heights().as_slice().iter().zip(dust.as_slice());
-    for (cell, (height, (z, distance))) in measured.as_mut_slice().iter_mut().zip(flat).enumerate() {
+    for (cell, (height, (z, distance))) in measured.as_mut_slice().iter_mut().zip(flat).enumerate()
+    {
         if *z < -2.2 * statistics.rms_height() || *distance < 3e-6 {
             *height = f64::NAN;
         } else if cell % 3989 == 0 {
@@ -167,7 +171,11 @@ fn without_outliers(heights: &Field) -> Result<Field, Box<dyn Error>> {
     differences.sort_by(f64::total_cmp);
     let deviation = 1.4826 * differences[differences.len() / 2];
     let mut inlying = heights.clone();
-    for (z, mean) in inlying.as_mut_slice().iter_mut().zip(around.heights().iter()) {
+    for (z, mean) in inlying
+        .as_mut_slice()
+        .iter_mut()
+        .zip(around.heights().iter())
+    {
         if (*z - mean).abs() > OUTLYING * deviation {
             *z = f64::NAN;
         }

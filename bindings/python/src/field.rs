@@ -323,7 +323,7 @@ argument! {
     Samples: Field
 }
 
-impl<'py> Samples<'py> {
+impl Samples<'_> {
     /// As a field on this grid. A field on another one is passed on: the crate refuses it with both grids.
     pub(crate) fn on(
         &self,

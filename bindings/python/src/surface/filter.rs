@@ -12,7 +12,7 @@ use crate::work::unobserved_on;
 /// A filtered surface, and what the filter has taken off: the three add up to the surface given.
 #[pyclass(frozen, module = "stickslip.surface")]
 pub(crate) struct Filtered {
-    filtered: surface::Filtered,
+    parts: surface::Filtered,
     unit: Option<Unit>,
     unaffected: ((usize, usize), (usize, usize)),
 }
@@ -28,19 +28,19 @@ impl Filtered {
     /// The heights that are left (lengths); missing ones stay missing.
     #[getter]
     fn heights(&self) -> Field {
-        self.field(self.filtered.heights())
+        self.field(self.parts.heights())
     }
 
     /// The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
     #[getter]
     fn short_waves(&self) -> Option<Field> {
-        self.filtered.short_waves().map(|field| self.field(field))
+        self.parts.short_waves().map(|field| self.field(field))
     }
 
     /// The long waves that the L filter has taken off (lengths), the waviness; ``None`` without an L filter.
     #[getter]
     fn long_waves(&self) -> Option<Field> {
-        self.filtered.long_waves().map(|field| self.field(field))
+        self.parts.long_waves().map(|field| self.field(field))
     }
 
     /// The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
@@ -50,7 +50,7 @@ impl Filtered {
     }
 
     fn __repr__(&self) -> String {
-        let heights = self.filtered.heights();
+        let heights = self.parts.heights();
         let (low, high) = (short(heights.min()), short(heights.max()));
         format!("Filtered(heights from {low} to {high})")
     }
@@ -117,10 +117,10 @@ pub(crate) fn gaussian_filter(
         _ => return Err(PyTypeError::new_err("along must be 'xy', 'x' or 'y'")),
     };
     let filter = if periodic { filter.periodic() } else { filter };
-    let filtered = unobserved_on(py, heights.grid(), || filter.apply(&heights))?;
+    let parts = unobserved_on(py, heights.grid(), || filter.apply(&heights))?;
     let [columns, rows] = filter.unaffected(heights.grid());
     Ok(Filtered {
-        filtered,
+        parts,
         unit,
         unaffected: ((columns.start, columns.end), (rows.start, rows.end)),
     })
