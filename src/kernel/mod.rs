@@ -166,7 +166,7 @@ impl ResponseTensor {
 }
 
 /// The longest wave that is looked at, in thicknesses.
-const LONGEST: f64 = 1e7;
+const LONGEST: f64 = 1e9;
 /// k times the thickness where a response must be that of its half-space, and how closely.
 const NEAR: f64 = 20.0;
 const CLOSE: f64 = 1e-10;
@@ -221,7 +221,7 @@ impl Kernel {
 
     /// The same with `base` as k times the response for k to zero: zero on a rigid base, of elastic bodies the numbers
     /// $`G k\,C`$ over G of the page of [`layers`](crate::layers). By default it is
-    /// extrapolated from the response at k of 1e-7 over the thickness and at half of it. Of other kernels without effect.
+    /// extrapolated from the response at k of 1e-9 over the thickness and at half of it. Of other kernels without effect.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
