@@ -2665,7 +2665,7 @@ class Kernel:
         The pair that lends hardness and moduli, marked as that of this kernel.
         """
     @staticmethod
-    def tabulated(near: ElasticPair, sides: Sequence[float] | NDArray[Any], coefficients: dict[str, Sequence[Sequence[float]] | NDArray[Any]]) -> Kernel:
+    def tabulated(near: ElasticPair, sides: Sequence[float] | NDArray[Any], coefficients: dict[str, Any]) -> Kernel:
         """
         Bodies by their influence coefficients, for grids that do not repeat.
 
