@@ -105,8 +105,8 @@ fn contents_are_checked_behind_a_right_sum() {
     ));
 }
 
-/// The number of steps follows bodies, options and a uniform friction with a cap.
-const STEPS: usize = 20 + (48 + 1 + 1 + 48 + 16) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
+/// The number of steps follows bodies, the mark of a kernel, options and a uniform friction with a cap.
+const STEPS: usize = 20 + (48 + 1 + 1 + 48 + 16 + 1) + (1 + 1 + 8 + 8 + 1) + (1 + 8 + 1 + 8);
 
 #[test]
 fn no_number_of_steps_overflows_later() {

@@ -1,7 +1,7 @@
 //! The two bodies on their grid.
 
 use stickslip_rs::layers::Layer;
-use stickslip_rs::{Boundary, CellValue, ElasticPair, HalfSpace};
+use stickslip_rs::{Boundary, CellValue, ElasticPair, HalfSpace, Material};
 
 use crate::call::{Outcome, call};
 use crate::handle::{Handle, changing, free, give, opaque};
@@ -81,7 +81,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
             (input("grid", grid)?, bodies, boundary, layers)
         };
         let boundary = boundary.map_or(Ok(Boundary::NonPeriodic), stickslip_boundary::checked)?;
-        let coated = |n: usize| {
+        let coated = |n: usize| -> Outcome<Material> {
             let layers = layers[n].iter().map(stickslip_layer::checked);
             let layers = layers.collect::<Outcome<Vec<Layer>>>()?;
             Ok(bodies[n].checked()?.coated(&layers)?)

@@ -1,9 +1,9 @@
 //! Bodies by their response to waves, or by influence coefficients.
 
-use std::collections::HashMap;
-
-use pyo3::exceptions::PyTypeError;
+use numpy::{AllowTypeChange, PyArrayLike2};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use stickslip::influence::Component;
 use stickslip::kernel::CoefficientTable;
 use stickslip::layers::Response;
@@ -11,7 +11,7 @@ use stickslip::layers::Response;
 use crate::choice::Choice;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
-use crate::real::Real;
+use crate::real::{Real, is_real};
 
 /// Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic` or
 /// :meth:`tabulated`. It is not pickled, nor are the bodies made of it.
@@ -108,18 +108,24 @@ impl Kernel {
         py: Python<'_>,
         near: ElasticPair,
         sides: [f64; 2],
-        coefficients: HashMap<String, Vec<Vec<f64>>>,
+        coefficients: Bound<'_, PyDict>,
     ) -> PyResult<Self> {
-        let rows = coefficients.values().next();
-        let size = rows.map_or([0, 0], |rows| {
-            [rows.first().map_or(0, Vec::len), rows.len()]
-        });
-        let mut table = CoefficientTable::new(sides, size).or_raise(py)?;
-        for (name, rows) in &coefficients {
-            let name = name.into_pyobject(py)?;
-            let component: Choice<Component> = name.as_any().extract()?;
-            table = table.with(component.0, rows.concat()).or_raise(py)?;
+        let mut table: Option<CoefficientTable> = None;
+        for (name, values) in coefficients {
+            is_real(&values, "coefficients")?;
+            let component: Choice<Component> = name.extract()?;
+            let values: PyArrayLike2<'_, f64, AllowTypeChange> = values.extract()?;
+            let values = values.as_array();
+            let (ny, nx) = values.dim();
+            let so_far = match table {
+                None => CoefficientTable::new(sides, [nx, ny]).or_raise(py)?,
+                Some(table) if table.size() == [nx, ny] => table,
+                Some(_) => return Err(PyValueError::new_err("coefficients differ in their shape")),
+            };
+            let values = values.iter().copied().collect();
+            table = Some(so_far.with(component.0, values).or_raise(py)?);
         }
+        let table = table.ok_or_else(|| PyValueError::new_err("coefficients has no component"))?;
         stickslip::Kernel::tabulated(near.0, table)
             .or_raise(py)
             .map(Self)

@@ -77,7 +77,7 @@ impl Layer {
         crate::material::hash_of(&numbers(&self.0))
     }
 
-    fn __repr__(&self) -> String {
+    pub(crate) fn __repr__(&self) -> String {
         let [modulus, ratio, thickness] = numbers(&self.0).map(short);
         format!("Layer(youngs_modulus={modulus}, poisson_ratio={ratio}, thickness={thickness})")
     }

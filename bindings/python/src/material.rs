@@ -292,7 +292,7 @@ impl ElasticPair {
         hash_of(&self.0.bodies().each_ref().map(constants).concat())
     }
 
-    fn __repr__(&self) -> String {
+    pub(crate) fn __repr__(&self) -> String {
         let [body_1, body_2] = self.0.bodies().map(|body| Material(body).__repr__());
         format!("ElasticPair({body_1}, {body_2})")
     }

@@ -85,8 +85,10 @@ def test_bad_kernels_are_refused():
         ss.HalfSpace(GRID, tabulated((1.0, 1.0)))
     with pytest.raises(ss.errors.Coated):
         ss.HalfSpace(GRID, tabulated(), boundary="periodic")
-    with pytest.raises(ss.errors.Length):
+    with pytest.raises(ValueError, match="no component"):
         ss.Kernel.tabulated(OUTERMOST, (1.0, 1.0), {})
+    with pytest.raises(ValueError, match="differ in their shape"):
+        ss.Kernel.tabulated(OUTERMOST, (1.0, 1.0), {"zz": np.zeros((2, 3)), "xx": np.zeros((3, 2))})
     kernel = ss.Kernel.isotropic(OUTERMOST, 0.4, response)
     with pytest.raises(ss.errors.KernelMissing) as caught:
         ss.HalfSpace(GRID, kernel.pair)

@@ -50,6 +50,8 @@ __all__ = [
     "Iteration",
     "JaegerSuperposition",
     "KalkerCoefficients",
+    "Kernel",
+    "Layer",
     "Levelled",
     "LinearOperator",
     "LoadPath",
@@ -106,6 +108,7 @@ __all__ = [
     "TensorOperator",
     "VermeulenJohnson",
     "Warning",
+    "WaveResponse",
     "Westergaard",
     "WestergaardPartialSlip",
     "__version__",
@@ -1460,9 +1463,22 @@ class ElasticPair:
         The hardness of the softer body (a pressure); infinite if none is stated.
         """
     @property
+    def is_coated(self, /) -> bool:
+        """
+        Whether a body is coated.
+        """
+    @property
     def is_coupled(self, /) -> bool:
         """
         Whether pressure and traction are coupled.
+        """
+    def response(self, /, k: float) -> WaveResponse:
+        """
+        The response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one over a length).
+
+        Raises
+        ------
+        NotPositive, KernelMissing
         """
     @property
     def tangential_modulus(self, /) -> float:
@@ -1909,7 +1925,7 @@ class HalfSpace:
     ----------
     grid : Grid
         The cells that may come into contact.
-    pair : ElasticPair, or two Materials
+    pair : ElasticPair, two Materials, or Kernel
         The two bodies; z points into the first.
     boundary : Boundary or str, default "non_periodic"
         What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
@@ -1918,7 +1934,7 @@ class HalfSpace:
 
     Raises
     ------
-    NotPositive, Memory, Below
+    NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch
 
     Examples
     --------
@@ -1933,7 +1949,7 @@ class HalfSpace:
         """
         Equal bodies have equal ones.
         """
-    def __new__(cls, /, grid: Grid, pair: ElasticPair | tuple[Material, Material], boundary: Boundary | str | tuple[str, float] | None = None, cell_value: CellValue | str | None = None) -> HalfSpace: ...
+    def __new__(cls, /, grid: Grid, pair: ElasticPair | Kernel | tuple[Material, Material], boundary: Boundary | str | tuple[str, float] | None = None, cell_value: CellValue | str | None = None) -> HalfSpace: ...
     def __reduce__(self, /) -> tuple[type, tuple[Grid, ElasticPair, Boundary, CellValue]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -2646,6 +2662,135 @@ class KalkerCoefficients:
         """
 
 @final
+class Kernel:
+    """
+    Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic` or
+    :meth:`tabulated`. It is not pickled, nor are the bodies made of it.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> rigid, steel = ss.Material.rigid(), ss.Material(210e9, 0.3)
+    >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), rigid)
+    >>> def response(k):
+    ...     found = coated.response(k)
+    ...     return found.normal, found.along, found.across, found.coupling
+    >>> outermost = ss.ElasticPair(ss.Material(400e9, 0.25), rigid)
+    >>> kernel = ss.Kernel.isotropic(outermost, 2e-6, response)
+    >>> grid = ss.Grid.square(32, 20e-6)
+    >>> ball = ss.surface.sphere(grid, 1e-3)
+    >>> contact, same = (
+    ...     ss.NormalProblem(ss.HalfSpace(grid, bodies), ball, force=0.01).solve() for bodies in (kernel, coated)
+    ... )
+    >>> abs(contact.approach / same.approach - 1) < 1e-6
+    True
+    """
+    def __repr__(self, /) -> str: ...
+    @staticmethod
+    def isotropic(near: ElasticPair, thickness: float, response: Any) -> Kernel:
+        """
+        Bodies without a direction in their plane.
+
+        Parameters
+        ----------
+        near : ElasticPair
+            The homogeneous half-spaces that waves much shorter than the thickness see, to 1e-10 for k > 20 / thickness; they
+            lend hardness and moduli. Grids that repeat along both axes take the response as it is.
+        thickness : float
+            Of the outermost layer (a length), positive.
+        response : callable
+            Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
+            (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
+            It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number.
+
+        Raises
+        ------
+        NotPositive, NotFinite, Coated
+        """
+    @property
+    def pair(self, /) -> ElasticPair:
+        """
+        The pair that lends hardness and moduli, marked as that of this kernel.
+        """
+    @staticmethod
+    def tabulated(near: ElasticPair, sides: Sequence[float] | NDArray[Any], coefficients: dict[str, Any]) -> Kernel:
+        """
+        Bodies by their influence coefficients, for grids that do not repeat.
+
+        Parameters
+        ----------
+        near : ElasticPair
+            Homogeneous bodies that lend hardness and moduli.
+        sides : (float, float)
+            Sides of a cell along x and y (lengths): those of the grids.
+        coefficients : dict
+            By the name of a component, "zz" and others, an array of shape (ny, nx): the displacement at the centre of a cell,
+            j cells further along y and i along x, by a unit traction on one (lengths over pressures). Distances of the other
+            sign follow from the parity. "xy", "zx" and "zy" are zero where they are not given, and "yx", "xz" and "yz" are
+            theirs.
+
+        Raises
+        ------
+        NotPositive, Length, Sample, Coated
+        """
+
+@final
+class Layer:
+    """
+    An elastic, isotropic layer bonded to what lies below it.
+
+    Parameters
+    ----------
+    youngs_modulus : float
+        Young's modulus (a pressure), positive.
+    poisson_ratio : float
+        Poisson's ratio, in (-1, 0.5].
+    thickness : float
+        Thickness (a length), positive.
+
+    Raises
+    ------
+    NotPositive, PoissonRatio
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> oxide = ss.layers.Layer(380e9, 0.22, 5e-6)
+    >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
+    >>> anodised.layers[0].thickness
+    5e-06
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __hash__(self, /) -> int:
+        """
+        Equal layers have equal ones.
+        """
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, thickness: float) -> Layer: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def poisson_ratio(self, /) -> float:
+        """
+        Poisson's ratio.
+        """
+    @property
+    def shear_modulus(self, /) -> float:
+        """
+        Shear modulus (a pressure).
+        """
+    @property
+    def thickness(self, /) -> float:
+        """
+        Thickness (a length).
+        """
+    @property
+    def youngs_modulus(self, /) -> float:
+        """
+        Young's modulus (a pressure).
+        """
+
+@final
 class Levelled:
     """
     A surface without its form.
@@ -2939,7 +3084,7 @@ class LubkinTorsion:
 @final
 class Material:
     """
-    A linear elastic, isotropic, homogeneous half-space.
+    A linear elastic, isotropic half-space, homogeneous or :meth:`coated`.
 
     Parameters
     ----------
@@ -2971,6 +3116,21 @@ class Material:
     def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, *, hardness: float | None = None) -> Material: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
+    def coated(self, /, layers: Sequence[Layer]) -> Material:
+        """
+        This body under layers that are bonded to it, the outermost first; over those it has. On a rigid body they are a bed on
+        a rigid base. The moduli of a coated body are those of what lies below the layers, and a hardness stated before is
+        kept.
+
+        Parameters
+        ----------
+        layers : sequence of Layer
+            At most eight in all.
+
+        Raises
+        ------
+        TooManyLayers
+        """
     @staticmethod
     def from_shear_modulus(shear_modulus: float, poisson_ratio: float) -> Material:
         """
@@ -2982,9 +3142,19 @@ class Material:
         The hardness stated (a pressure); infinite if none is.
         """
     @property
+    def is_coated(self, /) -> bool:
+        """
+        Whether it is coated.
+        """
+    @property
     def is_rigid(self, /) -> bool:
         """
         Whether it is rigid.
+        """
+    @property
+    def layers(self, /) -> list[Layer]:
+        """
+        The layers of a coated body, the outermost first.
         """
     def plane_strain_under(self, /, stress: float) -> float:
         """
@@ -5730,6 +5900,36 @@ class Warning:
     def message(self, /) -> str:
         """
         What it says, and what to do.
+        """
+
+@final
+class WaveResponse:
+    """
+    The effect of a wave of traction on the surface of two bodies (lengths over pressures):
+    :meth:`ElasticPair.response <stickslip.ElasticPair.response>`.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def across(self, /) -> float:
+        """
+        Tangential displacement across the wave vector by traction across it.
+        """
+    @property
+    def along(self, /) -> float:
+        """
+        Tangential displacement along the wave vector by traction along it.
+        """
+    @property
+    def coupling(self, /) -> float:
+        """
+        Normal displacement by traction along the wave vector, and displacement along it by pressure, up to i.
+        """
+    @property
+    def normal(self, /) -> float:
+        """
+        Normal displacement by pressure.
         """
 
 @final
