@@ -307,7 +307,7 @@ fn rows_that_repeat_add_up_their_images() {
             .map(|grid| HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap());
         let moved =
             |bodies: &HalfSpace, component: Component, loaded: &dyn Fn(usize, usize) -> f64| {
-                let field = Field::from_indices(bodies.grid(), |ix, iy| loaded(ix, iy));
+                let field = Field::from_indices(bodies.grid(), loaded);
                 let operator = bodies.operator(component).unwrap();
                 let mut out = Field::zeros(bodies.grid());
                 operator.apply(
