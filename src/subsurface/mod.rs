@@ -8,7 +8,8 @@
 //! ```
 //!
 //! [`at_points`] adds them up at any points, [`Planes`] at the cell centres of planes of chosen depths, by fast
-//! transforms. A stress that the contact does not cause, such as that of the bulk, is [added](Tractions::with_uniform_stress)
+//! transforms. In [coated](crate::layers) bodies planes alone have stresses, in the layers and below them. A stress that the
+//! contact does not cause, such as that of the bulk, is [added](Tractions::with_uniform_stress)
 //! where it is uniform.
 //!
 //! ```

@@ -307,7 +307,7 @@ fn rows_that_repeat_add_up_their_images() {
             .map(|grid| HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap());
         let moved =
             |bodies: &HalfSpace, component: Component, loaded: &dyn Fn(usize, usize) -> f64| {
-                let field = Field::from_indices(bodies.grid(), |ix, iy| loaded(ix, iy));
+                let field = Field::from_indices(bodies.grid(), loaded);
                 let operator = bodies.operator(component).unwrap();
                 let mut out = Field::zeros(bodies.grid());
                 operator.apply(
@@ -387,11 +387,10 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
                     .unwrap()
                     .lower_bound();
                 let bound = bodies.tensor_operator([direction]).unwrap().lower_bound();
-                println!(
-                    "{m} {nu} {sides:?} {cell_value:?} {component:?}: {bound:e} of {least:e} {}",
-                    bound / least
-                );
                 assert!(bound <= least && bound > 0.0);
+            }
+            if cell_value == CellValue::Centre {
+                continue;
             }
             let parts = [X, Y].map(|u| {
                 [X, Y].map(|t| DenseOperator::of_half_space(&bodies, Component::of(u, t)).unwrap())
@@ -406,10 +405,6 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
                 DenseOperator::from_rows(len, (0..len * len).map(entry).collect()).unwrap();
             let least = matrix.lower_bound();
             let bound = bodies.tensor_operator([X, Y]).unwrap().lower_bound();
-            println!(
-                "{m} {nu} {sides:?} {cell_value:?} XY: {bound:e} of {least:e} {}",
-                bound / least
-            );
             assert!(bound <= least && bound > 0.0);
             bodies.tensor_preconditioner([X, Y]).unwrap();
         }

@@ -64,7 +64,6 @@ fn coated_contacts_grow_in_any_steps() {
             let both = found.as_slice().iter().zip(many.as_slice());
             both.map(|(a, b)| (a - b).abs()).sum::<f64>() / many.as_slice().iter().sum::<f64>()
         };
-        println!("{ratio} {thickness}: {:e} {:e}", error(&one), error(&four));
         assert!(error(&one) < 0.06 && error(&four) < 0.01);
     }
 }
@@ -115,13 +114,13 @@ fn coatings_wear_by_their_load_and_path() {
     step(&mut history, LoadStep::shift([0.7, 0.0]));
     let mut depth = Field::zeros(grid);
     let slip = history.last_step().slip_distance();
-    wear::archard(5.0, history.pressure(), slip, &mut depth).unwrap();
-    assert!((depth.integral() / (5.0 * 0.4 * 0.2) - 1.0).abs() < 1e-9);
+    wear::archard(0.5, history.pressure(), slip, &mut depth).unwrap();
+    assert!((depth.integral() / (0.5 * 0.4 * 0.2) - 1.0).abs() < 1e-9);
     let mut worn = gap.clone();
     worn.add_scaled(1.0, &depth).unwrap();
     history.set_gap(&worn).unwrap();
-    step(&mut history, LoadStep::shift([0.8, 0.0]));
-    println!("{before} {}", history.pressure().max());
+    let load = NormalControl::Force(0.4);
+    step(&mut history, LoadStep::shift([0.8, 0.0]).normal(load));
     assert!(history.pressure().max() < before);
 }
 
@@ -145,6 +144,5 @@ fn coated_stiffness_is_the_slope_of_solves() {
         assert!((slope / stiffness.value - 1.0).abs() < 1e-6, "{slope:e}");
         stiffness.value
     });
-    println!("{stiffness:?}");
     assert!(stiffness[1] > stiffness[0]);
 }
