@@ -9,7 +9,7 @@ author = copyright = "the stickslip developers"
 version = release = importlib.metadata.version("stickslip")
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax", "sphinx_copybutton"]
 myst_enable_extensions = ["dollarmath"]
-exclude_patterns = ["introduction.md"]  # included by the first page
+exclude_patterns = ["introduction.md", "static"]  # the former is included by the first page
 myst_heading_anchors = 3
 html_theme = "furo"
 html_title = f"stickslip {version}"
@@ -17,7 +17,7 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_show_sphinx = False
 # Formulas are set by KaTeX as MathML, from the site itself: no page needs the network.
-mathjax_path = "katex.min.js"
+mathjax_path = "katex/katex.min.js"
 html_js_files = ["formulas.js"]
 pygments_style, pygments_dark_style = "friendly", "monokai"
 autodoc_member_order = "groupwise"

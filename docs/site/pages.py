@@ -206,7 +206,7 @@ def tutorial(folder: pathlib.Path, name: str) -> str:
 
 
 def api() -> list[tuple[str, str]]:
-    """A page for each public module, and their list. A name stands on one page only, that of a submodule rather than the first."""
+    """A page for each public module, and their list. A name stands on one page, that of a submodule if any."""
     submodules = [name for _, name, _ in pkgutil.walk_packages(stickslip.__path__, "stickslip.") if "._" not in name]
     pages, documented = [], set()
     for name in [*submodules, "stickslip"]:
