@@ -188,7 +188,7 @@ fn draw(
     let mut stresses = support::axes(
         &lower_left,
         (0.0..2.0, "depth / a_H"),
-        (0.0..1.2, "von Mises stress / p_H"),
+        (0.0..1.9, "von Mises stress / p_H"),
     )?;
     for (colour, (contact, _)) in COLOURS.iter().zip(contacts) {
         for side in &contact.stress {
@@ -197,7 +197,7 @@ fn draw(
             stresses.draw_series(LineSeries::new(points, colour.stroke_width(3)))?;
         }
     }
-    let interface = [(0.5, 0.0), (0.5, 1.2)];
+    let interface = [(0.5, 0.0), (0.5, 1.9)];
     stresses.draw_series(LineSeries::new(interface, BLACK.mix(0.4).stroke_width(2)))?;
     let mut zones = support::axes(
         &lower_right,
