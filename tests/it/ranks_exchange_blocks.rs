@@ -147,7 +147,7 @@ fn a_block_of_another_length_is_told() {
         "{whole:?}"
     );
     let all = whole[0].1;
-    for after in (0..all).step_by(all / 30).chain(all - 10..all) {
+    for after in (0..all).step_by(all / 12).chain(all - 6..all) {
         let outcomes = solve(after);
         let told = Error::Ranks(RankFailure::OutOfStep { rank: 1 });
         assert_eq!(outcomes[0].0, Err(told), "{after} of {all}");

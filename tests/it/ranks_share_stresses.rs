@@ -9,7 +9,7 @@ use stickslip::*;
 
 use crate::ranks_share_a_contact::{Found, PATIENCE, assert_shared, boundaries, by_cell, pair};
 
-const DEPTHS: [f64; 3] = [0.0, 0.3, 5.0];
+const DEPTHS: [f64; 2] = [0.0, 0.3];
 
 /// Tractions of a grid that end at edges, of which some ranks have none.
 fn loads(grid: Grid) -> [Field; 3] {
@@ -71,7 +71,9 @@ fn planes_have_the_same_bits() {
         Grid::new(40, 1, 0.5, 0.7).unwrap(),
     ] {
         for (index, boundary) in boundaries(grid).into_iter().enumerate() {
-            assert_shared(grid, boundary, |bodies| solved(bodies, index, index > 0));
+            assert_shared(grid, boundary, |bodies| {
+                solved(bodies, index % 2, index > 0)
+            });
         }
     }
 }
