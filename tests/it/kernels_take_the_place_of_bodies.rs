@@ -50,7 +50,7 @@ fn table(second: bool, grid: Grid, distances: [usize; 2]) -> Kernel {
         Component::ZY,
     ] {
         let sampled = Table::sample(larger, &coated, component).unwrap();
-        let at = |n: usize| sampled.get((n % nx).cast_signed(), (n / nx).cast_signed());
+        let at = |n: usize| sampled.get((n % nx) as isize, (n / nx) as isize);
         let values = (0..nx * ny).map(|n| at(n).unwrap()).collect();
         table = table.with(component, values).unwrap();
     }
@@ -66,8 +66,8 @@ fn three(grid: Grid, second: bool) -> [HalfSpace; 3] {
     let [coated, _] = coating(second);
     [
         HalfSpace::new(grid, coated).unwrap(),
-        HalfSpace::new(grid, &closure(second)).unwrap(),
-        HalfSpace::new(grid, &table(second, grid, size(grid))).unwrap(),
+        HalfSpace::new(grid, closure(second)).unwrap(),
+        HalfSpace::new(grid, table(second, grid, size(grid))).unwrap(),
     ]
 }
 
@@ -185,7 +185,7 @@ fn solves_are_those_of_the_coating() {
 #[test]
 fn histories_go_on_with_their_kernel_alone() {
     let grid = Grid::square(24, 6.0).unwrap();
-    let bodies = HalfSpace::new(grid, &closure(true)).unwrap();
+    let bodies = HalfSpace::new(grid, closure(true)).unwrap();
     let gap = surface::sphere(grid, 4.0).unwrap();
     let friction = Friction::coulomb(0.4).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
@@ -197,7 +197,7 @@ fn histories_go_on_with_their_kernel_alone() {
     history.step(&step(0.1)).unwrap();
     let bytes = history.to_bytes();
     // An equal closure, made anew.
-    let same = HalfSpace::new(grid, &closure(true)).unwrap();
+    let same = HalfSpace::new(grid, closure(true)).unwrap();
     let mut again = History::from_bytes(&same, &bytes).unwrap();
     for history in [&mut history, &mut again] {
         history.step(&step(-0.1)).unwrap();
@@ -219,7 +219,7 @@ fn histories_go_on_with_their_kernel_alone() {
     for other in [
         HalfSpace::new(grid, near).unwrap(),
         HalfSpace::new(grid, coated).unwrap(),
-        HalfSpace::new(grid, &table(true, grid, size(grid))).unwrap(),
+        HalfSpace::new(grid, table(true, grid, size(grid))).unwrap(),
     ] {
         let refused = History::from_bytes(&other, &bytes);
         assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
@@ -303,7 +303,7 @@ fn kernels_without_a_bound_are_refused() {
     let sides = [grid.dx(), grid.dy()];
     let table = CoefficientTable::new(sides, [16; 2]).unwrap();
     let table = table.with(Component::ZZ, values).unwrap();
-    let bodies = HalfSpace::new(grid, &Kernel::tabulated(near, table).unwrap()).unwrap();
+    let bodies = HalfSpace::new(grid, Kernel::tabulated(near, table).unwrap()).unwrap();
     let refused = bodies.tensor_preconditioner([Z]).unwrap_err();
     assert!(matches!(refused, Error::NotDefinite { eigenvalue, .. } if eigenvalue < 0.0));
     // No coefficient of traction is in the table.
@@ -367,7 +367,7 @@ fn bad_kernels_are_refused() {
     // Beyond what is looked at first, but among the waves of a grid.
     let late = with(|of, k| {
         if k > 200.0 {
-            of.normal = f64::NAN
+            of.normal = f64::NAN;
         }
     })
     .unwrap();
@@ -407,8 +407,12 @@ fn bad_kernels_are_refused() {
         HalfSpace::new(grid, &straight),
         Err(Error::Coated { .. })
     ));
+}
 
-    // Tables: of other cells, too small, of what repeats, odd coefficients that are not.
+#[test]
+fn bad_tables_are_refused() {
+    let [_, near] = coating(false);
+    let grid = Grid::square(16, 4.0).unwrap();
     let tabulated = table(false, grid, size(grid));
     for other in [
         Grid::square(17, 4.25).unwrap(),

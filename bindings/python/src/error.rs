@@ -115,6 +115,10 @@ macro_rules! numbered {
     };
 }
 
+#[expect(
+    clippy::too_many_lines,
+    reason = "a line for each variant of the error"
+)]
 fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr> {
     let attributes = PyDict::new(py);
     let message = of_sample(&error, grid, &attributes)?;

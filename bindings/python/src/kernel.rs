@@ -59,7 +59,7 @@ impl Kernel {
     #[staticmethod]
     fn isotropic(
         py: Python<'_>,
-        near: ElasticPair,
+        near: &ElasticPair,
         thickness: Real,
         response: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
@@ -106,7 +106,7 @@ impl Kernel {
     #[staticmethod]
     fn tabulated(
         py: Python<'_>,
-        near: ElasticPair,
+        near: &ElasticPair,
         sides: [f64; 2],
         coefficients: Bound<'_, PyDict>,
     ) -> PyResult<Self> {
