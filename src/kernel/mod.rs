@@ -47,7 +47,7 @@
 //! springs, not at all: take a grid that repeats along both axes, or a table.
 //!
 //! A table is used as it is. On windows and coarser grids its coefficients are cut and averaged; beyond its last
-//! distance, where only the periodic continuation of the transform reaches, it goes on linearly.
+//! distance, where only the periodic continuation of the transform reaches, it is continued linearly.
 //!
 //! # Certificate
 //!
@@ -61,7 +61,7 @@
 //! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
 //! [refuse](Error::Coated) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
 //! same: of a closure those of 41 wave numbers in single precision, of a table all. States of histories keep it, so that a
-//! history goes on with the same kernel only.
+//! history continues with the same kernel only.
 
 mod table;
 

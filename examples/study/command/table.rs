@@ -39,7 +39,7 @@ impl Table {
     /// The table in a file, with the rows that it has already; without a path, a new one on standard output.
     ///
     /// Half a line at its end, of a program that was killed, is cut off. Lines that are no rows are left where they are,
-    /// and said. A table of a plan of fewer seeds goes on as one of this plan.
+    /// and named. A table of a plan of fewer seeds is continued as one of this plan.
     pub(super) fn open(plan: &Plan, path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else {
             let mut table = Self {
