@@ -96,11 +96,11 @@ pub enum Error {
         /// What to do instead.
         remedy: &'static str,
     },
-    /// A [`Kernel`](crate::Kernel), or a part of it, is not at hand.
+    /// A pair that stands for a [`Kernel`](crate::Kernel) was given without the kernel, or its table lacks a coefficient.
     #[error("the kernel is missing: {0}")]
     KernelMissing(&'static str),
     /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
-    /// grid: nothing could be certified. The page of [`layers`](crate::layers#limits-of-the-model) tells where this is so.
+    /// grid: nothing could be certified. The page of [`kernel`](crate::kernel#certificate) tells which bounds are tried.
     #[error(
         "the least eigenvalue of the compliance, {eigenvalue:e}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
     )]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes tests/crate_items.txt, the public items of the crate and the methods of its types as rustdoc lists them: run
-`cargo doc --no-deps -p stickslip --features dense` first. With --check it fails if the list has changed."""
+`cargo doc --no-deps -p stickslip --features dense,x3p` first. With --check it fails if the list has changed."""
 
 import html.parser
 import os

@@ -39,6 +39,8 @@ INCLUDED = {
     "guide/fretting_and_wear": ("src/guide/fretting_and_wear.md",),
     "guide/growing_contacts": ("src/guide/growing_contacts.md",),
     "guide/dissimilar_bodies": ("src/guide/dissimilar_bodies.md",),
+    "guide/coatings": ("src/guide/coatings.md",),
+    "guide/rolling": ("src/guide/rolling.md",),
     "guide/hard_cases": ("src/guide/hard_cases.md",),
 }
 TITLES = {
@@ -61,6 +63,8 @@ TITLES = {
     "guide/fretting_and_wear": "Fretting and wear",
     "guide/growing_contacts": "Growing contacts",
     "guide/dissimilar_bodies": "Dissimilar bodies",
+    "guide/coatings": "Coatings and kernels",
+    "guide/rolling": "Rolling",
     "guide/hard_cases": "Hard cases",
 }
 TUTORIALS = ("press", "shear", "rough", "dissimilar", "subsurface", "wear")

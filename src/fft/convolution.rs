@@ -102,6 +102,8 @@ impl Convolution {
     /// assert!((displacement.get(4, 0).unwrap() - expected).abs() < 1e-15);
     /// # Ok::<(), stickslip::Error>(())
     /// ```
+    ///
+    /// Of a pair that [stands for a kernel](ElasticPair::stands_for_kernel) it is that of its half-spaces, not of the kernel.
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Kernel::Symbols(Symbols::new(grid, &(*pair).into(), component));

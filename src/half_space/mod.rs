@@ -380,19 +380,13 @@ impl HalfSpace {
     }
 }
 
-/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
-const THINNEST: f64 = 1e-25;
-
 /// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
 fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
     let pair = kernel.pair();
     let bodies = pair.bodies();
-    let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     for layer in bodies.iter().flat_map(Material::layers) {
-        let part = layer.thickness() / length.hypot(width);
-        let quantity = "thickness of a layer over the diagonal of the grid";
-        at_least("the least allowed", THINNEST, quantity, part)?;
+        kernel::check_thickness(layer.thickness(), grid)?;
     }
     if let Boundary::PeriodicAlongY { datum } = boundary {
         let length = grid.dx() * grid.nx() as f64;

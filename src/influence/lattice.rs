@@ -9,7 +9,9 @@ use crate::kernel::Kernel;
 use crate::layers::Response;
 
 /// Steps of the phase from no wave to two cells a period.
-const STEPS: usize = 16;
+const STEPS: i32 = 16;
+/// Octaves below the first step.
+const OCTAVES: i32 = 12;
 /// Shells of aliases that are added up.
 const SHELLS: i32 = 12;
 
@@ -35,9 +37,11 @@ type Pair = [f64; 3];
 ///
 /// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases
 /// alternate in sign and fall as the cube of their number: the last one that is added bounds the sum of all that are not.
-/// S is even in each phase, smooth but for its pole at no phase, and is sampled in steps of pi/16. A sample that is the least
-/// one along an axis is taken to be lower by a quarter of the second difference along it, twice what a parabola through the
-/// samples may be lower between them. The bound is as sure as these two remarks.
+/// S is even in each phase and smooth but at no phase, where it has a pole, or on a rigid base a limit. It is sampled in
+/// steps of pi/16, and from there by twelve octaves below them. A sample that is the least one along an axis is lowered
+/// by half of the second difference along it, at least 1.5 times as much as a parabola through the samples may be lower
+/// between them; and where S falls towards no phase, by what it falls over the last octave. So it is an estimate of the
+/// least eigenvalue on the safe side, not an enclosure. Zero where S is not a number.
 pub(crate) fn least_of_lattice<const N: usize>(
     grid: Grid,
     bodies: &Kernel,
@@ -47,46 +51,46 @@ pub(crate) fn least_of_lattice<const N: usize>(
     let (first, last) = (components[0], components[N - 1]);
     let beside = (N > 1).then_some(first[N - 1]);
     let parts = [Some(first[0]), Some(last[N - 1]), beside];
-    let phases = |n: usize| PI * n as f64 / STEPS as f64;
-    let width = STEPS + 1;
-    let samples: Vec<f64> = (0..width * width)
-        .map(|n| {
-            let theta = [phases(n % width), phases(n / width)];
-            let cosines: f64 = theta.iter().map(|theta| theta.cos()).sum();
-            let factor = match cell_value {
-                CellValue::Uniform => 1.0,
-                CellValue::Centre => 1.0 + (4.0 - 2.0 * cosines) / 24.0,
-            };
-            factor * least(aliases(grid, bodies, parts, theta))
-        })
-        .collect();
-    // The mean, which has no bound, is left out.
-    let at = |x: usize, y: usize| samples[y * width + x];
-    let mut bound = f64::INFINITY;
+    let octaves = (1..=OCTAVES).rev().map(|n| (-f64::from(n)).exp2());
+    let steps = std::iter::once(0.0)
+        .chain(octaves)
+        .chain((1..=STEPS).map(f64::from));
+    let phases: Vec<f64> = steps.map(|step| PI / f64::from(STEPS) * step).collect();
+    let width = phases.len();
+    // No wave has no phase.
+    let mut samples = vec![f64::INFINITY; width * width];
     for n in 1..width * width {
-        let (x, y) = (n % width, n / width);
-        let own = at(x, y);
-        let beside = |place: usize| {
-            let next = if place < STEPS { place + 1 } else { STEPS - 1 };
-            [place.abs_diff(1), next]
+        let theta = [phases[n % width], phases[n / width]];
+        let cosines: f64 = theta.iter().map(|theta| theta.cos()).sum();
+        let factor = match cell_value {
+            CellValue::Uniform => 1.0,
+            CellValue::Centre => 1.0 + (4.0 - 2.0 * cosines) / 24.0,
         };
-        let between = |[before, after]: [f64; 2]| {
-            let rises = [before - own, after - own];
-            if rises[0].min(rises[1]) >= 0.0 {
-                0.25 * (rises[0] + rises[1])
-            } else {
-                0.0
-            }
-        };
-        let lower = between(beside(x).map(|x| at(x, y))) + between(beside(y).map(|y| at(x, y)));
-        if lower.is_finite() {
-            bound = bound.min(own - lower);
-        }
+        samples[n] = factor * least(aliases(grid, bodies, parts, theta));
     }
-    bound
+    if samples.iter().any(|sample| sample.is_nan()) {
+        return 0.0;
+    }
+    let lowered = |n: usize, stride: usize| {
+        let (own, place) = (samples[n], n / stride % width);
+        let after = if place + 1 < width {
+            n + stride
+        } else {
+            n - stride
+        };
+        let before = if place > 0 { n - stride } else { after };
+        let rises = [before, after].map(|beside| samples[beside] - own);
+        match rises {
+            [_, rise] if before == 0 => rise.max(0.0),
+            rises if rises[0].min(rises[1]) < 0.0 => 0.0,
+            [before, after] => 0.5 * (before + after),
+        }
+    };
+    let bounds = (1..width * width).map(|n| samples[n] - lowered(n, 1) - lowered(n, width));
+    bounds.fold(f64::INFINITY, f64::min)
 }
 
-/// The sum over the aliases of a phase, less what those left out may take from its least eigenvalue; infinite at no phase.
+/// The sum over the aliases of a phase, and the last shell of them, which bounds those left out.
 fn aliases(
     grid: Grid,
     bodies: &Kernel,
@@ -94,9 +98,6 @@ fn aliases(
     theta: [f64; 2],
 ) -> (Pair, Pair) {
     let (mut sum, mut shell) = ([0.0; 3], [0.0; 3]);
-    if theta.iter().all(|phase| *phase == 0.0) {
-        return ([f64::INFINITY, f64::INFINITY, 0.0], shell);
-    }
     let sides = [grid.dx(), grid.dy()];
     for number in 0..=SHELLS {
         shell = [0.0; 3];
@@ -109,7 +110,7 @@ fn aliases(
             }
             let [x, y] = std::array::from_fn(|axis| phase[axis] / sides[axis]);
             let k = x.hypot(y);
-            let found: Response = bodies.times_k(k);
+            let found: Response = bodies.short_times_k(k);
             for (sum, part) in shell.iter_mut().zip(parts) {
                 let part = part.map_or(0.0, |part| part.of_response(found, [x / k, y / k]));
                 *sum += factor * part / k;
@@ -137,6 +138,44 @@ fn sinc(x: f64) -> f64 {
 /// The least eigenvalue, less the norm of what is not known.
 fn least(([xx, yy, xy], unknown): (Pair, Pair)) -> f64 {
     let radius = (0.5 * (xx - yy)).hypot(xy);
-    let radius = if radius.is_nan() { 0.0 } else { radius };
     0.5 * (xx + yy) - radius - unknown.iter().map(|part| part.abs()).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layers::Layer;
+    use crate::material::{ElasticPair, Material};
+
+    /// On a rigid base there is no pole: long waves press a bed by its oedometric compliance, an incompressible one not at
+    /// all.
+    #[test]
+    fn a_bed_on_a_rigid_base_is_stiffest_for_long_waves() {
+        for (nu, side) in [(0.5, 0.05), (0.5, 2.0), (0.45, 1.0)] {
+            let bed = Layer::new(2.0 * (1.0 + nu), nu, 1.0).unwrap();
+            let body = Material::rigid().coated(&[bed]).unwrap();
+            let bodies = Kernel::from(ElasticPair::new(body, Material::rigid()).unwrap());
+            let grid = Grid::new(24, 20, side, side).unwrap();
+            let oedometric = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu));
+            let bound = least_of_lattice(grid, &bodies, CellValue::Uniform, [[Component::ZZ]]);
+            assert!(
+                bound <= oedometric * (1.0 + 1e-9) + 1e-9,
+                "{nu} {side}: {bound}"
+            );
+        }
+    }
+
+    /// Nothing is known of bodies whose response is not a number.
+    #[test]
+    fn what_is_not_a_number_bounds_nothing() {
+        let near = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+        let response = move |k: f64| match near.response(k) {
+            Ok(found) if !(3.0..4.0).contains(&k) => found,
+            _ => near.response(f64::MAX).unwrap().map(|_| f64::NAN),
+        };
+        let kernel = Kernel::isotropic(near, 1.0, response).unwrap();
+        let grid = Grid::new(8, 8, 1.0, 1.0).unwrap();
+        let bound = least_of_lattice(grid, &kernel, CellValue::Uniform, [[Component::ZZ]]);
+        assert!(bound.abs() < f64::MIN_POSITIVE);
+    }
 }

@@ -90,7 +90,8 @@ impl Rectangle {
     /// The coefficients of the relative displacement `u_1 - u_2` of two bodies.
     ///
     /// The tractions act on body 1 and their opposites on body 2: `xx`, `yy`, `zz`, `xy`, `yx`
-    /// add, the normal-shear terms `xz`, `yz`, `zx`, `zy` subtract.
+    /// add, the normal-shear terms `xz`, `yz`, `zx`, `zy` subtract. Of a pair that
+    /// [stands for a kernel](ElasticPair::stands_for_kernel) they are those of its half-spaces, not of the kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         self.assemble(pair.compliances(), Rest::of(pair).as_ref(), x, y)

@@ -313,7 +313,7 @@ impl Rest {
         let less = |a: f64, b: f64| a - b;
         let images = self.images.iter();
         images.fold(
-            self.kernel.times_k(k).with(self.near, less),
+            self.kernel.short_times_k(k).with(self.near, less),
             |rest, (depth, part)| {
                 let decay = (-k * depth).exp();
                 rest.with(*part, |rest, part| rest - decay * part)

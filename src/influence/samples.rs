@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::buffer;
 use crate::cell_value::CellValue;
-use crate::error::{Result, memory};
+use crate::error::{Result, all_finite, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
 use crate::influence::integrals::Integral;
@@ -107,7 +107,8 @@ impl Samples {
     /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
     ///
     /// # Errors
-    /// As [`Samples::new`]; [`Error::KernelMissing`](crate::Error::KernelMissing) for a coefficient that a table lacks.
+    /// As [`Samples::new`]; [`Error::KernelMissing`](crate::Error::KernelMissing) for a coefficient that a table lacks;
+    /// [`Error::Sample`](crate::Error::Sample) for one that is not finite.
     pub(crate) fn table(
         &self,
         grid: Grid,
@@ -130,7 +131,12 @@ impl Samples {
         });
         let mut parts = parts.collect::<Result<Vec<_>>>()?;
         if self.added.is_some() {
-            let make = || self.sample(Sampled::Rest(component)).map(Arc::new);
+            let make = || {
+                let values = self.sample(Sampled::Rest(component))?;
+                // The response of a user may be none at some wave.
+                all_finite("coefficients of the kernel", &values)?;
+                Ok(Arc::new(values))
+            };
             let values = get_or_make(&self.rests[component as usize], make)?;
             parts.push((1.0, Arc::clone(values)));
         }

@@ -52,8 +52,10 @@
 //! # Certificate
 //!
 //! The least eigenvalue of the kernel on the grid is found when an operator is planned. Where it is positive errors are
-//! certified as of any bodies; where it is not, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction
-//! are found together, the eigenvalues of each alone count.
+//! certified as of any bodies. Where it is not, isotropic kernels on free grids, like coated bodies, have the bound of the
+//! infinite lattice of the cells ([`layers`](crate::layers#limits-of-the-model)). If that is not positive either, and for
+//! tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found together, the eigenvalues
+//! of each alone decide this.
 //!
 //! # Moduli and identity
 //!
@@ -170,16 +172,19 @@ const LONGEST: f64 = 1e9;
 /// k times the thickness where a response must be that of its half-space, and how closely.
 const NEAR: f64 = 20.0;
 const CLOSE: f64 = 1e-10;
+/// Most difference of the limit of long waves from that found.
+const ALIKE: f64 = 1e-3;
 /// Difference of a tensor from its mirror image that round-off explains.
 const MIRRORED: f64 = 1e-10;
 
 impl Kernel {
     /// Bodies without a direction in their plane, by their response to waves of the wave number k > 0: that of
-    /// [`ElasticPair::response`] (not times k), of the relative displacement. It is called on many threads, at any k up to that
-    /// of the shortest wave of a grid, and must be finite and store energy there.
+    /// [`ElasticPair::response`] (not times k), of the relative displacement. It is called on many threads, which it must not
+    /// wait for, at any k from 5e-10 to 64 over the thickness, and on grids that repeat along both axes at those of their
+    /// waves; it must be finite and store energy there.
     ///
-    /// `near` is the pair of homogeneous half-spaces that waves much shorter than `thickness` (a length) see, to 1e-10 for
-    /// $`k > 20/\text{thickness}`$: of a coating its outermost layer. Grids that repeat along both axes take the response
+    /// `near` is the pair of homogeneous half-spaces that waves much shorter than `thickness` (a length) see, to 1e-10 at
+    /// $`k = 20/\text{thickness}`$, beyond which it takes the place of the response: of a coating its outermost layer. Grids that repeat along both axes take the response
     /// as it is.
     ///
     /// # Errors
@@ -201,16 +206,14 @@ impl Kernel {
         let mut coupling: f64 = 0.0;
         for k in wave_numbers(thickness) {
             let found = checked(response(k))?;
-            digested.extend([found.normal, found.along, found.across, found.coupling]);
-            coupling = stronger(
-                coupling,
-                found.coupling / (found.normal * found.along).sqrt(),
-            );
+            let values = [found.normal, found.along, found.across, found.coupling];
+            digested.extend(values.map(|value| k * value));
+            coupling = stronger(coupling, ratio(found.coupling, found.normal, found.along));
         }
         let response = Arc::new(response);
         Ok(Self::new(
             &near,
-            (digest_of(&digested), coupling),
+            (digest_of(&near, thickness, &digested), coupling),
             Given::Isotropic(Isotropic {
                 response,
                 thickness,
@@ -219,15 +222,22 @@ impl Kernel {
         ))
     }
 
-    /// The same with `base` as k times the response for k to zero: zero on a rigid base, of elastic bodies the numbers
-    /// $`G k\,C`$ over G of the page of [`layers`](crate::layers). By default it is
-    /// extrapolated from the response at k of 1e-9 over the thickness and at half of it. Of other kernels without effect.
+    /// The same with `base` as k times the response for k to zero (one over a pressure): zero on a rigid base, of elastic
+    /// bodies the constants of the half-space [below](crate::layers). By default it is extrapolated from the response at k of
+    /// 1e-9 over the thickness and at half of it, from which it may differ by 1e-3 of that of `near`. Of other kernels
+    /// without effect.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`]; [`Error::Below`] for a base that is not that of the response.
     pub fn with_long_waves(mut self, base: Response) -> Result<Self> {
         if let Some(Given::Isotropic(isotropic)) = &mut self.given {
-            isotropic.far = checked_far(base)?;
+            let base = checked_far(base)?;
+            let beside = base.with(isotropic.far, |base, far| (base - far).abs());
+            let most = beside.normal.max(beside.along).max(beside.across);
+            let found = most.max(beside.coupling) / self.pair.compliances().normal;
+            let quantity = "most over found difference of the long waves from the response";
+            at_least("one", 1.0, quantity, ALIKE / found.max(ALIKE))?;
+            isotropic.far = base;
         }
         Ok(self)
     }
@@ -274,12 +284,12 @@ impl Kernel {
                 let found = checked_tensor(response([x, y]))?;
                 check_mirrored(&found, &response([-x, y]), [true, false])?;
                 check_mirrored(&found, &response([x, -y]), [false, true])?;
-                digested.extend(found.values());
-                coupling = stronger(coupling, found.zx / (found.zz * found.xx).sqrt());
-                coupling = stronger(coupling, found.zy / (found.zz * found.yy).sqrt());
+                digested.extend(found.values().map(|value| k * value));
+                coupling = stronger(coupling, ratio(found.zx, found.zz, found.xx));
+                coupling = stronger(coupling, ratio(found.zy, found.zz, found.yy));
             }
         }
-        let mark = (digest_of(&digested), coupling);
+        let mark = (digest_of(&near, length, &digested), coupling);
         Ok(Self::new(
             &near,
             mark,
@@ -301,6 +311,7 @@ impl Kernel {
     }
 
     fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
+        let coupling = rounded(coupling);
         Self {
             pair: near.standing_for(KernelMark { digest, coupling }),
             given: Some(given),
@@ -327,6 +338,14 @@ impl Kernel {
         }
     }
 
+    /// The same with the half-space that short waves see in place of the response to them.
+    pub(crate) fn short_times_k(&self, k: f64) -> Response {
+        match &self.given {
+            Some(Given::Isotropic(of)) if k * of.thickness > NEAR => self.pair.times_k(k),
+            _ => self.times_k(k),
+        }
+    }
+
     /// Whether it is a response to waves that is not that of homogeneous half-spaces.
     pub(crate) fn has_response(&self) -> bool {
         match &self.given {
@@ -345,7 +364,10 @@ impl Kernel {
                 let check = |k: f64| checked((of.response)(k)).map(drop);
                 waves_of(grid).try_for_each(check)
             }
-            Some(Given::Isotropic(of)) => of.check_near(&self.pair),
+            Some(Given::Isotropic(of)) => {
+                check_thickness(of.thickness, grid)?;
+                of.check_near(&self.pair)
+            }
             Some(Given::Orthotropic(of)) if boundary == Boundary::Periodic => {
                 let check = |k: f64| checked_tensor(of([0.8 * k, 0.6 * k])).map(drop);
                 waves_of(grid).try_for_each(check)
@@ -368,13 +390,31 @@ impl Isotropic {
         let k = NEAR / self.thickness;
         let (found, near) = ((self.response)(k).map(|value| k * value), near.times_k(k));
         let beside = found.with(near, |found, near| (found - near).abs());
+        for value in [beside.normal, beside.along, beside.across, beside.coupling] {
+            finite("response of the kernel", value)?;
+        }
         let most = beside.normal.max(beside.along).max(beside.across);
         let quantity = "most over found difference of the response from the half-space near, at 20 over the thickness,";
         let found = most.max(beside.coupling) / near.normal;
         at_least("one", 1.0, quantity, CLOSE / found.max(CLOSE))?;
-        finite("response of the kernel", found)?;
         Ok(())
     }
+}
+
+/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
+const THINNEST: f64 = 1e-25;
+
+/// `Ok` if the tables of a layer of this thickness reach over the grid.
+pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
+    let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+    let quantity = "thickness of a layer over the diagonal of the grid";
+    at_least(
+        "the least allowed",
+        THINNEST,
+        quantity,
+        thickness / length.hypot(width),
+    )?;
+    Ok(())
 }
 
 const NEAR_IS: &str = "the half-space near of a kernel";
@@ -395,16 +435,27 @@ fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(2.0 * pi / longest), next)
 }
 
-/// Of values in single precision: what differs between machines by the last digits is the same.
-fn digest_of(values: &[f64]) -> u64 {
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "the digest is of rounded values"
-    )]
-    let bytes = values
-        .iter()
-        .flat_map(|value| (*value as f32).to_le_bytes());
+/// Of a length and of values times k, in single precision: what differs between machines by the last digits is the same. In
+/// the units of the pair, so that no unit is too small or too large.
+fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
+    let unit = near.compliances().normal;
+    let numbers = values.iter().map(|value| value / unit);
+    let bytes = numbers
+        .chain([length.log2()])
+        .flat_map(|number| rounded(number).to_le_bytes());
     digest::of_bytes(&bytes.collect::<Vec<_>>())
+}
+
+/// To single precision.
+fn rounded(value: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "to be rounded")]
+    let single = value as f32;
+    f64::from(single)
+}
+
+/// A coupling over the mean of the two compliances between which it is, in an order in which nothing overflows.
+fn ratio(coupling: f64, one: f64, other: f64) -> f64 {
+    coupling / one.sqrt() / other.sqrt()
 }
 
 fn stronger(one: f64, other: f64) -> f64 {
@@ -422,8 +473,9 @@ fn checked(found: Response) -> Result<Response> {
         found.across,
     )?;
     finite("coupling of the kernel", found.coupling)?;
-    let energy = found.normal * found.along - found.coupling * found.coupling;
-    positive("energy of a wave of pressure and traction", energy)?;
+    let coupling = ratio(found.coupling, found.normal, found.along);
+    let quantity = "energy of a wave of pressure and traction, over that without coupling,";
+    positive(quantity, 1.0 - coupling * coupling)?;
     Ok(found)
 }
 

@@ -73,8 +73,8 @@
 //! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
 //!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
 //!   operator is: an incompressible layer of ten times the modulus that is sheared on cells as wide as two thicknesses,
-//!   or one of 1000 times that is pressed over sixty thicknesses. The least eigenvalue of the infinite lattice of the
-//!   same cells then takes its place, by sums over the aliases of a wave. Where pressure and traction are found together
+//!   or one of 1000 times that is pressed over sixty thicknesses. An estimate, on the safe side, of the least eigenvalue of
+//!   the infinite lattice of the same cells then takes its place, by sums over the aliases of waves of some phases. Where pressure and traction are found together
 //!   on such a grid, the halves have their bounds and the whole has [none](crate::Report), but an estimate.
 //! - On a grid that repeats along both axes a mean traction moves nothing, also on a rigid base, where
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure might be added to the approach.

@@ -32,8 +32,8 @@ use crate::watch::{Observer, Watch, unwatched};
 /// both axes they take a quarter. [`through`](Self::through) keeps none, so its memory does not grow with the number
 /// of depths. The transforms take 96 bytes per cell, a [`Plane`] 48, or 72 with displacements.
 ///
-/// In [coated](crate::layers) bodies the kernels are those of the body: 144 bytes per cell and depth more, or 216 with
-/// displacements.
+/// In [coated](crate::layers) bodies the kernels are those of the body: 144 bytes per cell and depth, or 216 with
+/// displacements, for each coated body that is looked into.
 ///
 /// One depth costs three transforms of the tractions and one back for each component: the six stresses of 512 x 512
 /// cells take the time of nine products of [`HalfSpace::operator`]; the kernels, once, that of fifty.
@@ -83,6 +83,7 @@ use crate::watch::{Observer, Watch, unwatched};
 /// together; the observer of the first decides. Values at the centres of cells
 /// ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that does not repeat along both axes, and files
 /// ([`write_vti`](Self::write_vti)), are refused.
+///
 /// # A ball
 ///
 /// ```

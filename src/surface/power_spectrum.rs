@@ -212,11 +212,24 @@ fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     )]
     let ring = |mode: Mode| (mode.wave_number() / width).round() as usize;
     // No rounding goes beyond the next ring.
-    let sums = waves.grouped(ring(waves.shortest()) + 2, |mode, amplitude| {
+    let count = ring(waves.shortest()).saturating_add(2);
+    // Cells much longer than wide leave most rings empty: those that hold a wave are numbered then.
+    let held = (count > slab.whole().cells() + 2).then(|| {
+        let mut held: Vec<usize> = Mode::all(slab.whole()).map(ring).collect();
+        held.sort_unstable();
+        held.dedup();
+        held
+    });
+    let place = |mode: Mode| match &held {
+        Some(held) => held.partition_point(|other| *other < ring(mode)),
+        None => ring(mode),
+    };
+    let count = held.as_ref().map_or(count, Vec::len);
+    let sums = waves.grouped(count, |mode, amplitude| {
         let modes = if mode.copies > 1.0 { 2 } else { 1 };
         let [number, power] = [mode.wave_number(), amplitude.norm_sqr()];
         let sums = (modes, mode.copies * number, mode.copies * power);
-        (mode.numbers != [0, 0]).then(|| (ring(mode), sums))
+        (mode.numbers != [0, 0]).then(|| (place(mode), sums))
     });
     let held = sums.into_iter().filter(|(modes, ..)| *modes > 0);
     held.map(|(modes, sum_of_wave_numbers, sum_of_powers)| Ring {

@@ -101,6 +101,8 @@ int main() {
 
     // A contact of dissimilar bodies is as stiff as a history after the same first step.
     const ss::HalfSpace dissimilar(grid, steel, {INFINITY, 0.0, 0.0});
+    const ss::HalfSpace braced(grid, {210e3, 0.3, 0.0}, {210e3, 0.3, 0.0});
+    check(braced.pair().contact_modulus > 0.0, "bodies in braces are materials");
     const stickslip_friction law = ss::coulomb(0.3);
     const stickslip_normal_load press = ss::press_by_force(100.0);
     const stickslip_control drag = ss::force(10.0);

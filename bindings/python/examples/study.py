@@ -114,7 +114,7 @@ class Table:
 
             try:
                 fcntl.flock(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
+            except BlockingIOError:
                 sys.exit(f"{path}: another program is writing this table")
         self.file.seek(0)
         head, text = f"{command(plan)}\n{','.join(COLUMNS)}\n".encode(), self.file.read()

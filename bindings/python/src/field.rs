@@ -15,7 +15,7 @@ use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{is_real, misshapen, plane};
-use crate::unit::{Unit, metres, one_of};
+use crate::unit::{Unit, is_same, metres, one_of};
 
 /// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
 ///
@@ -50,7 +50,7 @@ pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit
 /// Of the same samples, and in the same unit where both state one.
 impl PartialEq for Field {
     fn eq(&self, other: &Self) -> bool {
-        let is_other = |(own, other): (&Unit, &Unit)| own != other;
+        let is_other = |(own, other): (&Unit, &Unit)| !is_same(own, other);
         self.0 == other.0 && !self.1.as_ref().zip(other.1.as_ref()).is_some_and(is_other)
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies by their response to waves, or by influence coefficients.
 
 use numpy::{AllowTypeChange, PyArrayLike2};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::influence::Component;
@@ -51,7 +51,8 @@ impl Kernel {
     /// response : callable
     ///     Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
     ///     (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
-    ///     It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number.
+    ///     It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number,
+    ///     which is refused, and the exception goes to `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
     ///
     /// Raises
     /// ------
@@ -63,17 +64,25 @@ impl Kernel {
         thickness: Real,
         response: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        // What it raises at first is told.
-        let first = response.call1((1.0 / thickness.0,))?;
-        let _: (f64, f64, f64, f64) = first.extract().map_err(|_| {
-            PyTypeError::new_err(
-                "response must return four numbers: normal, along, across, coupling",
-            )
-        })?;
+        // What it raises at first is told; a thickness that is no length is refused below.
+        if thickness.0 > 0.0 && thickness.0.is_finite() {
+            let first = response.call1((1.0 / thickness.0,))?;
+            let _: (f64, f64, f64, f64) = first.extract().map_err(|_| {
+                PyTypeError::new_err(
+                    "response must return four numbers: normal, along, across, coupling",
+                )
+            })?;
+        }
         let response = response.unbind();
         let at = move |k: f64| {
-            let asked = Python::attach(|py| response.bind(py).call1((k,))?.extract());
-            let (normal, along, across, coupling) = asked.unwrap_or([f64::NAN; 4].into());
+            let (normal, along, across, coupling) = Python::attach(|py| {
+                let response = response.bind(py);
+                let asked = response.call1((k,)).and_then(|found| found.extract());
+                asked.unwrap_or_else(|error| {
+                    tell(py, error, response);
+                    [f64::NAN; 4].into()
+                })
+            });
             Response {
                 normal,
                 along,
@@ -139,5 +148,17 @@ impl Kernel {
 
     fn __repr__(&self) -> String {
         format!("Kernel({})", self.pair().__repr__())
+    }
+}
+
+/// Tells of an exception that no caller can be given.
+fn tell(py: Python<'_>, error: PyErr, response: &Bound<'_, PyAny>) {
+    let interrupts = error.is_instance_of::<PyKeyboardInterrupt>(py)
+        && py
+            .import("_thread")
+            .and_then(|thread| thread.call_method0("interrupt_main"))
+            .is_ok();
+    if !interrupts {
+        error.write_unraisable(py, Some(response));
     }
 }

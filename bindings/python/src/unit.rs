@@ -29,12 +29,14 @@ pub(crate) fn metres(unit: &str) -> PyResult<f64> {
     })
 }
 
-/// The unit that is stated; an error if two differ. Names of one length, such as um and \u{b5}m, are one unit.
+/// Whether two names are of one unit, such as um and \u{b5}m.
+pub(crate) fn is_same(a: &str, b: &str) -> bool {
+    let sizes = metres(a).ok().zip(metres(b).ok());
+    a == b || sizes.is_some_and(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// The unit that is stated; an error if two differ.
 pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<Option<Unit>> {
-    let is_same = |a: &str, b: &str| {
-        let sizes = metres(a).ok().zip(metres(b).ok());
-        a == b || sizes.is_some_and(|(a, b)| a.to_bits() == b.to_bits())
-    };
     let mut first: Option<Unit> = None;
     for unit in units.into_iter().flatten() {
         match &first {

@@ -59,8 +59,11 @@ def test_a_callable_and_a_table_of_a_coating_are_that_coating():
     assert bodies[1].pair != COATED
 
 
-def test_large_grids_call_back_from_all_threads():
+def test_large_grids_call_back_from_all_threads(request):
     """Nothing waits for the GIL that this thread holds."""
+    before = ss.num_threads()
+    ss.set_num_threads(2)
+    request.addfinalizer(lambda: ss.set_num_threads(before))
     grid = ss.Grid.square(128, 6.0)
     ball = ss.surface.sphere(grid, 4.0)
     kernel = ss.Kernel.isotropic(OUTERMOST, 0.4, response)

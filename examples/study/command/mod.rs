@@ -57,6 +57,9 @@ fn solve(study: &Study) -> Result<(), Failure> {
     }
     let mut progress = Progress::new(study.shard.to_string(), total, missing);
     workers::work(plan, &jobs, study.threads, |row| {
+        let Some(row) = row else {
+            return table.sync();
+        };
         table.add(&row.text)?;
         progress.count(row.is_solved);
         Ok(())

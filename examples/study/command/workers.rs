@@ -1,8 +1,9 @@
 //! One thread per solve, one half-space for all.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
+use std::time::Duration;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -18,8 +19,8 @@ pub(super) struct Job {
     pub(super) cases: Vec<usize>,
 }
 
-/// Solves jobs on so many threads; `take` gets the rows on the calling thread, in the order in which they are finished.
-/// After the first failure no further job is begun.
+/// Solves jobs on so many threads; `take` gets the rows on the calling thread, in the order in which they are finished, and
+/// `None` where no row came for a second. After the first failure no further job is begun.
 ///
 /// Each solve runs in a pool of one thread, as it would otherwise divide itself among all threads. Cases are
 /// independent, so that threads wait for nothing as long as there are more jobs than threads.
@@ -27,7 +28,7 @@ pub(super) fn work(
     plan: &Plan,
     jobs: &[Job],
     threads: usize,
-    mut take: impl FnMut(Row) -> Result<(), Failure>,
+    mut take: impl FnMut(Option<Row>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let scene = &Scene::new(plan)?;
     let pool = |_| ThreadPoolBuilder::new().num_threads(1).build();
@@ -52,12 +53,17 @@ pub(super) fn work(
             scope.spawn(move || pool.install(solve));
         }
         drop(sender);
-        for row in rows {
-            if let Err(failure) = row.map_err(Failure::from).and_then(&mut take) {
+        loop {
+            let row = match rows.recv_timeout(Duration::from_secs(1)) {
+                Ok(row) => Some(row),
+                Err(RecvTimeoutError::Timeout) => None,
+                Err(RecvTimeoutError::Disconnected) => return Ok(()),
+            };
+            let taken = row.transpose().map_err(Failure::from);
+            if let Err(failure) = taken.and_then(&mut take) {
                 next.store(jobs.len(), Ordering::Relaxed);
                 return Err(failure);
             }
         }
-        Ok(())
     })
 }

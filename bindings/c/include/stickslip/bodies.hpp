@@ -3,6 +3,7 @@
 #ifndef STICKSLIP_BODIES_HPP
 #define STICKSLIP_BODIES_HPP
 
+#include <utility>
 #include <vector>
 
 #include "core.hpp"
@@ -14,6 +15,7 @@ inline Material elastic(double youngs_modulus, double poisson_ratio) { return {y
 
 /// A body under layers, the outermost first, at most eight.
 struct Coated {
+    Coated(const Material &base, std::vector<Layer> layers) : base(base), layers(std::move(layers)) {}
     Material base;
     std::vector<Layer> layers;
 };

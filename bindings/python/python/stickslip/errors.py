@@ -130,7 +130,7 @@ class TooManyLayers(StickslipError, ValueError):
 
 
 class Coated(StickslipError, ValueError):
-    """Asked of coated bodies, but known of homogeneous ones alone."""
+    """Asked of coated bodies or of a kernel, but known of homogeneous ones alone."""
 
     quantity: str
     """The question, in words."""
@@ -146,7 +146,7 @@ class KernelMissing(StickslipError, ValueError):
 
 
 class NotDefinite(StickslipError, ValueError):
-    """The least eigenvalue of the compliance of coated bodies is not positive on the grid: nothing could be certified."""
+    """The least eigenvalue of the compliance of coated bodies, or of a kernel, is not positive on the grid: nothing could be certified."""
 
     eigenvalue: float
     """The least eigenvalue (a length over a pressure)."""
