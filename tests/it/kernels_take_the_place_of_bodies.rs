@@ -311,6 +311,35 @@ fn kernels_without_a_bound_are_refused() {
     assert!(matches!(missing, Error::KernelMissing(_)));
 }
 
+/// Also between the waves that are looked at first, where a free grid sums over all, and in the limit of long ones.
+#[test]
+fn responses_that_fail_later_are_refused() {
+    let [coated, near] = coating(false);
+    let grid = Grid::square(16, 3.0).unwrap();
+    let hole = move |k: f64| {
+        let found = coated.response(k).unwrap();
+        let along = if (1.05..1.35).contains(&(0.4 * k)) {
+            f64::NAN
+        } else {
+            found.along
+        };
+        Response { along, ..found }
+    };
+    let bodies = HalfSpace::new(grid, Kernel::isotropic(near, 0.4, hole).unwrap()).unwrap();
+    let refused = bodies.operator(Component::XX).unwrap_err();
+    assert!(matches!(refused, Error::Sample { .. }));
+
+    let kernel = Kernel::isotropic(near, 0.4, move |k| coated.response(k).unwrap()).unwrap();
+    let softer = Response {
+        normal: 9.0,
+        along: 1.0,
+        across: 1.0,
+        coupling: 0.0,
+    };
+    let refused = kernel.with_long_waves(softer).unwrap_err();
+    assert!(matches!(refused, Error::Below { .. }));
+}
+
 #[test]
 fn bad_kernels_are_refused() {
     let [coated, near] = coating(false);
@@ -374,25 +403,6 @@ fn bad_kernels_are_refused() {
     let fine = Grid::square(16, 0.1).unwrap();
     let refused = HalfSpace::with_boundary(fine, &late, Boundary::Periodic);
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
-    // Between those that are looked at first, where a free grid sums over all.
-    let between = with(|of, k| {
-        if (1.05..1.35).contains(&(0.4 * k)) {
-            of.along = f64::NAN;
-        }
-    });
-    let bodies = HalfSpace::new(Grid::square(16, 3.0).unwrap(), &between.unwrap()).unwrap();
-    assert!(matches!(
-        bodies.operator(Component::XX),
-        Err(Error::Sample { .. })
-    ));
-    let longer = Response {
-        normal: 9.0,
-        along: 1.0,
-        across: 1.0,
-        coupling: 0.0,
-    };
-    let astray = with(|_, _| ()).unwrap().with_long_waves(longer);
-    assert!(matches!(astray, Err(Error::Below { .. })));
 
     // Axes that do not lie along the grid, and grids that do not repeat.
     let oblique = |[x, y]: [f64; 2]| {
