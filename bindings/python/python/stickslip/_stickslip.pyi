@@ -2701,7 +2701,8 @@ class Kernel:
         response : callable
             Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
             (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
-            It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number.
+            It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number,
+            which is refused, and the exception goes to `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
 
         Raises
         ------

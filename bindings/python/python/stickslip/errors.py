@@ -42,7 +42,7 @@ class GridSize(StickslipError, ValueError):
     """Cells along y."""
 
 
-class Memory(StickslipError, MemoryError):
+class Memory(MemoryError, StickslipError):
     """Memory for a quantity cannot be allocated. Nothing was allocated."""
 
     quantity: str
