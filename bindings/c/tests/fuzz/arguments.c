@@ -90,7 +90,7 @@ stickslip_load_step load_step(struct run *run) {
     stickslip_load_step load = {normal_load(run),           control(run),      control(run),          below(run, 8) == 0,
                                 number(run, 1e-3), below(run, 8) == 0, number(run, 0.01)};
     if (below(run, 3) == 0) {
-        stickslip_roll roll = {rarely(run) ? UINT32_MAX >> below(run, 33) : below(run, 3), option(run, 4),
+        stickslip_roll roll = {rarely(run) ? UINT32_MAX >> below(run, 32) : below(run, 3), option(run, 4),
                                {number(run, 0.01), number(run, 0.01)}, below(run, 8) == 0 ? number(run, 0.01) : 0.0};
         load.roll = roll;
     }
