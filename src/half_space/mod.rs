@@ -92,8 +92,8 @@ impl HalfSpace {
     ///
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
-    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had. Of kernels [`Error::Coated`] on
-    /// grids that they do not take; [`Error::Below`] for an isotropic one that is not near its half-space;
+    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::Below`] for a layer
+    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::Coated`] on grids that they do not take; [`Error::Below`] for an isotropic one that is not near its half-space;
     /// [`Error::GridMismatch`] for a table of other cells or of too few; [`Error::NotPositive`] and [`Error::NotFinite`]
     /// for a response that is not positive at a wave of a grid that repeats; [`Error::KernelMissing`] of a pair that stands
     /// for a kernel.

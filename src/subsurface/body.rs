@@ -43,6 +43,17 @@ pub(super) struct Constants {
     coated: Option<Material>,
 }
 
+/// `Ok` for bodies of which it is known how they respond below the surface.
+pub(super) fn check_described(pair: &ElasticPair) -> Result<()> {
+    if pair.stands_for_kernel() {
+        return Err(Error::Coated {
+            quantity: "stress below the surface of a kernel",
+            remedy: "describe the bodies by materials and layers",
+        });
+    }
+    Ok(())
+}
+
 impl Body {
     pub(super) fn constants(self, pair: &ElasticPair) -> Result<Constants> {
         let [one, two] = pair.bodies();
@@ -50,12 +61,7 @@ impl Body {
             Self::One => (one, "body 1"),
             Self::Two => (two, "body 2"),
         };
-        if pair.kernel().is_some() {
-            return Err(Error::Coated {
-                quantity: "stress below the surface of a kernel",
-                remedy: "describe the bodies by materials and layers",
-            });
-        }
+        check_described(pair)?;
         if material.is_rigid() {
             return Err(Error::RigidBody(name));
         }

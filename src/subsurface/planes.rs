@@ -13,7 +13,7 @@ use crate::parallel;
 use crate::ranks::Input;
 use crate::report::Iteration;
 use crate::shown::shown;
-use crate::subsurface::body::{Body, Constants};
+use crate::subsurface::body::{Body, Constants, check_described};
 use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::kernel::Load;
 use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
@@ -129,16 +129,18 @@ impl Planes {
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or more than 1e60 of the shorter
-    /// side of a cell;
+    /// side of a cell; [`Error::Coated`](crate::Error::Coated) of a [`Kernel`](crate::Kernel);
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         let rule = "must be non-negative and finite";
         let is_depth = |depth: f64| depth >= 0.0 && depth.is_finite();
-        let checked = samples_obey("depths", depths, rule, is_depth).and_then(|()| {
-            samples_obey("depths", depths, TOO_FAR, |depth| {
-                reach(bodies.grid(), depth)
-            })
-        });
+        let checked = check_described(bodies.pair())
+            .and_then(|()| samples_obey("depths", depths, rule, is_depth))
+            .and_then(|()| {
+                samples_obey("depths", depths, TOO_FAR, |depth| {
+                    reach(bodies.grid(), depth)
+                })
+            });
         bodies.agreed_alike(checked, &[("depths", &depths)])?;
         let size = bodies.grid().whole().size();
         let torus = Torus::new(size, bodies.boundary().repeats(), bodies.share(size));

@@ -10,7 +10,7 @@ use stickslip::influence::{Component, Table};
 use stickslip::kernel::{CoefficientTable, ResponseTensor};
 use stickslip::layers::{Layer, Response};
 use stickslip::ranks::Threads;
-use stickslip::subsurface::{Body, Tractions, at_points};
+use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Friction, Grid,
     HalfSpace, History, Kernel, LoadStep, Material, NormalControl, Operator, TangentialControl,
@@ -499,6 +499,8 @@ fn the_pair_of_a_kernel_is_not_taken_for_it() {
     let pressure = Field::constant(grid, 0.1);
     let tractions = Tractions::new(&pressure);
     let asked = at_points(&bodies, Body::One, tractions, &[[0.0, 0.0, 0.1]]);
+    assert!(matches!(asked, Err(Error::Coated { .. })));
+    let asked = Planes::new(&bodies, &[0.1]);
     assert!(matches!(asked, Err(Error::Coated { .. })));
     let gap = surface::sphere(grid, 5.0).unwrap();
     let contact = press(
