@@ -52,10 +52,10 @@
 //! # Certificate
 //!
 //! The least eigenvalue of the kernel on the grid is found when an operator is planned. Where it is positive errors are
-//! certified as of any bodies. Where it is not, isotropic kernels on free grids, like coated bodies, have the bound of the
-//! infinite lattice of the cells ([`layers`](crate::layers#limits-of-the-model)). If that is not positive either, and for
-//! tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found together, the eigenvalues
-//! of each alone decide this.
+//! certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
+//! isotropic kernels on free grids, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
+//! positive either, and for tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found
+//! together, the eigenvalues of each alone decide this.
 //!
 //! # Moduli and identity
 //!
