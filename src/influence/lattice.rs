@@ -1,4 +1,4 @@
-//! A bound of the eigenvalues of free grids by those of the infinite lattice of their cells.
+//! An estimate from below of the eigenvalues of free grids by those of the infinite lattice of their cells.
 
 use std::f64::consts::{PI, TAU};
 
@@ -18,7 +18,8 @@ const SHELLS: i32 = 12;
 /// A Hermitian matrix of two rows: its diagonal, and the entry beside it, real or imaginary. Of one row it is diagonal.
 type Pair = [f64; 3];
 
-/// A bound from below of the eigenvalues of the compliance of some directions, of any rectangle of the cells of a free grid.
+/// An estimate from below of the eigenvalues of the compliance of some directions, of any rectangle of the cells of a free
+/// grid.
 ///
 /// Let $`C_j`$ be the coefficients at all distances j of an infinite lattice, and $`S(\theta) = \sum_j C_j\,e^{-i\theta
 /// \cdot j}`$. Tractions t that vanish beyond some cells have the energy

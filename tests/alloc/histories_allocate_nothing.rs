@@ -75,7 +75,7 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
         worn.as_mut_slice().copy_from_slice(gap.as_slice());
         history.set_gap(&worn).unwrap();
     };
-    // The widest window and the longest report of a cycle are known after three: cycles differ until slip is shaken down.
+    // All buffers have grown after three cycles, in the plane one of them in the third.
     for _ in 0..3 {
         cycle();
     }
