@@ -81,7 +81,7 @@
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
 //! | roll with creepages, forces, spin or moment, steadily; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
 //! | roll while loads, creepages or surfaces change | [`LoadStep::roll`] |
-//! | have coated bodies, or any linear ones: a thin sheet, a graded half-space, coefficients of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
+//! | have coated bodies, or any linear ones: a thin sheet, a graded half-space, coefficients or operators of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
 //! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |
@@ -311,7 +311,7 @@ pub use coupling::Coupling;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
-pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
+pub use half_space::{ElasticOperator, ElasticPreconditioner, ElasticWorkspace, HalfSpace};
 pub use history::{History, LoadStep};
 pub use kernel::Kernel;
 pub use layout::Layout;
@@ -319,7 +319,7 @@ pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool};
-pub use report::{Iteration, Report, Status};
+pub use report::{EigenvalueBound, Iteration, Report, Status};
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,

@@ -2,6 +2,7 @@
 
 use crate::error::Result;
 use crate::layout::Layout;
+use crate::report::EigenvalueBound;
 
 /// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.
 pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
@@ -63,7 +64,7 @@ pub trait Operator<const N: usize = 1>: Sync {
     ///
     /// # Panics
     /// The operators of this crate panic on slices of another length and on the workspace of an
-    /// operator of another size.
+    /// operator of another size or kind.
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace);
 
     /// Writes `C x` to `out` in single precision, with an error of at most some 1e-6 of the largest
@@ -83,6 +84,15 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
+    }
+
+    /// How that is known: a positive number is [proven](EigenvalueBound::Proven) unless this says otherwise.
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        if self.lower_bound() > 0.0 {
+            EigenvalueBound::Proven
+        } else {
+            EigenvalueBound::Unknown
+        }
     }
 
     /// About how far a unit traction on one cell displaces that cell: beside it preconditioners weigh what cells have of
@@ -131,6 +141,10 @@ macro_rules! operator_behind {
 
             fn lower_bound(&self) -> f64 {
                 (**self).lower_bound()
+            }
+
+            fn eigenvalue_bound(&self) -> EigenvalueBound {
+                (**self).eigenvalue_bound()
             }
 
             fn self_compliance(&self) -> f64 {

@@ -39,6 +39,21 @@ impl fmt::Display for Status {
     }
 }
 
+/// How the smallest eigenvalue of an operator is known, on which a certified error rests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum EigenvalueBound {
+    /// Not at all: a certified error is then the duality gap, with which it falls like its root.
+    #[default]
+    Unknown,
+    /// By an estimate on the safe side: of stiff coatings on long grids
+    /// ([`layers`](crate::layers#limits-of-the-model)).
+    Estimated,
+    /// By a bound from below.
+    Proven,
+}
+
 /// One step of an iteration, as passed to an observer.
 ///
 /// The observer is called before every product, also on the coarser grids of a nested start. After it cancels, or after
@@ -102,6 +117,8 @@ pub struct Report {
     /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub duality_gap: f64,
+    /// How the smallest eigenvalue is known that [`Self::duality_gap`] rests on.
+    pub eigenvalue_bound: EigenvalueBound,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
@@ -126,6 +143,7 @@ impl Report {
             single_precision_products: 0,
             residual: f64::INFINITY,
             duality_gap: f64::INFINITY,
+            eigenvalue_bound: EigenvalueBound::Unknown,
             load_error: 0.0,
             time: Duration::ZERO,
             history: Vec::new(),
@@ -156,6 +174,7 @@ impl Report {
         self.status = known.status;
         self.residual = known.residual;
         self.duality_gap = known.duality_gap;
+        self.eigenvalue_bound = known.eigenvalue_bound;
         self.load_error = known.load_error;
     }
 
@@ -254,6 +273,9 @@ impl fmt::Display for Report {
             write!(formatter, "energy error not bounded")?;
         } else {
             write!(formatter, "energy error <= {bound:.1e}")?;
+            if self.eigenvalue_bound == EigenvalueBound::Estimated {
+                write!(formatter, " by an estimate of the smallest eigenvalue")?;
+            }
         }
         write!(formatter, ", load error {:.1e}", self.load_error)
     }

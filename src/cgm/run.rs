@@ -126,6 +126,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         observer: Observer<'a>,
     ) -> Self {
         workspace.multiplier = [0.0; N];
+        workspace.linear.report.eigenvalue_bound = problem.operator.eigenvalue_bound();
         Self {
             monitor: Monitor::new(
                 settings,

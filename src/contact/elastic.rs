@@ -1,14 +1,11 @@
 //! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
 
-use std::sync::Arc;
-
 use crate::cgm::{
     self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace, WorkspaceOf,
 };
 use crate::contact::has_iterate;
 use crate::error::Result;
-use crate::fft::{CirculantInverse, Convolution};
-use crate::half_space::{Compliance, HalfSpace};
+use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::operator::Operator;
@@ -29,7 +26,7 @@ pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
 
 /// What such an engine is asked.
 pub(crate) type ElasticProblem<'a, K, const N: usize> =
-    Problem<'a, Arc<Convolution<N>>, K, Arc<CirculantInverse<N>>, N>;
+    Problem<'a, ElasticOperator<N>, K, ElasticPreconditioner<N>, N>;
 
 /// The multipliers of totals that are known from before: zero where nothing is prescribed.
 pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
@@ -40,7 +37,7 @@ pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -
 }
 
 type ElasticWorkspace<S, const N: usize> =
-    WorkspaceOf<Arc<Convolution<N>>, Arc<CirculantInverse<N>>, S, N>;
+    WorkspaceOf<ElasticOperator<N>, ElasticPreconditioner<N>, S, N>;
 
 impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     /// For tractions and displacements along these directions, on `size` cells.
@@ -53,7 +50,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         Ok(Self {
             layout: compliance.operator.layout().alike(bodies.team()),
             compliance,
-            workspace: Lease::new(bodies.pool(&[], size)?),
+            workspace: Lease::new(bodies.pool_of_products(directions, size)?),
             multiplier: [0.0; N],
             report: Report::with_room(),
         })
@@ -66,9 +63,9 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         constraint: K,
     ) -> ElasticProblem<'a, K, N> {
         let Compliance { operator, inverse } = &self.compliance;
-        Problem::new(Arc::clone(operator), linear, constraint)
+        Problem::new(operator.clone(), linear, constraint)
             .layout(&self.layout)
-            .preconditioner(Arc::clone(inverse))
+            .preconditioner(inverse.clone())
     }
 
     /// Minimises from `x`, of which something may be known, into `x`; the rest is in the accessors, converged or not.

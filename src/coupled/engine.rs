@@ -1,7 +1,5 @@
 //! The engine of a coupled contact: Newton's method on all tractions, with alternating halves as start and as safeguard.
 
-use std::sync::Arc;
-
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
@@ -12,14 +10,15 @@ use crate::coupled::contraction::Contraction;
 use crate::coupled::increment::CoupledDemand;
 use crate::coupled::{CoupledReport, N};
 use crate::error::Result;
-use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace};
-use crate::half_space::{Compliance, HalfSpace, Region};
+use crate::half_space::{
+    Compliance, ElasticOperator, ElasticPreconditioner, ElasticWorkspace, HalfSpace, Region,
+};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
-use crate::report::{Report, Status};
+use crate::report::{EigenvalueBound, Report, Status};
 use crate::tangential::{FrictionWithin, own_compliance};
 use crate::watch::Observer;
 use crate::window::Window;
@@ -82,10 +81,11 @@ pub(super) struct Engine {
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
     compliance: Compliance<N>,
-    workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
+    workspace: ConeWorkspace<ElasticOperator<N>, ElasticPreconditioner<N>>,
     normal: ElasticSolver<Interval, 1>,
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
+    eigenvalue_bound: EigenvalueBound,
     contraction: Contraction,
     /// Whether the bounds of the halves may bound the whole: the mean on a grid that repeats along both axes has no norm.
     is_bounded: bool,
@@ -112,8 +112,8 @@ pub(super) struct Engine {
 /// The products of the whole grid.
 #[derive(Debug, Clone)]
 struct Whole {
-    operator: Arc<Convolution<N>>,
-    workspace: ConvolutionWorkspace<N>,
+    operator: ElasticOperator<N>,
+    workspace: ElasticWorkspace<N>,
 }
 
 impl OnWindow for Engine {
@@ -127,13 +127,15 @@ impl OnWindow for Engine {
         let normal = bodies.compliance([z], whole.size)?.operator;
         let plane = bodies.compliance([x, y], whole.size)?.operator;
         let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
+        normal.check_bounded()?;
+        plane.check_bounded()?;
         let cells = region.cells();
         let whole = if window == whole {
             None
         } else {
             Some(Whole {
                 workspace: tensor.try_workspace()?,
-                operator: Arc::clone(&tensor),
+                operator: tensor.clone(),
             })
         };
         Ok(Self {
@@ -151,6 +153,7 @@ impl OnWindow for Engine {
             region,
             compliance,
             lower_bounds,
+            eigenvalue_bound: normal.eigenvalue_bound().min(plane.eigenvalue_bound()),
             x: buffer::vector(cells)?,
             asked: buffer::vector(cells)?,
             kept: Default::default(),
@@ -261,6 +264,7 @@ impl Engine {
             let (status, findings) = self.newton(task, friction, opening, conditions, report)?;
             let status = status.or(stopped);
             report.take(&findings);
+            report.work.eigenvalue_bound = self.eigenvalue_bound;
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
             report.error_estimate = contraction.estimate(coefficient, &findings);
             let may_bound = self.is_bounded && task.is_driven_by_shift();
@@ -304,8 +308,8 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<(Option<Status>, ConeFindings)> {
         let problem = ConeProblem {
-            operator: Arc::clone(&self.compliance.operator),
-            preconditioner: Arc::clone(&self.compliance.inverse),
+            operator: self.compliance.operator.clone(),
+            preconditioner: self.compliance.inverse.clone(),
             layout: &self.layout,
             linear: slices(&self.asked),
             closing: self.enters.then_some(&self.closing),

@@ -76,6 +76,7 @@ impl DenseOperator {
     /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`]; [`Error::Ranks`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         bodies.check_alone("a dense matrix")?;
+        bodies.kernel().check_no_operators("a dense matrix")?;
         let grid = bodies.grid();
         check_size(grid.cells())?;
         let [odd_x, odd_y] = component.is_odd();

@@ -20,6 +20,7 @@ use crate::material::ElasticPair;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::ranks::Team;
+use crate::report::EigenvalueBound;
 use crate::share::Share;
 use crate::shown::shown;
 
@@ -56,6 +57,8 @@ pub struct Convolution<const N: usize = 1> {
     least: f64,
     lower_bound: f64,
     upper_bound: f64,
+    /// Whether the lower bound is an estimate.
+    is_estimate: bool,
     /// Whether single precision resolves the smallest eigenvalue beside the largest.
     is_single_enough: bool,
 }
@@ -143,6 +146,7 @@ impl<const N: usize> Convolution<N> {
             least: range[0],
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
+            is_estimate: false,
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
             symbol: symbol.map(|value| value * normalisation)?,
         })
@@ -150,11 +154,12 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// With a bound of the eigenvalues in place of that of the periodic continuation.
-    pub(crate) fn bounded(self, least: f64) -> Self {
+    /// With an estimate of the least eigenvalue in place of that of the periodic continuation.
+    pub(crate) fn estimated(self, least: f64) -> Self {
         Self {
             least,
             lower_bound: (least - 1e-14 * self.upper_bound).max(0.0),
+            is_estimate: true,
             is_single_enough: least > SINGLE_RANGE * self.upper_bound,
             ..self
         }
@@ -284,5 +289,13 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     /// estimate, on the safe side, of the least eigenvalue of the infinite lattice of these cells.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        match (self.lower_bound > 0.0, self.is_estimate) {
+            (false, _) => EigenvalueBound::Unknown,
+            (true, true) => EigenvalueBound::Estimated,
+            (true, false) => EigenvalueBound::Proven,
+        }
     }
 }

@@ -52,8 +52,11 @@ impl HalfSpace {
         })
     }
 
-    /// Whether cells of twice the sides fit.
+    /// Whether cells of twice the sides fit, and the bodies are known on them.
     pub(crate) fn can_be_coarser(&self) -> bool {
+        if self.kernel().user_operators().is_some() {
+            return false;
+        }
         let cells = self.size().into_iter().zip(self.boundary().repeats());
         let mut fits = cells.map(|(n, repeats)| !repeats || n == 1 || n % 2 == 0);
         fits.all(|fits| fits)

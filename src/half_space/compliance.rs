@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution};
-use crate::half_space::HalfSpace;
+use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 use crate::influence::{Component, Direction, Kernel, least_of_lattice};
 use crate::operator::Operator;
 use crate::parallel;
@@ -15,8 +15,8 @@ use crate::share::Share;
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]
 pub(crate) struct Compliance<const N: usize> {
-    pub(crate) operator: Arc<Convolution<N>>,
-    pub(crate) inverse: Arc<CirculantInverse<N>>,
+    pub(crate) operator: ElasticOperator<N>,
+    pub(crate) inverse: ElasticPreconditioner<N>,
 }
 
 impl HalfSpace {
@@ -28,13 +28,16 @@ impl HalfSpace {
         size: [usize; 2],
     ) -> Result<Compliance<N>> {
         let components = tensor(directions);
-        let operator = self.convolution(components, size)?;
+        let operator = self.operator_of(components, size)?;
         self.joint(Ok(()))?;
         // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
         let grid = self.grid();
-        if N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1 {
+        if let Some(eigenvalue) = operator.least_eigenvalue()
+            && N < 3
+            && operator.lower_bound() <= 0.0
+            && grid.whole().cells() > 1
+        {
             let sides = [grid.dx(), grid.dy()];
-            let eigenvalue = operator.least_eigenvalue();
             return Err(if !self.pair().is_homogeneous() && eigenvalue <= 0.0 {
                 Error::NotDefinite { eigenvalue, sides }
             } else {
@@ -44,7 +47,10 @@ impl HalfSpace {
         let inverse = self.made(components, size, |size, share, kernels| {
             CirculantInverse::new(size, share, kernels, operator.lower_bound())
         })?;
-        Ok(Compliance { operator, inverse })
+        Ok(Compliance {
+            operator,
+            inverse: ElasticPreconditioner(inverse),
+        })
     }
 
     /// The pool of a kind of things for these cells and components, as long as anyone has it; of no components where
@@ -59,11 +65,23 @@ impl HalfSpace {
         made.get_or_make(components, self.cut(size), false, empty)
     }
 
-    /// What a rectangle of cells is worked on as: along an axis that repeats a grid is not cut.
+    /// The pool of buffers of products: convolutions share them whatever their directions, operators of a user have their own.
+    pub(crate) fn pool_of_products<T: Send + 'static, const N: usize>(
+        &self,
+        directions: [Direction; N],
+        size: [usize; 2],
+    ) -> Result<Arc<Pool<T>>> {
+        match self.kernel().user_operators() {
+            Some(_) => self.pool(tensor(directions).as_flattened(), size),
+            None => self.pool(&[], size),
+        }
+    }
+
+    /// What a rectangle of cells is worked on as: along some axes a grid is not cut.
     fn cut(&self, size: [usize; 2]) -> [usize; 2] {
-        let (whole, repeats) = (self.size(), self.boundary().repeats());
+        let (whole, spanned) = (self.size(), self.spanned());
         std::array::from_fn(|axis| {
-            if repeats[axis] {
+            if spanned[axis] {
                 whole[axis]
             } else {
                 size[axis]
@@ -72,13 +90,16 @@ impl HalfSpace {
     }
 
     /// The operator alone, of any components.
-    pub(crate) fn convolution<const N: usize>(
+    pub(crate) fn operator_of<const N: usize>(
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-    ) -> Result<Arc<Convolution<N>>> {
-        self.made(components, size, |size, share, kernels| {
-            let operator = Convolution::of_kernels(size, share, kernels)?;
+    ) -> Result<ElasticOperator<N>> {
+        if let Some(operators) = self.kernel().user_operators() {
+            return Ok(operators.part(components, self.size())?.into());
+        }
+        let made = self.made(components, size, |size, share, kernels| {
+            let convolution = Convolution::of_kernels(size, share, kernels)?;
             let is_compliance = (0..N).all(|i| components[i][i].is_odd() == [false; 2]);
             let is_free = self.boundary() == Boundary::NonPeriodic;
             // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
@@ -86,14 +107,15 @@ impl HalfSpace {
                 && is_compliance
                 && is_free
                 && self.kernel().has_response()
-                && operator.lower_bound() <= 0.0
+                && convolution.lower_bound() <= 0.0
             {
                 let grid = self.grid().whole();
                 let least = least_of_lattice(grid, self.kernel(), self.cell_value(), components);
-                return Ok(operator.bounded(least));
+                return Ok(convolution.estimated(least));
             }
-            Ok(operator)
-        })
+            Ok(convolution)
+        });
+        made.map(ElasticOperator::from)
     }
 
     /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.
@@ -137,18 +159,18 @@ mod tests {
 
         let first = bodies.compliance([x, y], [7, 5]).unwrap();
         let second = bodies.clone().compliance([x, y], [7, 5]).unwrap();
-        assert!(Arc::ptr_eq(&first.operator, &second.operator));
-        assert!(Arc::ptr_eq(&first.inverse, &second.inverse));
+        assert!(first.operator.is(&second.operator));
+        assert!(Arc::ptr_eq(&first.inverse.0, &second.inverse.0));
         for other in [[y, x], [x, z]] {
             let other = bodies.compliance(other, [7, 5]).unwrap();
-            assert!(!Arc::ptr_eq(&first.operator, &other.operator));
+            assert!(!first.operator.is(&other.operator));
         }
-        let is_lent = Arc::downgrade(&first.operator);
+        let is_lent = Arc::downgrade(&first.inverse.0);
         drop((first, second));
         assert!(is_lent.upgrade().is_none());
 
-        let whole = Arc::downgrade(&bodies.compliance([x, y, z], [12, 9]).unwrap().operator);
-        let again = bodies.tensor_operator([x, y, z]).unwrap();
+        let whole = Arc::downgrade(&bodies.compliance([x, y, z], [12, 9]).unwrap().inverse.0);
+        let again = bodies.tensor_preconditioner([x, y, z]).unwrap();
         assert!(std::ptr::eq(whole.as_ptr(), Arc::as_ptr(&again.0)));
 
         // A periodic grid is never cut.
@@ -156,7 +178,7 @@ mod tests {
         let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
         let part = bodies.compliance([z], [7, 5]).unwrap();
         let whole = bodies.compliance([z], [12, 9]).unwrap();
-        assert!(Arc::ptr_eq(&part.operator, &whole.operator));
+        assert!(part.operator.is(&whole.operator));
     }
 
     /// Kernels of a large grid are not kept; those of a window of it are those of a grid of that size.

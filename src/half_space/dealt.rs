@@ -40,8 +40,9 @@ impl HalfSpace {
         let team = Arc::new(Team::new(ranks));
         let share = Arc::new(Share::new(&team, grid.size()));
         let own = [grid.nx(), share.own_rows().len()];
+        let checked = bodies.check_no_operators("a grid that ranks share");
         team.agreed_alike(
-            check(grid, &bodies, boundary, own),
+            checked.and_then(|()| check(grid, &bodies, boundary, own)),
             &[
                 ("grid", &grid),
                 ("pair of bodies", bodies.pair()),

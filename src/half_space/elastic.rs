@@ -2,16 +2,164 @@
 
 use std::sync::Arc;
 
-use crate::error::Result;
+use crate::buffer::or_abort;
+use crate::error::{Result, positive};
 use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace, SingleWorkspace};
+use crate::kernel::{Part, PartWorkspace};
 use crate::layout::Layout;
 use crate::operator::Operator;
+use crate::report::EigenvalueBound;
 
 /// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
 /// Obtained from [`HalfSpace::operator`](crate::HalfSpace::operator) and
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator); a clone is another pointer to it.
 #[derive(Debug, Clone)]
-pub struct ElasticOperator<const N: usize = 1>(pub(super) Arc<Convolution<N>>);
+pub struct ElasticOperator<const N: usize = 1>(Kind<N>);
+
+/// A convolution, or what a user gave.
+#[derive(Debug, Clone)]
+enum Kind<const N: usize> {
+    Convolution(Arc<Convolution<N>>),
+    User(Arc<Part<N>>),
+}
+
+/// Buffers of the products of an [`ElasticOperator`]: of a convolution 16 bytes per cell for each component.
+#[derive(Debug, Clone)]
+pub struct ElasticWorkspace<const N: usize = 1>(Buffers<N>);
+
+#[derive(Debug, Clone)]
+enum Buffers<const N: usize> {
+    Convolution(ConvolutionWorkspace<N>),
+    User(PartWorkspace),
+}
+
+impl<const N: usize> ElasticOperator<N> {
+    /// Whether both point to the same.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Kind::Convolution(own), Kind::Convolution(other)) => Arc::ptr_eq(own, other),
+            (Kind::User(own), Kind::User(other)) => own.is(other),
+            _ => false,
+        }
+    }
+
+    /// The least eigenvalue of the periodic continuation, of whatever sign; nothing of an operator of a user.
+    pub(super) fn least_eigenvalue(&self) -> Option<f64> {
+        match &self.0 {
+            Kind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
+            Kind::User(_) => None,
+        }
+    }
+
+    /// `Ok` where an answer is worth nothing without a bound of its error, and can have one.
+    pub(crate) fn check_bounded(&self) -> Result<()> {
+        if let Kind::User(part) = &self.0 {
+            positive("lower bound of an operator of a user", part.lower_bound())?;
+        }
+        Ok(())
+    }
+
+    /// A bound of the largest eigenvalue; infinity where none is known.
+    pub(crate) fn upper_bound(&self) -> f64 {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.upper_bound(),
+            Kind::User(_) => f64::INFINITY,
+        }
+    }
+}
+
+impl ElasticOperator<3> {
+    /// A bound of $`|p' B q| / (|p|\,|q|)`$, in the energy norms of the first component and of the other two, of what the
+    /// first causes along the others: one if none is known.
+    pub(crate) fn coupling(&self) -> f64 {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.coupling(),
+            Kind::User(_) => 1.0,
+        }
+    }
+}
+
+impl<const N: usize> From<Arc<Convolution<N>>> for ElasticOperator<N> {
+    fn from(convolution: Arc<Convolution<N>>) -> Self {
+        Self(Kind::Convolution(convolution))
+    }
+}
+
+impl<const N: usize> From<Part<N>> for ElasticOperator<N> {
+    fn from(part: Part<N>) -> Self {
+        Self(Kind::User(Arc::new(part)))
+    }
+}
+
+impl<const N: usize> Operator<N> for ElasticOperator<N> {
+    type Workspace = ElasticWorkspace<N>;
+
+    fn cells(&self) -> usize {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.cells(),
+            Kind::User(part) => part.cells(),
+        }
+    }
+
+    fn layout(&self) -> Layout {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.layout(),
+            Kind::User(part) => part.layout(),
+        }
+    }
+
+    fn workspace(&self) -> ElasticWorkspace<N> {
+        or_abort(self.try_workspace())
+    }
+
+    fn try_workspace(&self) -> Result<ElasticWorkspace<N>> {
+        Ok(ElasticWorkspace(match &self.0 {
+            Kind::Convolution(convolution) => Buffers::Convolution(convolution.try_workspace()?),
+            Kind::User(part) => Buffers::User(part.try_workspace()?),
+        }))
+    }
+
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ElasticWorkspace<N>) {
+        match (&self.0, &mut workspace.0) {
+            (Kind::Convolution(own), Buffers::Convolution(buffers)) => own.apply(x, out, buffers),
+            (Kind::User(own), Buffers::User(buffers)) => own.apply(x, out, buffers),
+            _ => panic!("{FOREIGN}"),
+        }
+    }
+
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ElasticWorkspace<N>) {
+        match (&self.0, &mut workspace.0) {
+            (Kind::Convolution(own), Buffers::Convolution(buffers)) => {
+                own.apply_f32(x, out, buffers);
+            }
+            (Kind::User(own), Buffers::User(buffers)) => own.apply_f32(x, out, buffers),
+            _ => panic!("{FOREIGN}"),
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.lower_bound(),
+            Kind::User(part) => part.lower_bound(),
+        }
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.eigenvalue_bound(),
+            Kind::User(part) => part.eigenvalue_bound(),
+        }
+    }
+
+    fn self_compliance(&self) -> f64 {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.self_compliance(),
+            Kind::User(part) => part.self_compliance(),
+        }
+    }
+}
+
+const FOREIGN: &str = "the workspace is that of another operator";
 
 /// Approximate inverse of an [`ElasticOperator`], symmetric and positive definite. Obtained from
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner) and
@@ -20,47 +168,26 @@ pub struct ElasticOperator<const N: usize = 1>(pub(super) Arc<Convolution<N>>);
 #[derive(Debug, Clone)]
 pub struct ElasticPreconditioner<const N: usize = 1>(pub(super) Arc<CirculantInverse<N>>);
 
-/// An operator that leaves everything to the one it points to.
-macro_rules! operator_by {
-    ($name:ident, $workspace:ident) => {
-        impl<const N: usize> Operator<N> for $name<N> {
-            type Workspace = $workspace<N>;
+impl<const N: usize> Operator<N> for ElasticPreconditioner<N> {
+    type Workspace = SingleWorkspace<N>;
 
-            fn cells(&self) -> usize {
-                self.0.cells()
-            }
+    fn cells(&self) -> usize {
+        self.0.cells()
+    }
 
-            fn layout(&self) -> Layout {
-                self.0.layout()
-            }
+    fn layout(&self) -> Layout {
+        self.0.layout()
+    }
 
-            fn workspace(&self) -> $workspace<N> {
-                self.0.workspace()
-            }
+    fn workspace(&self) -> SingleWorkspace<N> {
+        self.0.workspace()
+    }
 
-            fn try_workspace(&self) -> Result<$workspace<N>> {
-                self.0.try_workspace()
-            }
+    fn try_workspace(&self) -> Result<SingleWorkspace<N>> {
+        self.0.try_workspace()
+    }
 
-            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut $workspace<N>) {
-                self.0.apply(x, out, workspace);
-            }
-
-            fn apply_f32(
-                &self,
-                x: [&[f64]; N],
-                out: [&mut [f64]; N],
-                workspace: &mut $workspace<N>,
-            ) {
-                self.0.apply_f32(x, out, workspace);
-            }
-
-            fn lower_bound(&self) -> f64 {
-                self.0.lower_bound()
-            }
-        }
-    };
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut SingleWorkspace<N>) {
+        self.0.apply(x, out, workspace);
+    }
 }
-
-operator_by!(ElasticOperator, ConvolutionWorkspace);
-operator_by!(ElasticPreconditioner, SingleWorkspace);

@@ -29,7 +29,7 @@ use crate::window::Window;
 use cache::Cache;
 pub(crate) use compliance::Compliance;
 use compliance::tensor;
-pub use elastic::{ElasticOperator, ElasticPreconditioner};
+pub use elastic::{ElasticOperator, ElasticPreconditioner, ElasticWorkspace};
 use kernels::Kernels;
 pub(crate) use region::Region;
 
@@ -238,8 +238,7 @@ impl HalfSpace {
     /// # Errors
     /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`].
     pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
-        self.convolution([[component]], self.size())
-            .map(ElasticOperator)
+        self.operator_of([[component]], self.size())
     }
 
     /// The circulant preconditioner of one component on the whole grid; `None` for the components
@@ -295,8 +294,7 @@ impl HalfSpace {
         directions: [Direction; N],
     ) -> Result<ElasticOperator<N>> {
         check_distinct(&directions)?;
-        self.convolution(tensor(directions), self.size())
-            .map(ElasticOperator)
+        self.operator_of(tensor(directions), self.size())
     }
 
     /// The circulant preconditioner of the [operator](Self::tensor_operator) of several directions.
@@ -309,7 +307,7 @@ impl HalfSpace {
     ) -> Result<ElasticPreconditioner<N>> {
         check_distinct(&directions)?;
         let Compliance { inverse, .. } = self.compliance(directions, self.size())?;
-        Ok(ElasticPreconditioner(inverse))
+        Ok(inverse)
     }
 
     /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
@@ -363,9 +361,18 @@ impl HalfSpace {
         }
     }
 
-    /// The window, along an axis that repeats the whole grid: where a contact in the window is solved.
+    /// Along which axes contacts are solved on the whole grid: those that repeat; under operators of a user, which know no
+    /// other cells, both.
+    fn spanned(&self) -> [bool; 2] {
+        match self.kernel().user_operators() {
+            Some(_) => [true; 2],
+            None => self.boundary().repeats(),
+        }
+    }
+
+    /// The window, along an axis that is not cut the whole grid: where a contact in the window is solved.
     pub(crate) fn confined(&self, window: Window) -> Window {
-        window.spanning(self.grid(), self.boundary().repeats())
+        window.spanning(self.grid(), self.spanned())
     }
 
     /// Where a contact in the window is solved with looks at the whole grid: there, if the window saves too little.

@@ -30,10 +30,7 @@ pub(super) fn narrow(
     let Some(contact) = bodies.around(|i| before[i] > 0.0 || after[i] > 0.0) else {
         return;
     };
-    // Along an axis that repeats a grid is never cut.
-    let repeats = state.boundary().repeats();
-    let needed = contact.widened(grid).with_margins(grid, margins);
-    let needed = needed.spanning(grid, repeats);
+    let needed = bodies.confined(contact.widened(grid).with_margins(grid, margins));
     let smaller = |window: Window, waste: f64| {
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)

@@ -87,6 +87,7 @@ impl Travel {
     pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
         positive("cells that a step rolls", self.cells as f64)?;
         let length = finite("length of a rolled step", self.length)?;
+        bodies.kernel().check_no_operators("rolling")?;
         if bodies.boundary().repeats()[self.edge.axis().index()] {
             return Err(Error::NotModelled {
                 quantity: "rolling by a step along an axis on which the grid repeats",

@@ -23,8 +23,8 @@ impl Added {
                 Self::Rest(Box::new(Rest::of_kernel(kernel, isotropic)))
             }
             Some(Given::Table(table)) => Self::Table(CoefficientTable::clone(table)),
-            // On grids that take it there are symbols.
-            Some(Given::Orthotropic(_)) => return None,
+            // On grids that take it there are symbols; operators need none.
+            Some(Given::Orthotropic(_) | Given::Operators(_)) => return None,
         };
         Some(Arc::new(added))
     }

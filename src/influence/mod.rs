@@ -136,6 +136,12 @@ impl Component {
         Self::ALL[3 * displacement as usize + traction as usize]
     }
 
+    /// The directions of displacement and of traction.
+    pub(crate) const fn directions(self) -> [Direction; 2] {
+        const DIRECTIONS: [Direction; 3] = [Direction::X, Direction::Y, Direction::Z];
+        [DIRECTIONS[self as usize / 3], DIRECTIONS[self as usize % 3]]
+    }
+
     /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
     ///
     /// ```

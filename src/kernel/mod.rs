@@ -2,13 +2,14 @@
 //!
 //! A [`Kernel`] takes the place of an [`ElasticPair`] where a [`HalfSpace`](crate::HalfSpace) is made: pressure, traction,
 //! both at once, histories, wear, stiffness and rolling then work with it. It describes the relative displacement
-//! $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of three ways.
+//! $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of four ways.
 //!
 //! | | given | grids |
 //! |---|---|---|
 //! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all that take coated bodies |
 //! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 of $`(k_x, k_y)`$: a [`ResponseTensor`] | that repeat along both axes |
 //! | [`Kernel::tabulated`] | a [`CoefficientTable`]: of a finite-element code, measured | that do not repeat |
+//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all, of their cells |
 //!
 //! ```
 //! use stickslip::layers::Response;
@@ -55,19 +56,27 @@
 //! certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
 //! isotropic kernels on free grids, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
 //! positive either, and for tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found
-//! together, the eigenvalues of each alone decide this.
+//! together, the eigenvalues of each alone decide this. Operators state their own bound; without one pressure and traction
+//! are found one after the other only, and stiffness is refused. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound)
+//! tells which of these a certificate rests on.
 //!
 //! # Moduli and identity
 //!
 //! The pair `near` lends what is one number: its hardness, the ratio of tangential to normal compliance in the law of
 //! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
 //! [refuse](Error::Coated) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
-//! same: of a closure those of 41 wave numbers in single precision, of a table all. States of histories keep it, so that a
+//! same: of a closure those of 41 wave numbers in single precision, of a table all, of an operator the works of two fields of
+//! tractions. States of histories keep it, so that a
 //! history continues with the same kernel only.
 
+mod check;
+mod operators;
 mod table;
+mod user_operator;
 
+pub use operators::Operators;
 pub use table::CoefficientTable;
+pub(crate) use user_operator::{Part, PartWorkspace};
 
 use std::fmt;
 use std::sync::Arc;
@@ -79,6 +88,9 @@ use crate::grid::Grid;
 use crate::influence::Component;
 use crate::layers::Response;
 use crate::material::{ElasticPair, KernelMark};
+
+pub(crate) use check::check_thickness;
+use check::{check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
 
 /// Two bodies by their response, or a pair of materials as it is; the page of [`kernel`](crate::kernel) tells more.
 ///
@@ -114,6 +126,7 @@ pub(crate) enum Given {
     Isotropic(Isotropic),
     Orthotropic(Arc<dyn Fn([f64; 2]) -> ResponseTensor + Send + Sync>),
     Table(Arc<CoefficientTable>),
+    Operators(Arc<Operators>),
 }
 
 /// A response that tends to that of a half-space for short waves.
@@ -174,8 +187,6 @@ const NEAR: f64 = 20.0;
 const CLOSE: f64 = 1e-10;
 /// Most difference of the limit of long waves from that found.
 const ALIKE: f64 = 1e-3;
-/// Difference of a tensor from its mirror image that round-off explains.
-const MIRRORED: f64 = 1e-10;
 
 impl Kernel {
     /// Bodies without a direction in their plane, by their response to waves of the wave number k > 0: that of
@@ -310,6 +321,33 @@ impl Kernel {
         Ok(Self::new(&near, mark, Given::Table(Arc::new(table))))
     }
 
+    /// Bodies by [operators](Operators) on the cells of a grid, of any boundary: whatever displacements they compute from
+    /// tractions. `near` is the pair of homogeneous half-spaces that they resemble for waves of a few cells: its inverse
+    /// preconditions the solves, which converge the faster the better it fits, to the same answer. It lends hardness and
+    /// moduli, and whether pressure and traction are [coupled](ElasticPair::is_coupled).
+    ///
+    /// A contact is solved on all cells of the grid: no window, no coarser grids. A [lower bound](crate::Operator::lower_bound)
+    /// of an operator makes its certificate; without one [`Report::duality_gap`](crate::Report::duality_gap) is the duality
+    /// gap, and does not decide when a solve ends. Rolling, ranks, dense matrices, edges inside the cells and stresses refuse
+    /// such bodies. On a grid that repeats along both axes an operator must map constants to zero.
+    ///
+    /// # Errors
+    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::KernelMissing`] without an operator;
+    /// [`Error::RepeatedDirection`]; [`Error::Length`] for operators of different numbers of cells; and, of two fields without
+    /// mean, [`Error::NotPositive`] for an energy, [`Error::NotFinite`], [`Error::NotModelled`] for works that differ by more
+    /// than 1e-9 of the energies or for a coupling that `near` has not, [`Error::Below`] for an energy less than the lower
+    /// bound states.
+    pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
+        near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
+        let shown = operators.examined(near.is_coupled())?;
+        let mark = (digest_of(&near, 1.0, &shown), near.coupling_strength());
+        Ok(Self::new(
+            &near,
+            mark,
+            Given::Operators(Arc::new(operators)),
+        ))
+    }
+
     fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
         let coupling = rounded(coupling);
         Self {
@@ -328,6 +366,25 @@ impl Kernel {
     /// What a user gives; nothing of a pair of materials.
     pub(crate) fn given(&self) -> Option<&Given> {
         self.given.as_ref()
+    }
+
+    /// Operators of a user, if they are all there is.
+    pub(crate) fn user_operators(&self) -> Option<&Operators> {
+        match &self.given {
+            Some(Given::Operators(operators)) => Some(operators),
+            _ => None,
+        }
+    }
+
+    /// `Ok` where it is known how bodies respond at any place.
+    pub(crate) fn check_no_operators(&self, quantity: &'static str) -> Result<()> {
+        match self.user_operators() {
+            None => Ok(()),
+            Some(_) => Err(Error::Coated {
+                quantity,
+                remedy: "operators of a user are known on the cells of their grid alone",
+            }),
+        }
     }
 
     /// The wave number k > 0 times the response to waves of it, of bodies without a direction.
@@ -376,6 +433,7 @@ impl Kernel {
                 quantity: "a grid that does not repeat along both axes, under an orthotropic response,",
                 remedy: REPEATING,
             }),
+            Some(Given::Operators(operators)) => operators.check_on(grid.cells()),
             Some(Given::Table(table)) if boundary == Boundary::NonPeriodic => table.check_on(grid),
             Some(Given::Table(_)) => Err(Error::Coated {
                 quantity: "a grid that repeats, under a table of coefficients,",
@@ -399,22 +457,6 @@ impl Isotropic {
         at_least("one", 1.0, quantity, CLOSE / found.max(CLOSE))?;
         Ok(())
     }
-}
-
-/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
-const THINNEST: f64 = 1e-25;
-
-/// `Ok` if the tables of a layer of this thickness reach over the grid.
-pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
-    let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
-    let quantity = "thickness of a layer over the diagonal of the grid";
-    at_least(
-        "the least allowed",
-        THINNEST,
-        quantity,
-        thickness / length.hypot(width),
-    )?;
-    Ok(())
 }
 
 const NEAR_IS: &str = "the half-space near of a kernel";
@@ -453,75 +495,6 @@ fn rounded(value: f64) -> f64 {
     f64::from(single)
 }
 
-/// A coupling over the mean of the two compliances between which it is, in an order in which nothing overflows.
-fn ratio(coupling: f64, one: f64, other: f64) -> f64 {
-    coupling / one.sqrt() / other.sqrt()
-}
-
-fn stronger(one: f64, other: f64) -> f64 {
-    if other.abs() > one.abs() { other } else { one }
-}
-
-fn checked(found: Response) -> Result<Response> {
-    positive("response of the kernel to waves of pressure", found.normal)?;
-    positive(
-        "response of the kernel to traction along waves",
-        found.along,
-    )?;
-    positive(
-        "response of the kernel to traction across waves",
-        found.across,
-    )?;
-    finite("coupling of the kernel", found.coupling)?;
-    let coupling = ratio(found.coupling, found.normal, found.along);
-    let quantity = "energy of a wave of pressure and traction, over that without coupling,";
-    positive(quantity, 1.0 - coupling * coupling)?;
-    Ok(found)
-}
-
-fn checked_far(far: Response) -> Result<Response> {
-    let quantity = "response of the kernel to long waves, times k,";
-    for value in [far.normal, far.along, far.across, far.coupling] {
-        finite(quantity, value)?;
-    }
-    Ok(far)
-}
-
-fn checked_tensor(found: ResponseTensor) -> Result<ResponseTensor> {
-    positive("response of the kernel to waves of pressure", found.zz)?;
-    positive(
-        "response of the kernel to waves of traction along x",
-        found.xx,
-    )?;
-    positive(
-        "response of the kernel to waves of traction along y",
-        found.yy,
-    )?;
-    for value in [found.xy, found.zx, found.zy] {
-        finite("coupling of the kernel", value)?;
-    }
-    Ok(found)
-}
-
-/// `Ok` if a tensor is that of the mirrored wave vector, along x or y.
-fn check_mirrored(
-    found: &ResponseTensor,
-    mirrored: &ResponseTensor,
-    [along_x, along_y]: [bool; 2],
-) -> Result<()> {
-    let signs = [false, false, false, true, along_x, along_y];
-    let unit = found.xx.max(found.yy).max(found.zz);
-    let values = found.values().into_iter().zip(mirrored.values());
-    let differences = values.zip(signs).map(|((found, mirrored), is_odd)| {
-        let mirrored = if is_odd { -mirrored } else { mirrored };
-        (found - mirrored).abs() / unit
-    });
-    let most = differences.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) });
-    let quantity = "most over found difference of a response from its mirror image";
-    at_least("one", 1.0, quantity, MIRRORED / most.max(MIRRORED))?;
-    Ok(())
-}
-
 impl From<ElasticPair> for Kernel {
     fn from(pair: ElasticPair) -> Self {
         Self { pair, given: None }
@@ -541,6 +514,7 @@ impl fmt::Debug for Kernel {
             Some(Given::Isotropic(_)) => "isotropic",
             Some(Given::Orthotropic(_)) => "orthotropic",
             Some(Given::Table(_)) => "table",
+            Some(Given::Operators(_)) => "operators",
         };
         let mut shown = f.debug_struct("Kernel");
         shown

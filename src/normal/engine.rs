@@ -1,21 +1,19 @@
 //! The engine of a normal contact: around the contact, with a look at the rest of the grid.
 
-use std::borrow::Cow;
-use std::sync::Arc;
-
 use crate::buffer::{self, TryClone};
 use crate::cgm::{self, Interval, Iterate, Known};
 use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_iterate};
 use crate::error::Result;
-use crate::fft::{Convolution, ConvolutionWorkspace};
-use crate::half_space::{Compliance, HalfSpace, Region};
+use crate::half_space::{Compliance, ElasticOperator, ElasticWorkspace, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::nested::PressureScene;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
 use crate::pool::Lease;
+use crate::report::EigenvalueBound;
 use crate::watch::Observer;
 use crate::window::Window;
+use std::borrow::Cow;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
 #[derive(Debug, Clone)]
@@ -33,7 +31,7 @@ pub(super) struct Engine {
 #[derive(Debug, Clone)]
 struct Part {
     /// Of the whole grid.
-    operator: Arc<Convolution<1>>,
+    operator: ElasticOperator<1>,
     fields: Lease<PartFields>,
 }
 
@@ -46,7 +44,7 @@ struct PartFields {
     limits: Vec<f64>,
     /// Of the whole grid.
     displacement: Vec<f64>,
-    workspace: ConvolutionWorkspace<1>,
+    workspace: ElasticWorkspace<1>,
 }
 
 impl Part {
@@ -202,17 +200,18 @@ impl Engine {
         outcome
     }
 
-    /// Examines the pressure on the whole grid; `None` if the window is the grid.
+    /// Examines the pressure on the whole grid, and tells how the least eigenvalue is known there; `None` if the window is
+    /// the grid.
     pub(super) fn examine(
         &mut self,
         scene: PressureScene<&[f64]>,
         pressure: &[f64],
-    ) -> Result<Option<cgm::Certificate>> {
+    ) -> Result<Option<(cgm::Certificate, EigenvalueBound)>> {
         let multiplier = self.solver.multiplier();
         let Some(part) = &mut self.part else {
             return Ok(None);
         };
-        let operator = Arc::clone(&part.operator);
+        let operator = part.operator.clone();
         let PartFields {
             displacement,
             workspace,
@@ -229,7 +228,7 @@ impl Engine {
             multiplier,
         };
         let findings = cgm::examine(&iterate, &scene.constraint(), operator.lower_bound());
-        Ok(Some(findings))
+        Ok(Some((findings, operator.eigenvalue_bound())))
     }
 
     /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.

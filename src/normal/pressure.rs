@@ -294,11 +294,12 @@ impl PressureSolver {
             }
             drop(observer);
             report.add_pass(engine.solver.report());
-            let Some(findings) = engine.examine(scene, pressure)? else {
+            let Some((findings, bound)) = engine.examine(scene, pressure)? else {
                 return outcome.map(|()| Seen::Answer);
             };
             report.double_precision_products += 1;
             findings.write_to(report);
+            report.eigenvalue_bound = bound;
             let missed = engine.missed(scene, findings.displacement, bodies);
             // What has stalled may have done so because the contact is elsewhere.
             let may_go_on = matches!(report.status, Status::Converged | Status::Stalled);

@@ -1,32 +1,28 @@
 //! The approximate inverse of what a traction contributes to the slip.
 
-use std::sync::Arc;
-
 use crate::buffer::{or_abort, try_each, zeros};
 use crate::cgm::vector::slices;
 use crate::error::Result;
-use crate::fft::CirculantInverse;
+use crate::fft::SingleWorkspace;
+use crate::half_space::ElasticPreconditioner;
 use crate::history::Passage;
 use crate::operator::Operator;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyInverse {
-    inverse: Arc<CirculantInverse<2>>,
+    inverse: ElasticPreconditioner<2>,
     step: Passage,
 }
 
 impl SteadyInverse {
-    pub(super) fn new(inverse: Arc<CirculantInverse<2>>, step: Passage) -> Self {
+    pub(super) fn new(inverse: ElasticPreconditioner<2>, step: Passage) -> Self {
         Self { inverse, step }
     }
 }
 
 /// The buffers: those of the inverse, and the sums.
-pub(super) type SteadyInverseWorkspace = (
-    <CirculantInverse<2> as Operator<2>>::Workspace,
-    [Vec<f64>; 2],
-);
+pub(super) type SteadyInverseWorkspace = (SingleWorkspace<2>, [Vec<f64>; 2]);
 
 impl Operator<2> for SteadyInverse {
     type Workspace = SteadyInverseWorkspace;

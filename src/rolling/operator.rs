@@ -1,17 +1,16 @@
 //! What a traction that does not change contributes to the slip of a step.
 
-use std::sync::Arc;
-
 use crate::buffer::or_abort;
 use crate::error::Result;
-use crate::fft::{Convolution, ConvolutionWorkspace};
+use crate::half_space::{ElasticOperator, ElasticWorkspace};
 use crate::history::Passage;
 use crate::operator::Operator;
+use crate::report::EigenvalueBound;
 
 /// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteadyOperator {
-    compliance: Arc<Convolution<2>>,
+    compliance: ElasticOperator<2>,
     step: Passage,
     lower_bound: f64,
     self_compliance: f64,
@@ -21,7 +20,7 @@ impl SteadyOperator {
     /// For tractions in cells of which `chain` at most lie one behind the other, a step apart, and each slips by
     /// `self_compliance` over a step by a traction of its own.
     pub(super) fn new(
-        compliance: Arc<Convolution<2>>,
+        compliance: ElasticOperator<2>,
         step: Passage,
         chain: usize,
         self_compliance: f64,
@@ -39,7 +38,7 @@ impl SteadyOperator {
 }
 
 impl Operator<2> for SteadyOperator {
-    type Workspace = ConvolutionWorkspace<2>;
+    type Workspace = ElasticWorkspace<2>;
 
     fn cells(&self) -> usize {
         self.compliance.cells()
@@ -64,6 +63,10 @@ impl Operator<2> for SteadyOperator {
 
     fn lower_bound(&self) -> f64 {
         self.lower_bound
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        self.compliance.eigenvalue_bound()
     }
 
     fn self_compliance(&self) -> f64 {

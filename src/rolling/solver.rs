@@ -81,7 +81,7 @@ impl RollingSolver {
         let Compliance { operator, inverse } = problem
             .bodies
             .compliance([Direction::X, Direction::Y], step.size)?;
-        let alone = self_compliance(&*operator, step)?;
+        let alone = self_compliance(&operator, step)?;
         let operator = SteadyOperator::new(operator, step, problem.chain, alone);
         let inverse = SteadyInverse::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));

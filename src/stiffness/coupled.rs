@@ -1,8 +1,5 @@
 //! The stiffness of a contact whose pressure and shear are found together.
 
-use std::ops::ControlFlow;
-use std::sync::Arc;
-
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
@@ -10,9 +7,8 @@ use crate::cgm::vector::{at, slices};
 use crate::cgm::{Held, Own, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
-use crate::fft::{CirculantInverse, Convolution};
 use crate::field::Field;
-use crate::half_space::{Compliance, HalfSpace, Region};
+use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::Hardness;
 use crate::operator::Operator;
@@ -29,6 +25,7 @@ use crate::stiffness::{
 use crate::tangential::{Axis, Friction, centre};
 use crate::watch::{Observer, unwatched};
 use crate::window::Window;
+use std::ops::ControlFlow;
 
 /// Components of a vector: along z, x and y.
 const N: usize = 3;
@@ -59,7 +56,7 @@ pub(super) struct Joint {
     compliance: Compliance<N>,
     /// Of the eigenvalues of its tangential part.
     lower_bound: f64,
-    workspace: ConeWorkspace<Arc<Convolution<N>>, Arc<CirculantInverse<N>>>,
+    workspace: ConeWorkspace<ElasticOperator<N>, ElasticPreconditioner<N>>,
     /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
     cells: [Vec<f64>; 7],
     right: Vec<[f64; N]>,
@@ -74,7 +71,8 @@ impl Joint {
         compliance: Compliance<N>,
     ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
-        let is_own = |own: &Self| Arc::ptr_eq(&own.compliance.operator, &operator);
+        operator.check_bounded()?;
+        let is_own = |own: &Self| own.compliance.operator.is(&operator);
         provide(slot, is_own, || {
             let (x, y) = (Direction::X, Direction::Y);
             // The bound of the grid holds for its windows.

@@ -13,16 +13,14 @@
 //!
 //! $`\lambda`$ the least eigenvalue of C, on periodic grids among tractions without load.
 
-use std::sync::Arc;
-
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, plus, slices, slices_mut};
 use crate::cgm::{Held, LinearWorkspace, Own, Row, reduce};
 use crate::error::{Result, finite};
-use crate::fft::{ConvolutionWorkspace, SingleWorkspace};
-use crate::half_space::{Compliance, HalfSpace};
+use crate::fft::SingleWorkspace;
+use crate::half_space::{Compliance, ElasticWorkspace, HalfSpace};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
@@ -43,7 +41,7 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
-    linear: LinearWorkspace<ConvolutionWorkspace<N>, SingleWorkspace<N>, R, N>,
+    linear: LinearWorkspace<ElasticWorkspace<N>, SingleWorkspace<N>, R, N>,
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     own: Vec<f64>,
     columns: [Column<N>; 3],
@@ -97,7 +95,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         compliance: Compliance<N>,
     ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
-        let is_own = |own: &Self| Arc::ptr_eq(&own.compliance.operator, &operator);
+        operator.check_bounded()?;
+        let is_own = |own: &Self| own.compliance.operator.is(&operator);
         provide(slot, is_own, || {
             Ok(Self {
                 layout: operator.layout().alike(bodies.team()),
@@ -172,6 +171,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         }
         let found = self.combine(active, parts)?;
         // The bound decides, wherever round-off has left the residuals.
+        course.report.eigenvalue_bound = self.compliance.operator.eigenvalue_bound();
         course.report.status = if found.bound <= ALLOWED.max(course.tolerance) {
             Status::Converged
         } else {

@@ -1,11 +1,8 @@
 //! The tangential displacement by pressure, where materials couple the two.
 
-use std::sync::Arc;
-
 use crate::buffer;
 use crate::error::Result;
-use crate::fft::{Convolution, ConvolutionWorkspace};
-use crate::half_space::HalfSpace;
+use crate::half_space::{ElasticOperator, ElasticWorkspace, HalfSpace};
 use crate::influence::{Component, Direction};
 use crate::operator::Operator;
 use crate::tangential::Axis;
@@ -23,15 +20,15 @@ pub(crate) struct Drawing {
 #[derive(Debug, Clone)]
 struct Part {
     axis: Axis,
-    operator: Arc<Convolution<1>>,
-    workspace: ConvolutionWorkspace<1>,
+    operator: ElasticOperator<1>,
+    workspace: ElasticWorkspace<1>,
 }
 
 impl Drawing {
     pub(crate) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
-            let operator = bodies.convolution([[component]], size)?;
+            let operator = bodies.operator_of([[component]], size)?;
             let workspace = operator.try_workspace()?;
             Ok(Part {
                 axis,

@@ -81,6 +81,7 @@ mod measured_surfaces_are_prepared;
 mod methods_agree;
 mod moments_and_energies_follow_from_the_fields;
 mod one_way_coupling_is_goodmans;
+mod operators_take_the_place_of_bodies;
 #[cfg(feature = "serde")]
 mod plain_types_survive_serialisation;
 mod planes_below_the_surface;

@@ -25,7 +25,7 @@ use crate::layers::{LIMIT, Layer};
 use crate::material::{ElasticPair, KernelMark, Material};
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::per_cell::PerCell;
-use crate::report::Status;
+use crate::report::{EigenvalueBound, Status};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 use crate::window::Window;
 
@@ -402,6 +402,12 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     ] {
         codec.number("error of the report", error, NOT_NEGATIVE_OR_INFINITE)?;
     }
+    let bounds = [
+        EigenvalueBound::Unknown,
+        EigenvalueBound::Estimated,
+        EigenvalueBound::Proven,
+    ];
+    codec.kind("eigenvalue bound", &mut report.eigenvalue_bound, &bounds)?;
     Ok(())
 }
 

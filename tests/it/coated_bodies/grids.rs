@@ -5,7 +5,10 @@ use kit::{Random, max_abs, max_difference};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Rectangle};
-use stickslip::{Boundary, CellValue, ElasticPair, Field, Grid, HalfSpace, Material, Operator};
+use stickslip::{
+    Boundary, CellValue, EigenvalueBound, ElasticPair, Field, Grid, HalfSpace, Material,
+    NormalControl, NormalProblem, Operator, surface,
+};
 
 use super::{layer, on_rigid, stack};
 
@@ -109,6 +112,7 @@ fn rows_that_repeat_add_up_their_images() {
 #[test]
 fn stiff_coatings_on_long_grids_have_a_bound() {
     let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    let mut estimated = 0;
     for (m, nu, sides) in [
         (10.0, 0.5, [2.0, 1.0]),
         (1e3, 0.3, [2.0, 2.0]),
@@ -146,8 +150,20 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
             let bound = bodies.tensor_operator([X, Y]).unwrap().lower_bound();
             assert!(bound <= least && bound > 0.0);
             bodies.tensor_preconditioner([X, Y]).unwrap();
+            // Nobody reads such a certificate as a proven one.
+            let known = bodies.tensor_operator([Z]).unwrap().eigenvalue_bound();
+            let gap = surface::sphere(grid, 50.0).unwrap();
+            let load = NormalControl::Approach(0.05);
+            let contact = NormalProblem::builder(&bodies, &gap, load).build();
+            let contact = contact.unwrap().solve().unwrap();
+            assert_eq!(contact.report().eigenvalue_bound, known);
+            let is_estimated = known == EigenvalueBound::Estimated;
+            let line = contact.report().to_string();
+            assert_eq!(line.contains("by an estimate"), is_estimated);
+            estimated += usize::from(is_estimated);
         }
     }
+    assert!(estimated > 0);
 }
 
 /// Pressure and traction at once on a free grid, as a matrix.

@@ -1,5 +1,6 @@
 //! Random hard scenes: `campaign FIRST COUNT` solves COUNT scenes from index FIRST, judges the answers and prints the
-//! faults; `campaign kinds FIRST COUNT` does so with contacts of every kind, and counts how their solves end.
+//! faults; `campaign coated FIRST COUNT` does so with coated bodies, `campaign kinds FIRST COUNT` with contacts of every
+//! kind, and counts how their solves end.
 
 #![allow(
     clippy::print_stdout,
@@ -17,11 +18,12 @@ use rayon::prelude::*;
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1).peekable();
-    let has_kinds = arguments.next_if(|word| word == "kinds").is_some();
-    let (name, rows): (&str, fn(u64) -> Vec<Row>) = if has_kinds {
-        ("campaign kinds", kinds::rows)
-    } else {
-        ("campaign", campaign::rows)
+    let mut takes = |kind: &str| arguments.next_if(|word| word == kind).is_some();
+    let (has_kinds, is_coated) = (takes("kinds"), takes("coated"));
+    let (name, rows): (&str, fn(u64) -> Vec<Row>) = match (has_kinds, is_coated) {
+        (true, _) => ("campaign kinds", kinds::rows),
+        (_, true) => ("campaign coated", campaign::coated_rows),
+        _ => ("campaign", campaign::rows),
     };
     let mut number = |default: u64| arguments.next().map_or(Ok(default), |word| word.parse());
     let (first, count) = (number(0)?, number(200)?);

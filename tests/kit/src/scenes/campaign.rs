@@ -1,10 +1,12 @@
 //! What the index of a random scene stands for, solved.
 
+use stickslip::Error;
 use stickslip::cgm::Method;
+use stickslip::influence::Direction::{X, Y, Z};
 
 use super::judge::Judge;
 use super::row::Row;
-use super::{draw, steps};
+use super::{Scene, draw, steps};
 
 /// Cells up to which a scene is compared with the dense twin, and solved by both methods.
 const SMALL: usize = 150;
@@ -16,8 +18,36 @@ pub fn rows(index: u64) -> Vec<Row> {
     let outcome = if index % HISTORIES == HISTORIES - 1 {
         steps::story(index).map(|story| story.rows())
     } else {
-        contacts(index)
+        draw::scene(index).map(|scene| contacts(&scene))
     };
+    settled(index, outcome)
+}
+
+/// The rows of the contacts of an index, of coated bodies; one that says so where nothing can be certified.
+pub fn coated_rows(index: u64) -> Vec<Row> {
+    let outcome = draw::coated_scene(index).and_then(|scene| {
+        let plane = scene.bodies.tensor_preconditioner([X, Y]).map(|_| ());
+        let bound = scene.bodies.tensor_preconditioner([Z]).and(plane);
+        match bound {
+            Err(error @ (Error::NotDefinite { .. } | Error::CellsTooLong { .. })) => {
+                let mut row = Row::new(&scene.name, "all");
+                row.ending = format!("refused: {}", kind_of(&error));
+                Ok(vec![row])
+            }
+            bound => bound.map(|()| contacts(&scene)),
+        }
+    });
+    settled(index, outcome)
+}
+
+fn kind_of(error: &Error) -> &'static str {
+    match error {
+        Error::CellsTooLong { .. } => "cells too long",
+        _ => "not definite",
+    }
+}
+
+fn settled(index: u64, outcome: stickslip::Result<Vec<Row>>) -> Vec<Row> {
     outcome.unwrap_or_else(|error| {
         let mut row = Row::new(&format!("scene {index}"), "all");
         row.fault = Some(error.to_string());
@@ -25,12 +55,11 @@ pub fn rows(index: u64) -> Vec<Row> {
     })
 }
 
-fn contacts(index: u64) -> stickslip::Result<Vec<Row>> {
+fn contacts(scene: &Scene) -> Vec<Row> {
     let judge = Judge { dense_limit: SMALL };
-    let scene = draw::scene(index)?;
-    let mut rows = judge.rows(&scene, Method::ActiveSet);
+    let mut rows = judge.rows(scene, Method::ActiveSet);
     if scene.gap.grid().cells() <= SMALL {
-        rows.extend(judge.rows(&scene, Method::PolonskyKeer));
+        rows.extend(judge.rows(scene, Method::PolonskyKeer));
     }
-    Ok(rows)
+    rows
 }

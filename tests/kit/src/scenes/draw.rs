@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use stickslip::cgm::Settings;
+use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, Result,
 };
@@ -21,9 +22,36 @@ pub(crate) fn random_of(index: u64) -> Random {
 
 /// The scene of an index.
 pub(crate) fn scene(index: u64) -> Result<Scene> {
+    scene_of(index, |pair, _| Ok(pair))
+}
+
+/// The same with a layer on body 1, from a hundredth of a cell to the grid thick, a thousand times as soft or as stiff.
+pub(crate) fn coated_scene(index: u64) -> Result<Scene> {
+    let mut random = random_of(index ^ 0x0063_6f61_7465_6400);
+    scene_of(index, |pair, grid| {
+        let [body, other] = pair.bodies();
+        let body = if body.is_rigid() { other } else { body };
+        let most = grid.nx().max(grid.ny()) as f64;
+        let thickness = grid.dx().min(grid.dy()) * random.decade(-2.0, most.log10().max(0.1));
+        let modulus = body.shear_modulus() * random.decade(-3.0, 3.0);
+        let ratio = random.uniform(0.0, 0.5);
+        let coated = body.coated(&[Layer::new(modulus, ratio, thickness)?])?;
+        if random.chance(0.3) {
+            ElasticPair::new(coated, coated)
+        } else {
+            ElasticPair::new(coated, Material::rigid())
+        }
+    })
+}
+
+fn scene_of(
+    index: u64,
+    bodies: impl FnOnce(ElasticPair, Grid) -> Result<ElasticPair>,
+) -> Result<Scene> {
     let mut random = random_of(index);
     let pair = pair(&mut random)?;
     let grid = grid(&mut random)?;
+    let pair = bodies(pair, grid)?;
     let boundary = random.pick(&[
         Boundary::NonPeriodic,
         along_y(grid, index),

@@ -1,0 +1,202 @@
+//! Operators of a user, by the directions that they couple.
+
+use std::fmt;
+
+use crate::error::{Error, Result, at_least, finite, length, positive};
+use crate::influence::{Component, Direction};
+use crate::kernel::user_operator::{Part, UserOperator};
+use crate::operator::Operator;
+
+/// The compliance of two bodies as operators on the cells of one grid: what [`Kernel::operators`](crate::Kernel::operators)
+/// takes.
+///
+/// An operator has a component for each of its directions, in this order. A problem takes the first that has all directions
+/// it asks for and the fewest others: [`NormalProblem`](crate::NormalProblem) asks for Z,
+/// [`TangentialProblem`](crate::TangentialProblem) for X, Y or both, and all three are found together where `near` is
+/// [coupled](crate::ElasticPair::is_coupled). A problem that asks for fewer than an operator has pays for all. Where several
+/// have a direction they must agree on it; this is not looked at.
+///
+/// ```
+/// use stickslip::influence::Direction::{X, Y, Z};
+/// use stickslip::kernel::Operators;
+/// use stickslip::*;
+/// /// A bed of springs: each cell yields by so much under a unit of pressure or traction.
+/// struct Bed(usize, f64);
+/// impl<const N: usize> Operator<N> for Bed {
+///     type Workspace = ();
+///     fn cells(&self) -> usize { self.0 }
+///     fn workspace(&self) {}
+///     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], (): &mut ()) {
+///         for (out, x) in out.into_iter().zip(x) {
+///             out.iter_mut().zip(x).for_each(|(out, x)| *out = self.1 * x);
+///         }
+///     }
+///     fn lower_bound(&self) -> f64 { self.1 }
+///     fn self_compliance(&self) -> f64 { self.1 }
+/// }
+/// let grid = Grid::square(32, 1.0)?;
+/// let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+/// let operators = Operators::new().with([Z], Bed(1024, 0.5)).with([X, Y], Bed(1024, 0.5));
+/// let bodies = HalfSpace::new(grid, Kernel::operators(near, operators)?)?;
+///
+/// // A paraboloid of radius R = 1: p = (d - r^2 / 2 R) / c carries pi R d^2 / c.
+/// let (ball, depth) = (surface::sphere(grid, 1.0)?, 0.06);
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
+/// assert!((contact.load() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
+///
+/// // A shift within the friction of the springs in the middle: these stick, those at the edge slip.
+/// let (friction, shift) = (Friction::coefficient(0.5)?, TangentialControl::Shift([0.01, 0.0]));
+/// let shear = TangentialProblem::builder(&bodies, &contact, friction, shift).build()?.solve()?;
+/// // Springs stick where mu p > s / c, that is within r^2 < 2 R (d - s / mu).
+/// let stick = 2.0 * (depth - 0.01 / 0.5) / (2.0 * depth);
+/// assert!((shear.stick_ratio() - stick).abs() < 0.03);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Default)]
+pub struct Operators {
+    given: Vec<UserOperator>,
+}
+
+/// Difference of two products from symmetry that round-off explains, and energy by coupling that means none.
+const ROUNDED: f64 = 1e-9;
+
+impl Operators {
+    /// None yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// With an operator of these directions (lengths from pressures), symmetric: of displacement and traction along each,
+    /// with the signs of the [`influence`](crate::influence) page. It is applied on many threads.
+    #[must_use]
+    pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
+    where
+        T: Operator<N> + Send + 'static,
+        T::Workspace: 'static,
+    {
+        const { assert!(N > 0, "an operator has a direction") }
+        self.given.push(UserOperator::new(directions, operator));
+        self
+    }
+
+    /// Numbers that tell them from others, if they are what they must be: of as many cells, symmetric, positive, with the
+    /// bounds that they state, and coupled only if they may be.
+    pub(super) fn examined(&self, may_couple: bool) -> Result<Vec<f64>> {
+        let [first, ..] = &self.given[..] else {
+            return Err(Error::KernelMissing("there is no operator"));
+        };
+        positive("cells of an operator", first.cells() as f64)?;
+        let mut shown = Vec::new();
+        for given in &self.given {
+            let directions = given.directions();
+            if (1..directions.len()).any(|n| directions[..n].contains(&directions[n])) {
+                return Err(Error::RepeatedDirection);
+            }
+            length("operator", first.cells(), given.cells())?;
+            shown.extend(examined(given)?);
+            if !may_couple {
+                check_uncoupled(given)?;
+            }
+        }
+        Ok(shown)
+    }
+
+    /// `Ok` for a grid of so many cells.
+    pub(super) fn check_on(&self, cells: usize) -> Result<()> {
+        let given = self.given.iter();
+        given
+            .map(|given| length("operator", cells, given.cells()))
+            .collect()
+    }
+
+    /// These components (displacement, then traction) on `size` cells.
+    pub(crate) fn part<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+    ) -> Result<Part<N>> {
+        let having = |directions| {
+            let given = self.given.iter();
+            let mut those = given.filter(|given| given.directions().len() == directions);
+            those.find_map(|given| given.part(components, size))
+        };
+        (1..=3).find_map(having).ok_or(Error::KernelMissing(
+            "no operator has all directions asked for: Z for pressure, X, Y or both for traction, all three where the half-spaces near are coupled",
+        ))
+    }
+}
+
+/// Numbers of the products of two fields without mean, if they are those of a compliance.
+fn examined(given: &UserOperator) -> Result<[f64; 3]> {
+    let [x, y] = [0.618_033_988_749_895, 0.414_213_562_373_095].map(|step| probe(given, step));
+    let (u, v) = (given.product(&x)?, given.product(&y)?);
+    let [xx, xy, yx, yy] = [(&x, &u), (&x, &v), (&y, &u), (&y, &v)].map(|(x, u)| dot(x, u));
+    for energy in [xx, yy] {
+        positive("energy of a field of tractions under an operator", energy)?;
+    }
+    finite("product of an operator", xy)?;
+    let asymmetry = (xy - yx).abs() / (xx.sqrt() * yy.sqrt());
+    if !given.is_symmetric() || asymmetry > ROUNDED {
+        return Err(Error::NotModelled {
+            quantity: "difference of the works of two tractions on each other's displacements, over their energies,",
+            value: asymmetry,
+            remedy: "give an operator that obeys reciprocity, and says so",
+        });
+    }
+    let bound = finite("lower bound of an operator", given.lower_bound())?;
+    let quantity = "energy of a field of tractions under an operator";
+    at_least("that by its lower bound", bound * dot(&x, &x), quantity, xx)?;
+    Ok([xx, xy, yy])
+}
+
+/// `Ok` if pressure and tractions do no work on each other's displacements.
+fn check_uncoupled(given: &UserOperator) -> Result<()> {
+    let Some(normal) = given.directions().iter().position(|&d| d == Direction::Z) else {
+        return Ok(());
+    };
+    let x = probe(given, 0.618_033_988_749_895);
+    let own = normal * given.cells()..(normal + 1) * given.cells();
+    let pressure: Vec<f64> = (0..x.len())
+        .map(|i| if own.contains(&i) { x[i] } else { 0.0 })
+        .collect();
+    let u = given.product(&pressure)?;
+    let squares = |part: &[f64]| dot(part, part);
+    let coupled =
+        (squares(&u) - squares(&u[own.clone()])).max(0.0).sqrt() / squares(&u[own]).sqrt();
+    if coupled > ROUNDED {
+        return Err(Error::NotModelled {
+            quantity: "tangential displacement by pressure under an operator, over the normal one,",
+            value: coupled,
+            remedy: "give half-spaces near that are coupled too",
+        });
+    }
+    Ok(())
+}
+
+/// Numbers of which each component has mean zero.
+fn probe(given: &UserOperator, step: f64) -> Vec<f64> {
+    let cells = given.cells();
+    let mut x: Vec<f64> = (1..=given.directions().len() * cells)
+        .map(|i| (i as f64 * step).fract() - 0.5)
+        .collect();
+    for part in x.chunks_mut(cells) {
+        let mean = part.iter().sum::<f64>() / cells as f64;
+        // A single cell has no other field.
+        if cells > 1 {
+            part.iter_mut().for_each(|x| *x -= mean);
+        }
+    }
+    x
+}
+
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| x * y).sum()
+}
+
+impl fmt::Debug for Operators {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let directions = self.given.iter().map(UserOperator::directions);
+        f.debug_list().entries(directions).finish()
+    }
+}

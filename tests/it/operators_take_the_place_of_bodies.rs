@@ -1,0 +1,463 @@
+//! Operators of a user: in the place of bodies they are those bodies in every problem that takes them, bodies that differ
+//! from place to place have the answer of a dense matrix, and the rest is refused.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use kit::{l2_difference, max_abs, max_difference, press};
+use stickslip::cgm::{Method, NonNegative};
+use stickslip::dense::DenseOperator;
+use stickslip::influence::Component;
+use stickslip::influence::Direction::{self, X, Y, Z};
+use stickslip::kernel::Operators;
+use stickslip::ranks::Threads;
+use stickslip::rolling::RollingProblem;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, EigenvalueBound, ElasticPair, Error, Field, Friction, Grid,
+    HalfSpace, History, Kernel, LoadStep, Material, NormalControl, NormalProblem, NormalSolution,
+    Operator, TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, surface,
+};
+
+/// The operator of other bodies, softer in some places, and with or without a bound.
+struct Other<const N: usize> {
+    of: stickslip::ElasticOperator<N>,
+    /// Compliance of each cell beside.
+    springs: Vec<f64>,
+    is_bounded: bool,
+}
+
+impl<const N: usize> Operator<N> for Other<N> {
+    type Workspace = <stickslip::ElasticOperator<N> as Operator<N>>::Workspace;
+
+    fn cells(&self) -> usize {
+        self.of.cells()
+    }
+
+    fn workspace(&self) -> Self::Workspace {
+        self.of.workspace()
+    }
+
+    fn apply(&self, x: [&[f64]; N], mut out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
+        self.of
+            .apply(x, out.each_mut().map(|out| &mut **out), workspace);
+        for (out, x) in out.into_iter().zip(x) {
+            for ((out, x), spring) in out.iter_mut().zip(x).zip(&self.springs) {
+                *out += spring * x;
+            }
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        if self.is_bounded {
+            self.of.lower_bound()
+        } else {
+            0.0
+        }
+    }
+}
+
+fn pair(coupled: bool) -> ElasticPair {
+    let body = Material::new(1.0, 0.2).unwrap();
+    let other = if coupled { Material::rigid() } else { body };
+    ElasticPair::new(body, other).unwrap()
+}
+
+fn of<const N: usize>(
+    bodies: &HalfSpace,
+    directions: [Direction; N],
+    spring: impl Fn(usize) -> f64,
+) -> Other<N> {
+    Other {
+        of: bodies.tensor_operator(directions).unwrap(),
+        springs: (0..bodies.grid().cells()).map(spring).collect(),
+        is_bounded: true,
+    }
+}
+
+/// The bodies by their operators: one for pressure, one for tractions.
+fn apart(bodies: &HalfSpace) -> HalfSpace {
+    let operators = Operators::new()
+        .with([Z], of(bodies, [Z], |_| 0.0))
+        .with([X, Y], of(bodies, [X, Y], |_| 0.0));
+    made(bodies, operators)
+}
+
+/// By one of all directions, in an order of its own.
+fn at_once(bodies: &HalfSpace) -> HalfSpace {
+    made(
+        bodies,
+        Operators::new().with([Y, Z, X], of(bodies, [Y, Z, X], |_| 0.0)),
+    )
+}
+
+fn made(like: &HalfSpace, operators: Operators) -> HalfSpace {
+    let kernel = Kernel::operators(*like.pair(), operators).unwrap();
+    HalfSpace::with_boundary(like.grid(), kernel, like.boundary()).unwrap()
+}
+
+fn close(found: &Field, expected: &Field, tolerance: f64) {
+    let error = max_difference(found.as_slice(), expected.as_slice());
+    let unit = max_abs(expected.as_slice());
+    assert!(error <= tolerance * unit, "{:e}", error / unit);
+}
+
+fn gap(bodies: &HalfSpace) -> Field {
+    surface::sphere(bodies.grid(), 3.0).unwrap()
+}
+
+/// Pressure and traction along x and in the plane, on every kind of grid.
+#[test]
+fn contacts_are_those_of_the_bodies() {
+    for (grid, boundary) in [
+        (Grid::new(40, 34, 0.1, 0.12).unwrap(), Boundary::NonPeriodic),
+        (Grid::new(24, 30, 0.15, 0.12).unwrap(), Boundary::Periodic),
+        (
+            Grid::new(60, 1, 0.05, 1.0).unwrap(),
+            Boundary::PeriodicAlongY { datum: 40.0 },
+        ),
+    ] {
+        let bodies = HalfSpace::with_boundary(grid, pair(false), boundary).unwrap();
+        let solved = |bodies: &HalfSpace| {
+            let load = NormalControl::Force(0.05);
+            let normal = press(bodies, &gap(bodies), load, 1e-12, Method::ActiveSet);
+            let friction = Friction::coulomb(0.3).unwrap();
+            let problem = |load: TangentialLoad, model| {
+                TangentialProblem::builder(bodies, &normal, friction.clone(), load)
+                    .model(model)
+                    .tolerance(1e-12)
+                    .build()
+                    .unwrap()
+                    .solve()
+                    .unwrap()
+            };
+            let along = problem(
+                TangentialLoad::force([0.01, 0.0]),
+                TangentialModel::default(),
+            );
+            let plane = problem(
+                TangentialLoad::force([0.006, 0.005]),
+                TangentialModel::Vector,
+            );
+            (normal, along, plane)
+        };
+        let (normal, along, plane) = solved(&bodies);
+        for other in [apart(&bodies), at_once(&bodies)] {
+            let (other_normal, other_along, other_plane) = solved(&other);
+            let report = other_normal.report();
+            assert_eq!(report.eigenvalue_bound, EigenvalueBound::Proven);
+            close(other_normal.pressure(), normal.pressure(), 1e-9);
+            assert!((other_normal.approach() / normal.approach() - 1.0).abs() < 1e-9);
+            close(other_along.traction()[0], along.traction()[0], 1e-9);
+            for axis in [0, 1] {
+                close(other_plane.traction()[axis], plane.traction()[axis], 1e-9);
+            }
+            // Preconditioned by the same inverse, from no coarser cells.
+            let most = 2 * normal.report().products() + 20;
+            assert!(report.products() <= most, "{}", report.products());
+        }
+    }
+}
+
+/// Pressure and traction together, and the stiffness of what was found.
+#[test]
+fn dissimilar_contacts_are_those_of_the_bodies() {
+    let grid = Grid::square(32, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair(true)).unwrap();
+    let solved = |bodies: &HalfSpace| {
+        let (load, still) = (
+            NormalControl::Force(0.05),
+            TangentialLoad::force([0.006, 0.0]),
+        );
+        let friction = Friction::coulomb(0.4).unwrap();
+        let problem = CoupledProblem::builder(bodies, &gap(bodies), friction, load, still);
+        problem.tolerance(1e-11).build().unwrap().solve().unwrap()
+    };
+    let (expected, found) = (solved(&bodies), solved(&at_once(&bodies)));
+    assert_eq!(
+        found.report().work.eigenvalue_bound,
+        EigenvalueBound::Proven
+    );
+    close(
+        found.normal().pressure(),
+        expected.normal().pressure(),
+        1e-8,
+    );
+    close(
+        found.tangential().traction()[0],
+        expected.tangential().traction()[0],
+        1e-8,
+    );
+    // What bounds the whole by its halves needs the largest eigenvalue.
+    assert!(found.report().error_bounds.is_none());
+
+    // Without all directions at once there is no such problem.
+    let (apart, friction) = (apart(&bodies), Friction::coulomb(0.4).unwrap());
+    let (load, still) = (
+        NormalControl::Force(0.05),
+        TangentialLoad::force([0.006, 0.0]),
+    );
+    let gap = gap(&bodies);
+    let refused = CoupledProblem::builder(&apart, &gap, friction, load, still).build();
+    let refused = refused.and_then(|problem| problem.solve());
+    assert!(matches!(refused, Err(Error::KernelMissing(_))));
+}
+
+/// A history that comes back and goes on after a restart, with wear between its steps; and its stiffness.
+#[test]
+fn histories_are_those_of_the_bodies() {
+    let grid = Grid::square(36, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let friction = Friction::coulomb(0.3).unwrap();
+    let step = |normal: f64, force: f64| {
+        LoadStep::hold()
+            .normal(NormalControl::Force(normal))
+            .tangential(Axis::X, TangentialControl::Force(force))
+    };
+    let path = [(0.05, 0.0), (0.05, 0.01), (0.06, -0.008), (0.055, 0.0)];
+    let followed = |bodies: &HalfSpace| {
+        let mut history = History::builder(bodies, &gap(bodies), friction.clone())
+            .tolerance(1e-12)
+            .build()
+            .unwrap();
+        for (normal, force) in path {
+            history.step(&step(normal, force)).unwrap();
+        }
+        history
+    };
+    let expected = followed(&bodies);
+    let others = apart(&bodies);
+    let mut found = followed(&others);
+    close(
+        found.state().traction()[0],
+        expected.state().traction()[0],
+        1e-8,
+    );
+    let [own, other] = [&expected, &found].map(|of| of.stiffness().unwrap());
+    assert!((other.normal.value / own.normal.value - 1.0).abs() < 1e-7);
+
+    // Operators made anew are the same bodies; others are not.
+    let bytes = found.to_bytes();
+    let mut again = History::from_bytes(&apart(&bodies), &bytes).unwrap();
+    for history in [&mut found, &mut again] {
+        history.step(&step(0.05, 0.009)).unwrap();
+    }
+    assert_eq!(found.to_bytes(), again.to_bytes());
+    let softer = Operators::new()
+        .with([Z], of(&bodies, [Z], |_| 1e-6))
+        .with([X, Y], of(&bodies, [X, Y], |_| 0.0));
+    for others in [bodies.clone(), made(&bodies, softer)] {
+        let refused = History::from_bytes(&others, &bytes);
+        assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+    }
+}
+
+/// A soft half, of which no convolution knows: against the active set of a dense matrix; with and without a bound.
+#[test]
+fn bodies_that_differ_from_place_to_place_have_the_answer_of_a_dense_matrix() {
+    let grid = Grid::new(14, 12, 0.25, 0.25).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let soft = |cell: usize| if cell % 14 < 7 { 0.6 } else { 0.0 };
+    let cells = grid.cells();
+    let matrix = DenseOperator::of_half_space(&bodies, Component::ZZ).unwrap();
+    let entries = (0..cells * cells)
+        .map(|n| {
+            let (row, column) = (n / cells, n % cells);
+            let spring = if row == column { soft(row) } else { 0.0 };
+            matrix.get(row, column).unwrap() + spring
+        })
+        .collect();
+    let matrix = DenseOperator::from_rows(cells, entries).unwrap();
+    let load = 0.4;
+    let gap = gap(&bodies);
+    let exact = matrix
+        .minimise(gap.as_slice(), &NonNegative, Some(load / grid.cell_area()))
+        .unwrap()
+        .x;
+    for is_bounded in [true, false] {
+        let mut operator = of(&bodies, [Z], soft);
+        operator.is_bounded = is_bounded;
+        let soft = made(&bodies, Operators::new().with([Z], operator));
+        for method in [Method::ActiveSet, Method::PolonskyKeer] {
+            let found = press(&soft, &gap, NormalControl::Force(load), 1e-11, method);
+            let error = l2_difference(found.pressure().as_slice(), &exact);
+            assert!(error < 1e-9, "{error:e}");
+            let report = found.report();
+            let expected = if is_bounded {
+                EigenvalueBound::Proven
+            } else {
+                EigenvalueBound::Unknown
+            };
+            assert_eq!(report.eigenvalue_bound, expected);
+            // The duality gap bounds the error in any case.
+            let product = |p: &[f64]| {
+                let (operator, mut u) = (soft.operator(Component::ZZ).unwrap(), vec![0.0; cells]);
+                operator.apply([p], [&mut u], &mut operator.workspace());
+                p.iter().zip(u).map(|(p, u)| p * u).sum::<f64>()
+            };
+            let difference: Vec<f64> = found
+                .pressure()
+                .as_slice()
+                .iter()
+                .zip(&exact)
+                .map(|(a, b)| a - b)
+                .collect();
+            let squared = product(&difference) / product(found.pressure().as_slice());
+            assert!(
+                squared <= report.duality_gap + 1e-18,
+                "{squared:e} {:e}",
+                report.duality_gap
+            );
+        }
+    }
+}
+
+fn solved(bodies: &HalfSpace) -> NormalSolution {
+    let load = NormalControl::Force(0.05);
+    press(bodies, &gap(bodies), load, 1e-8, Method::ActiveSet)
+}
+
+/// By name, before any work.
+#[test]
+fn what_needs_half_spaces_is_refused() {
+    let grid = Grid::square(20, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let near = pair(false);
+    let operators = || {
+        Operators::new()
+            .with([Z], of(&bodies, [Z], |_| 0.0))
+            .with([X], of(&bodies, [X], |_| 0.0))
+    };
+    let kernel = Kernel::operators(near, operators()).unwrap();
+    let other = HalfSpace::new(grid, &kernel).unwrap();
+    let dense = DenseOperator::of_half_space(&other, Component::ZZ);
+    assert!(matches!(dense, Err(Error::Coated { .. })));
+    let friction = Friction::coulomb(0.3).unwrap();
+    let normal = solved(&other);
+    // Along x alone.
+    let [along, across] = [[0.01, 0.0], [0.0, 0.01]].map(|force| {
+        let load = TangentialLoad::force(force);
+        let problem = TangentialProblem::builder(&other, &normal, friction.clone(), load);
+        problem.build().and_then(|problem| problem.solve())
+    });
+    assert!(along.is_ok());
+    assert!(matches!(across, Err(Error::KernelMissing(_))));
+    let rolling = RollingProblem::builder(&other, &normal, friction).build();
+    assert!(matches!(rolling, Err(Error::Coated { .. })));
+    let ranks = Threads::run(2, Duration::from_secs(60), |rank| {
+        HalfSpace::distributed(grid, &kernel, Boundary::NonPeriodic, Arc::new(rank)).map(|_| ())
+    });
+    for refused in ranks {
+        assert!(matches!(
+            refused,
+            Err(Error::Coated { .. } | Error::Ranks(_))
+        ));
+    }
+    let larger = HalfSpace::new(Grid::square(21, 3.0).unwrap(), &kernel);
+    assert!(matches!(larger, Err(Error::Length { .. })));
+}
+
+/// What is no compliance of bodies is told when the kernel is made.
+#[test]
+fn operators_that_are_no_compliance_are_refused() {
+    let grid = Grid::square(8, 1.0).unwrap();
+    let coupled = HalfSpace::new(grid, pair(true)).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let with = |operators| Kernel::operators(pair(false), operators).map(|_| ());
+    let one = || of(&bodies, [Z], |_| 0.0);
+    assert!(matches!(
+        with(Operators::new()),
+        Err(Error::KernelMissing(_))
+    ));
+    let twice = Operators::new().with([X, X], of(&bodies, [X, Y], |_| 0.0));
+    assert!(matches!(with(twice), Err(Error::RepeatedDirection)));
+    let negative = Operators::new().with([Z], of(&bodies, [Z], |_| -2.0));
+    assert!(matches!(with(negative), Err(Error::NotPositive { .. })));
+    let infinite = Operators::new().with(
+        [Z],
+        of(&bodies, [Z], |i| if i == 5 { f64::NAN } else { 0.0 }),
+    );
+    assert!(matches!(
+        with(infinite),
+        Err(Error::NotPositive { .. } | Error::NotFinite { .. })
+    ));
+    // One direction is sheared twice as far as Betti's reciprocity allows.
+    struct Skew(Other<1>);
+    impl Operator for Skew {
+        type Workspace = <Other<1> as Operator>::Workspace;
+        fn cells(&self) -> usize {
+            self.0.cells()
+        }
+        fn workspace(&self) -> Self::Workspace {
+            self.0.workspace()
+        }
+        fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+            self.0.apply(x, [&mut *out], workspace);
+            out[0] *= 2.0;
+        }
+    }
+    let skew = Operators::new().with([Z], Skew(one()));
+    assert!(matches!(with(skew), Err(Error::NotModelled { .. })));
+    let all = Operators::new().with([X, Y, Z], of(&coupled, [X, Y, Z], |_| 0.0));
+    assert!(matches!(with(all), Err(Error::NotModelled { .. })));
+    /// Says more than it is.
+    struct Boast(Other<1>);
+    impl Operator for Boast {
+        type Workspace = <Other<1> as Operator>::Workspace;
+        fn cells(&self) -> usize {
+            self.0.cells()
+        }
+        fn workspace(&self) -> Self::Workspace {
+            self.0.workspace()
+        }
+        fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+            self.0.apply(x, out, workspace);
+        }
+        fn lower_bound(&self) -> f64 {
+            1e3
+        }
+    }
+    let boast = Operators::new().with([Z], Boast(one()));
+    assert!(matches!(with(boast), Err(Error::Below { .. })));
+    let sizes = Operators::new().with([Z], one()).with(
+        [X],
+        of(
+            &HalfSpace::new(Grid::square(9, 1.0).unwrap(), pair(false)).unwrap(),
+            [X],
+            |_| 0.0,
+        ),
+    );
+    assert!(matches!(with(sizes), Err(Error::Length { .. })));
+}
+
+/// A product that fails later ends a solve as stalled, and the problem goes on with the next gap.
+#[test]
+fn operators_that_fail_later_do_not_pass() {
+    struct Late(Other<1>);
+    impl Operator for Late {
+        type Workspace = <Other<1> as Operator>::Workspace;
+        fn cells(&self) -> usize {
+            self.0.cells()
+        }
+        fn workspace(&self) -> Self::Workspace {
+            self.0.workspace()
+        }
+        fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+            self.0.apply(x, [&mut *out], workspace);
+            // Probes have no sign.
+            if x[0].iter().all(|x| *x >= 0.0) {
+                out[3] = f64::NAN;
+            }
+        }
+    }
+    let grid = Grid::square(12, 2.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let late = made(
+        &bodies,
+        Operators::new().with([Z], Late(of(&bodies, [Z], |_| 0.0))),
+    );
+    let outcome = NormalProblem::builder(&late, &gap(&late), NormalControl::Force(0.05))
+        .build()
+        .unwrap()
+        .solve();
+    assert!(outcome.is_err(), "{outcome:?}");
+}
