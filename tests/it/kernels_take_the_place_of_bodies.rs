@@ -5,11 +5,13 @@ use std::time::Duration;
 
 use kit::{max_abs, max_difference, press, shear};
 use stickslip::cgm::Method;
+use stickslip::history::{Rolling, wear};
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Table};
 use stickslip::kernel::{CoefficientTable, ResponseTensor};
 use stickslip::layers::{Layer, Response};
 use stickslip::ranks::Threads;
+use stickslip::rolling::RollingProblem;
 use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Friction, Grid,
@@ -179,6 +181,81 @@ fn solves_are_those_of_the_coating() {
         let traction = |of: &stickslip::CoupledSolution| of.tangential().traction()[0].clone();
         near(&traction(other), &traction(expected));
     }
+}
+
+/// What follows from a solve: stiffness, steady rolling, a history that rolls and wears; and lines.
+#[test]
+fn stiffness_rolling_wear_and_lines_are_those_of_the_coating() {
+    let grid = Grid::square(36, 6.0).unwrap();
+    let friction = Friction::coulomb(0.4).unwrap();
+    let solved = three(grid, true).map(|bodies| {
+        let mut gap = surface::sphere(grid, 4.0).unwrap();
+        let load = NormalControl::Force(0.4);
+        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
+        let rolling = RollingProblem::builder(&bodies, &normal, friction.clone())
+            .creepage([0.01, 0.005])
+            .tolerance(1e-13)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        let mut history = History::builder(&bodies, &gap, friction.clone())
+            .model(TangentialModel::Vector)
+            .tolerance(1e-13)
+            .build()
+            .unwrap();
+        let held = || LoadStep::hold().normal(load);
+        history.step(&held()).unwrap();
+        let rolled = held().roll(Rolling::new(1).creepage([0.02, 0.01]));
+        history.step(&rolled).unwrap();
+        let slip = history.last_step().slip_distance().clone();
+        wear::archard(0.5, history.pressure(), &slip, &mut gap).unwrap();
+        history.set_gap(&gap).unwrap();
+        history.step(&held()).unwrap();
+        let stiffness = history.stiffness().unwrap();
+        let traction = history.traction().map(Clone::clone);
+        let numbers = [
+            normal.stiffness(&bodies).unwrap().value,
+            stiffness.normal.value,
+            stiffness.tangential.loading[0][0].unwrap(),
+        ];
+        (rolling, history.pressure().clone(), traction, numbers)
+    });
+    let [(rolling, pressure, traction, numbers), others @ ..] = &solved;
+    for (other_rolling, other_pressure, other_traction, other_numbers) in others {
+        // The law of entering cells has the ratio of compliances of `near`, the coating that of waves of two cells.
+        let close = |found: &Field, expected: &Field| {
+            let error = max_difference(found.as_slice(), expected.as_slice());
+            assert!(error < 2e-5 * max_abs(expected.as_slice()), "{error:e}");
+        };
+        for axis in [0, 1] {
+            close(other_rolling.traction()[axis], rolling.traction()[axis]);
+            close(&other_traction[axis], &traction[axis]);
+        }
+        close(other_pressure, pressure);
+        for (found, expected) in other_numbers.iter().zip(numbers) {
+            assert!((found / expected - 1.0).abs() < 1e-8);
+        }
+    }
+
+    // Cylinders, of a row of cells that repeats.
+    let grid = Grid::new(80, 1, 0.08, 1.0).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 40.0 };
+    let [coated, _] = coating(true);
+    let [own, other] = [coated.into(), closure(true)].map(|bodies: Kernel| {
+        let bodies = HalfSpace::with_boundary(grid, bodies, boundary).unwrap();
+        let gap = Field::from_fn(grid, |x, _| 0.1 * x * x);
+        let load = NormalControl::Force(0.2);
+        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
+        let along = TangentialLoad::force([0.05, 0.0]);
+        let traction = shear(&bodies, &normal, &friction, along, 1e-13, Method::ActiveSet);
+        (normal, traction)
+    });
+    let difference = |found: &Field, expected: &Field| {
+        max_difference(found.as_slice(), expected.as_slice()) / expected.max()
+    };
+    assert!(difference(other.0.pressure(), own.0.pressure()) < 1e-9);
+    assert!(difference(other.1.traction()[0], own.1.traction()[0]) < 1e-9);
 }
 
 /// States of histories know the kernel, in files and across processes, and no other goes on with them.
