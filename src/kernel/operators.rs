@@ -104,10 +104,8 @@ impl Operators {
 
     /// `Ok` for a grid of so many cells.
     pub(super) fn check_on(&self, cells: usize) -> Result<()> {
-        let given = self.given.iter();
-        given
-            .map(|given| length("operator", cells, given.cells()))
-            .collect()
+        let mut given = self.given.iter();
+        given.try_for_each(|given| length("operator", cells, given.cells()))
     }
 
     /// These components (displacement, then traction) on `size` cells.
@@ -184,7 +182,9 @@ fn probe(given: &UserOperator, step: f64) -> Vec<f64> {
         let mean = part.iter().sum::<f64>() / cells as f64;
         // A single cell has no other field.
         if cells > 1 {
-            part.iter_mut().for_each(|x| *x -= mean);
+            for x in part {
+                *x -= mean;
+            }
         }
     }
     x

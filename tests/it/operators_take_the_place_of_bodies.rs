@@ -56,6 +56,38 @@ impl<const N: usize> Operator<N> for Other<N> {
     }
 }
 
+/// One whose displacements are changed, with another bound.
+struct Spoiled<F> {
+    of: Other<1>,
+    spoil: F,
+    bound: f64,
+}
+
+fn spoiled<F: Fn(&[f64], &mut [f64])>(of: Other<1>, spoil: F, bound: f64) -> Spoiled<F> {
+    Spoiled { of, spoil, bound }
+}
+
+impl<F: Fn(&[f64], &mut [f64]) + Sync> Operator for Spoiled<F> {
+    type Workspace = <Other<1> as Operator>::Workspace;
+
+    fn cells(&self) -> usize {
+        self.of.cells()
+    }
+
+    fn workspace(&self) -> Self::Workspace {
+        self.of.workspace()
+    }
+
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+        self.of.apply([x], [&mut *out], workspace);
+        (self.spoil)(x, out);
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.bound
+    }
+}
+
 fn pair(coupled: bool) -> ElasticPair {
     let body = Material::new(1.0, 0.2).unwrap();
     let other = if coupled { Material::rigid() } else { body };
@@ -169,7 +201,7 @@ fn dissimilar_contacts_are_those_of_the_bodies() {
             TangentialLoad::force([0.006, 0.0]),
         );
         let friction = Friction::coulomb(0.4).unwrap();
-        let problem = CoupledProblem::builder(bodies, &gap(bodies), friction, load, still);
+        let problem = CoupledProblem::builder(bodies, gap(bodies), friction, load, still);
         problem.tolerance(1e-11).build().unwrap().solve().unwrap()
     };
     let (expected, found) = (solved(&bodies), solved(&at_once(&bodies)));
@@ -202,7 +234,7 @@ fn dissimilar_contacts_are_those_of_the_bodies() {
     assert!(matches!(refused, Err(Error::KernelMissing(_))));
 }
 
-/// A history that comes back and goes on after a restart, with wear between its steps; and its stiffness.
+/// A history that comes back and goes on after a restart; and its stiffness.
 #[test]
 fn histories_are_those_of_the_bodies() {
     let grid = Grid::square(36, 3.0).unwrap();
@@ -215,7 +247,7 @@ fn histories_are_those_of_the_bodies() {
     };
     let path = [(0.05, 0.0), (0.05, 0.01), (0.06, -0.008), (0.055, 0.0)];
     let followed = |bodies: &HalfSpace| {
-        let mut history = History::builder(bodies, &gap(bodies), friction.clone())
+        let mut history = History::builder(bodies, gap(bodies), friction.clone())
             .tolerance(1e-12)
             .build()
             .unwrap();
@@ -380,43 +412,13 @@ fn operators_that_are_no_compliance_are_refused() {
         with(infinite),
         Err(Error::NotPositive { .. } | Error::NotFinite { .. })
     ));
-    // One direction is sheared twice as far as Betti's reciprocity allows.
-    struct Skew(Other<1>);
-    impl Operator for Skew {
-        type Workspace = <Other<1> as Operator>::Workspace;
-        fn cells(&self) -> usize {
-            self.0.cells()
-        }
-        fn workspace(&self) -> Self::Workspace {
-            self.0.workspace()
-        }
-        fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
-            self.0.apply(x, [&mut *out], workspace);
-            out[0] *= 2.0;
-        }
-    }
-    let skew = Operators::new().with([Z], Skew(one()));
+    // One cell is displaced twice as far as Betti's reciprocity allows.
+    let skew = spoiled(one(), |_, out| out[0] *= 2.0, 0.0);
+    let skew = Operators::new().with([Z], skew);
     assert!(matches!(with(skew), Err(Error::NotModelled { .. })));
     let all = Operators::new().with([X, Y, Z], of(&coupled, [X, Y, Z], |_| 0.0));
     assert!(matches!(with(all), Err(Error::NotModelled { .. })));
-    /// Says more than it is.
-    struct Boast(Other<1>);
-    impl Operator for Boast {
-        type Workspace = <Other<1> as Operator>::Workspace;
-        fn cells(&self) -> usize {
-            self.0.cells()
-        }
-        fn workspace(&self) -> Self::Workspace {
-            self.0.workspace()
-        }
-        fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
-            self.0.apply(x, out, workspace);
-        }
-        fn lower_bound(&self) -> f64 {
-            1e3
-        }
-    }
-    let boast = Operators::new().with([Z], Boast(one()));
+    let boast = Operators::new().with([Z], spoiled(one(), |_, _| (), 1e3));
     assert!(matches!(with(boast), Err(Error::Below { .. })));
     let sizes = Operators::new().with([Z], one()).with(
         [X],
@@ -432,30 +434,17 @@ fn operators_that_are_no_compliance_are_refused() {
 /// A product that fails later ends a solve as stalled, and the problem goes on with the next gap.
 #[test]
 fn operators_that_fail_later_do_not_pass() {
-    struct Late(Other<1>);
-    impl Operator for Late {
-        type Workspace = <Other<1> as Operator>::Workspace;
-        fn cells(&self) -> usize {
-            self.0.cells()
-        }
-        fn workspace(&self) -> Self::Workspace {
-            self.0.workspace()
-        }
-        fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
-            self.0.apply(x, [&mut *out], workspace);
-            // Probes have no sign.
-            if x[0].iter().all(|x| *x >= 0.0) {
-                out[3] = f64::NAN;
-            }
-        }
-    }
     let grid = Grid::square(12, 2.0).unwrap();
     let bodies = HalfSpace::new(grid, pair(false)).unwrap();
-    let late = made(
-        &bodies,
-        Operators::new().with([Z], Late(of(&bodies, [Z], |_| 0.0))),
-    );
-    let outcome = NormalProblem::builder(&late, &gap(&late), NormalControl::Force(0.05))
+    // Probes have tractions of both signs.
+    let fail = |x: &[f64], out: &mut [f64]| {
+        if x.iter().all(|x| *x >= 0.0) {
+            out[3] = f64::NAN;
+        }
+    };
+    let late = spoiled(of(&bodies, [Z], |_| 0.0), fail, 0.0);
+    let late = made(&bodies, Operators::new().with([Z], late));
+    let outcome = NormalProblem::builder(&late, gap(&late), NormalControl::Force(0.05))
         .build()
         .unwrap()
         .solve();

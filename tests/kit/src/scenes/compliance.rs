@@ -12,6 +12,8 @@ pub(crate) struct Compliance {
     parts: Vec<(usize, usize, ElasticOperator)>,
     /// Of the eigenvalues; in the plane that of the axes alone, which may be a little more.
     pub(crate) lower_bound: f64,
+    /// Round-off of a product over its largest value, that of the coefficients included.
+    pub(crate) round_off: f64,
 }
 
 impl Compliance {
@@ -38,6 +40,12 @@ impl Compliance {
             blocks,
             parts,
             lower_bound,
+            // The tables of layers have 1e-13.
+            round_off: if bodies.pair().is_coated() {
+                1e-13
+            } else {
+                16.0 * f64::EPSILON
+            },
         })
     }
 

@@ -327,7 +327,12 @@ impl Answer<'_> {
 
     /// What round-off of a product may hide, relative in the energy norm.
     fn round_off(&self) -> f64 {
-        let noise = 16.0 * f64::EPSILON * dot(self.product, self.product).sqrt();
+        // On a grid that repeats a product is what is left of terms as large as a cell displaces itself.
+        let mut one_cell = vec![0.0; self.x.len()];
+        one_cell[0] = 1.0;
+        let own = self.compliance.norm(&one_cell).powi(2);
+        let size = dot(self.product, self.product).sqrt() + own * dot(self.x, self.x).sqrt();
+        let noise = self.compliance.round_off * size;
         1e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
     }
 
