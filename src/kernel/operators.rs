@@ -42,10 +42,10 @@ use crate::operator::Operator;
 /// // A paraboloid of radius R = 1: p = (d - r^2 / 2 R) / c carries pi R d^2 / c.
 /// let (ball, depth) = (surface::sphere(grid, 1.0)?, 0.06);
 /// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
-/// assert!((contact.load() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
+/// assert!((contact.force() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
 ///
 /// // A shift within the friction of the springs in the middle: these stick, those at the edge slip.
-/// let (friction, shift) = (Friction::coefficient(0.5)?, TangentialControl::Shift([0.01, 0.0]));
+/// let (friction, shift) = (Friction::coulomb(0.5)?, TangentialLoad::shift([0.01, 0.0]));
 /// let shear = TangentialProblem::builder(&bodies, &contact, friction, shift).build()?.solve()?;
 /// // Springs stick where mu p > s / c, that is within r^2 < 2 R (d - s / mu).
 /// let stick = 2.0 * (depth - 0.01 / 0.5) / (2.0 * depth);
