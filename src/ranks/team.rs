@@ -99,6 +99,27 @@ impl Team {
         self.kept(self.ranks.all_gather(own, counts))
     }
 
+    /// The values of all ranks in their order, and how many each has.
+    pub(crate) fn gathered<T: Words>(&self, own: &[T]) -> Result<(Vec<T>, Vec<usize>)> {
+        let none = || self.check().map(|()| (Vec::new(), Vec::new()));
+        let Some(lengths) = self.gather(&[own.len() as u64], &vec![1; self.size()]) else {
+            return none();
+        };
+        let mut lengths = &lengths[..];
+        let lengths: Vec<usize> = (0..self.size())
+            .map(|_| Words::read(&mut lengths))
+            .collect();
+        let mut words = Vec::with_capacity(own.len() * T::COUNT);
+        own.iter().for_each(|value| value.write(&mut words));
+        let counts: Vec<usize> = lengths.iter().map(|length| length * T::COUNT).collect();
+        let Some(all) = self.gather(&words, &counts) else {
+            return none();
+        };
+        let mut all = &all[..];
+        let values = (0..lengths.iter().sum()).map(|_| T::read(&mut all));
+        Ok((values.collect(), lengths))
+    }
+
     /// A decision of the first rank, for all.
     pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
         let found = self.of_first(decision);
