@@ -161,12 +161,12 @@ impl<'a> Fragments<'a> {
     /// The number of the spot of every cell, counted from one, and the sums of all spots, in the order of their first cells.
     pub(super) fn joined(mut self) -> Result<(Vec<u32>, Vec<Sums>)> {
         let team = self.share.map(|share| &**share.team());
-        let (fragments, lengths) = gathered(team, std::mem::take(&mut self.sums))?;
+        let (fragments, lengths) = Team::gathered_of(team, std::mem::take(&mut self.sums))?;
         let before = team.map_or(0, Team::rank);
         let first: usize = lengths.iter().take(before).sum();
         let below = self.row_below(first, fragments.len());
         let links = self.layout.agreed(self.links(first, &below))?;
-        let (mut links, _) = gathered(team, links)?;
+        let (mut links, _) = Team::gathered_of(team, links)?;
         // Where a spot closes around the grid, the order of the links decides which way its cells are counted.
         links.sort_by_key(|(_, (across, _))| *across);
         let whole = self.grid.whole().size();
@@ -253,17 +253,6 @@ impl<'a> Fragments<'a> {
 /// Counted from one.
 fn label(number: usize) -> u32 {
     u32::try_from(number + 1).unwrap_or(u32::MAX)
-}
-
-/// The values of all ranks, and how many each has.
-fn gathered<T: Words>(team: Option<&Team>, own: Vec<T>) -> Result<(Vec<T>, Vec<usize>)> {
-    match team {
-        Some(team) => team.gathered(&own),
-        None => {
-            let length = own.len();
-            Ok((own, vec![length]))
-        }
-    }
 }
 
 /// The number of the spot of every fragment, counted from one, and the sums of the spots, on so many columns and rows.
