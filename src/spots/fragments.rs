@@ -381,7 +381,9 @@ mod tests {
                     };
                     let reached = plus(place, step);
                     match places.insert(next, reached) {
-                        Some(known) if known != reached => closes = true,
+                        Some(known) if known.map(f64::to_bits) != reached.map(f64::to_bits) => {
+                            closes = true;
+                        }
                         Some(_) => {}
                         None => cells.push((next, reached)),
                     }
