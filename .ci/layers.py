@@ -80,7 +80,7 @@ LAYERS = [
     }),
     ("what is told of all of these", {
         "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "history", "layers", "neighbours", "normal", "parallel", "shown", "spots", "tangential"},
-        "spots": {"buffer", "contact_map", "error", "grid", "serial", "shown", "normal", "tangential", "history"},
+        "spots": FOUNDATION | {"contact_map", "half_space", "normal", "tangential", "history"},
         "rolling": ENGINE | {"contact", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),

@@ -135,31 +135,26 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         edge.filter(|&i| (self.contains)(i)).count()
     }
 
-    /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, cell, and
-    /// its column and row; on a periodic grid these continue beyond the edges from the spot's first cell. Ends with the first
-    /// error of `show`, and where memory cannot be had.
+    /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, and cell.
+    /// Ends with the first error of `show`, and where memory cannot be had.
     pub(crate) fn walk_spots(
         &self,
-        mut show: impl FnMut(usize, usize, [isize; 2]) -> Result<()>,
+        mut show: impl FnMut(usize, usize) -> Result<()>,
     ) -> Result<()> {
         let mut visited = buffer::filled(false, self.grid.cells())?;
         let (mut spot, mut stack) = (0, Vec::new());
-        let nx = self.grid.nx();
         for seed in 0..visited.len() {
             if visited[seed] || !(self.contains)(seed) {
                 continue;
             }
             visited[seed] = true;
-            let place = [signed(seed % nx), signed(seed / nx)];
-            buffer::push(&mut stack, (seed, place))?;
-            while let Some((cell, [column, row])) = stack.pop() {
-                show(spot, cell, [column, row])?;
-                let places = [[-1, 0], [0, -1], [1, 0], [0, 1]];
-                for (next, [x, y]) in self.neighbours(cell).into_iter().zip(places) {
-                    let Some(next) = next else { continue };
+            buffer::push(&mut stack, seed)?;
+            while let Some(cell) = stack.pop() {
+                show(spot, cell)?;
+                for next in self.neighbours(cell).into_iter().flatten() {
                     if !visited[next] && (self.contains)(next) {
                         visited[next] = true;
-                        buffer::push(&mut stack, (next, [column + x, row + y]))?;
+                        buffer::push(&mut stack, next)?;
                     }
                 }
             }
@@ -177,18 +172,13 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     }
 }
 
-/// A place in memory as a signed one: no slice is longer than `isize::MAX`.
-fn signed(place: usize) -> isize {
-    isize::try_from(place).unwrap_or(isize::MAX)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
         let mut sizes = Vec::new();
-        map.walk_spots(|spot, _, _| {
+        map.walk_spots(|spot, _| {
             sizes.resize(sizes.len().max(spot + 1), 0);
             sizes[spot] += 1;
             Ok(())

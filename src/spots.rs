@@ -1,8 +1,9 @@
 //! Contact spots.
 
+mod fragments;
+
 use crate::buffer::{self, or_abort};
-use crate::contact_map::ContactMap;
-use crate::error::Result;
+use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{at_least, length};
 use crate::grid::Grid;
@@ -11,10 +12,11 @@ use crate::normal::NormalSolution;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 use crate::shown::shown;
+use crate::spots::fragments::{Fragments, Sums};
 use crate::tangential::{TangentialSolution, Zone};
 
 /// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid
-/// too.
+/// too. Where [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its own cells.
 ///
 /// ```
 /// use stickslip::*;
@@ -98,41 +100,15 @@ pub struct Spot {
     pub stick_ratio: Option<f64>,
 }
 
-/// What is summed up over the cells of a spot.
-#[derive(Default)]
-struct Sums {
-    cells: usize,
-    pressure: f64,
-    largest: f64,
-    place: [f64; 2],
-    open_sides: [usize; 2],
-    stick: usize,
-}
-
 impl ContactSpots {
     fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Result<Self> {
-        let (grid, pressure) = (normal.grid(), normal.pressure().as_slice());
-        let map = normal.own_map();
-        let (mut labels, mut sums) = (buffer::filled(0, grid.cells())?, Vec::new());
-        map.walk_spots(|spot, cell, place| {
-            labels[cell] = u32::try_from(spot + 1).unwrap_or(u32::MAX);
-            if sums.len() <= spot {
-                buffer::push(&mut sums, Sums::default())?;
-            }
-            let sums = &mut sums[spot];
-            sums.cells += 1;
-            sums.pressure += pressure[cell];
-            sums.largest = sums.largest.max(pressure[cell]);
-            let open = map.open_sides(cell);
-            for axis in 0..2 {
-                sums.place[axis] += place[axis] as f64;
-                sums.open_sides[axis] += open[axis];
-            }
-            let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
-            sums.stick += usize::from(sticks);
-            Ok(())
-        })?;
-        let spots = sums.iter().map(|sums| sums.spot(&map, zones.is_some()));
+        let grid = normal.grid();
+        let fragments = Fragments::of(normal, zones)?;
+        let unit = fragments.unit;
+        let (labels, sums) = fragments.joined()?;
+        let spots = sums
+            .iter()
+            .map(|sums| sums.spot(grid, unit, zones.is_some()));
         Ok(Self {
             grid,
             spots: buffer::collected(sums.len(), spots)?,
@@ -174,14 +150,15 @@ impl ContactSpots {
 }
 
 impl Sums {
-    fn spot<F: Fn(usize) -> bool>(&self, map: &ContactMap<'_, F>, has_zones: bool) -> Spot {
-        let (grid, cells) = (map.grid, self.cells as f64);
-        let whole = grid.whole().size();
-        let (area, load) = (cells * grid.cell_area(), self.pressure * grid.cell_area());
+    fn spot(&self, grid: Grid, unit: f64, has_zones: bool) -> Spot {
+        let (whole, cells) = (grid.whole().size(), self.cells as f64);
+        let (area, load) = (
+            cells * grid.cell_area(),
+            self.pressure(unit) * grid.cell_area(),
+        );
         let centre = |axis: usize| {
             let (count, side) = (whole[axis] as f64, [grid.dx(), grid.dy()][axis]);
-            let first = [0, grid.rows().start][axis] as f64;
-            let place = (first + self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
+            let place = (self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
             (place - 0.5 * (count - 1.0)) * side
         };
         let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);
@@ -198,28 +175,38 @@ impl Sums {
     }
 }
 
+/// For signatures that cannot fail.
+fn or_end(outcome: Result<ContactSpots>) -> ContactSpots {
+    match outcome {
+        Err(error @ Error::Ranks(_)) => panic!("{error}"),
+        outcome => or_abort(outcome),
+    }
+}
+
 impl NormalSolution {
-    /// The contact spots; of a slab those of its rows, cut where it ends.
+    /// The contact spots; all ranks that share the contact call this.
+    ///
+    /// # Panics
+    /// If ranks have lost each other.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
-        or_abort(self.try_spots())
+        or_end(self.try_spots())
     }
 
-    /// [`Self::spots`] where memory may run out.
+    /// [`Self::spots`] where memory may run out, or a rank be lost.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`]; [`Error::Ranks`], also of a slab that was deserialised.
     pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self, None)
     }
 }
 
 impl TangentialSolution {
-    /// The contact spots under this pressure, with the part of each that sticks.
+    /// The contact spots under this pressure, with the part of each that sticks; all ranks that share the contact call this.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for a pressure on another grid,
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::GridMismatch`] for a pressure on another grid; as [`NormalSolution::try_spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
         self.grid().expect("normal contact", normal.grid())?;
         ContactSpots::new(normal, Some(self.zones()))
@@ -227,16 +214,19 @@ impl TangentialSolution {
 }
 
 impl History {
-    /// The contact spots after the last step, with the part of each that sticks.
+    /// The contact spots after the last step, with the part of each that sticks; all ranks that share the history call this.
+    ///
+    /// # Panics
+    /// If ranks have lost each other.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
-        or_abort(self.try_spots())
+        or_end(self.try_spots())
     }
 
-    /// [`Self::spots`] where memory may run out.
+    /// [`Self::spots`] where memory may run out, or a rank be lost.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// As [`NormalSolution::try_spots`].
     pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self.normal(), Some(self.zones()))
     }

@@ -492,7 +492,7 @@ mod tests {
                     let whole = map(grid).survey(None);
                     let mut sizes = Vec::new();
                     map(grid)
-                        .walk_spots(|spot, _, _| {
+                        .walk_spots(|spot, _| {
                             sizes.resize(sizes.len().max(spot + 1), 0);
                             sizes[spot] += 1;
                             Ok(())

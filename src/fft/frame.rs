@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::error::Result;
 use crate::ranks::Words;
 use crate::share::Share;
 
@@ -44,6 +45,14 @@ impl Frame {
     pub(super) fn own_columns(&self) -> Range<usize> {
         let rank = self.share.as_ref().map_or(0, |share| share.team().rank());
         self.columns_of(rank)
+    }
+
+    /// The result of work in which ranks may agree on the way; an error if it failed on any.
+    pub(super) fn agreed_on<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+        match &self.share {
+            Some(share) => share.team().agreed_on(work),
+            None => work(),
+        }
     }
 
     /// What the values of all ranks come to, combined in their order; only for combinations that do not round.

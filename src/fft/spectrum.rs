@@ -7,7 +7,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::buffer;
-use crate::error::Result;
+use crate::error::{Result, memory};
 use crate::fft::frame::Frame;
 use crate::influence::Kernel;
 use crate::parallel::{self, Blocks};
@@ -53,10 +53,10 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
 ///
 /// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
 /// its parity; an odd kernel vanishes half way around. Of samples whose rows are dealt out each rank transforms its own
-/// along x, and its columns along y.
+/// along x, and its columns along y; they agree in between.
 ///
 /// # Errors
-/// [`Error::Memory`](crate::Error::Memory).
+/// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
 pub(super) fn of_samples(
     [is_odd_x, is_odd_y]: [bool; 2],
     frame: &Frame,
@@ -75,19 +75,26 @@ pub(super) fn of_samples(
         let own = share.own_rows();
         own.start.min(height)..own.end.min(height)
     });
-    let mut rows = buffer::zeros(width * own_rows.len())?;
-    let row_lines = Lines {
-        values: &mut rows,
-        stride: width,
-        entry: 0..width,
+    let transformed = || {
+        let mut rows = buffer::zeros(width * own_rows.len())?;
+        let row_lines = Lines {
+            values: &mut rows,
+            stride: width,
+            entry: 0..width,
+        };
+        half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j))?;
+        Ok(rows)
     };
-    half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j))?;
     let (rows, width) = match share {
         Some(share) => {
+            let own = [frame.own_columns().len(), height];
+            let room = || memory("influence coefficients", own, size_of::<f64>());
+            let rows = transformed().and_then(|rows| room().map(|()| rows));
+            let rows = share.team().agreed(rows)?;
             let found = share.fetch(&rows, width, |rank| [frame.columns_of(rank), 0..height]);
             (found, frame.own_columns().len())
         }
-        None => (rows, width),
+        None => (transformed()?, width),
     };
     half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i])
 }

@@ -75,22 +75,24 @@ impl Torus {
     /// for its [own distances](Self::own_distances) along y.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub(crate) fn spectrum(
         &self,
         is_odd: [bool; 2],
         at: impl Fn(usize, usize) -> f64 + Sync,
     ) -> Result<Vec<f64>> {
         let [_, height] = self.quarter();
-        let mut values = buffer::zeros(self.own_waves().len() * height)?;
-        let lines = Lines {
-            values: &mut values,
-            stride: height,
-            entry: 0..height,
-        };
-        let distances = self.distances.as_ref();
-        of_samples(is_odd, &self.frame, distances, 1.0, lines, at)?;
-        Ok(values)
+        self.frame.agreed_on(|| {
+            let mut values = buffer::zeros(self.own_waves().len() * height)?;
+            let lines = Lines {
+                values: &mut values,
+                stride: height,
+                entry: 0..height,
+            };
+            let distances = self.distances.as_ref();
+            of_samples(is_odd, &self.frame, distances, 1.0, lines, at)?;
+            Ok(values)
+        })
     }
 }
 

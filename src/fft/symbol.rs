@@ -109,22 +109,25 @@ impl<const N: usize> Symbol<f64, N> {
     pub(super) fn new(frame: &Frame, kernels: [[&Kernel; N]; N]) -> Result<Self> {
         let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
-        let mut values = buffer::zeros(columns.len() * shape.stride())?;
-        for (i, j) in upper_triangle::<N>() {
-            let sign = if shape.parity.negates(i, j) {
-                -1.0
-            } else {
-                1.0
-            };
-            let lines = Lines {
-                values: &mut values,
-                stride: shape.stride(),
-                entry: shape.entry(i, j),
-            };
-            transform(kernels[i][j], frame, sign, lines)?;
-        }
+        let values = frame.agreed_on(|| {
+            let mut values = buffer::zeros(columns.len() * shape.stride())?;
+            for (i, j) in upper_triangle::<N>() {
+                let sign = if shape.parity.negates(i, j) {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let lines = Lines {
+                    values: &mut values,
+                    stride: shape.stride(),
+                    entry: shape.entry(i, j),
+                };
+                transform(kernels[i][j], frame, sign, lines)?;
+            }
+            Ok(values)
+        });
         Ok(Self {
-            values,
+            values: values?,
             first: columns.start,
             shape,
             frame: frame.clone(),

@@ -316,7 +316,7 @@ impl HalfSpace {
         self.shared.share.is_none() && self.grid().cells() <= KEPT_CELLS
     }
 
-    /// Makes something of the kernels of these components, on `size` cells.
+    /// Makes something of the kernels of these components, on `size` cells; an error if that fails on any rank.
     fn with_kernels<T, const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -325,16 +325,17 @@ impl HalfSpace {
     ) -> Result<T> {
         let Shared { grid, kernels, .. } = &*self.shared;
         let (boundary, cell_value) = (self.boundary(), self.cell_value());
-        if self.keeps_kernels() || boundary == Boundary::Periodic {
-            return make(kernels.of(components)?);
-        }
-        let grid = grid.whole();
-        let (sharing, added) = (self.sharing(), kernels.added());
-        let samples = self
-            .agreed(samples(grid, boundary, cell_value, size, (sharing, added)))?
-            .map(Arc::new);
-        let made = (samples, added.cloned());
-        make(Kernels::new(grid, self.kernel(), boundary, cell_value, made).of(components)?)
+        self.agreed_on(|| {
+            if self.keeps_kernels() || boundary == Boundary::Periodic {
+                return make(self.agreed(kernels.of(components))?);
+            }
+            let grid = grid.whole();
+            let (sharing, added) = (self.sharing(), kernels.added());
+            let samples = samples(grid, boundary, cell_value, size, (sharing, added));
+            let made = (self.agreed(samples)?.map(Arc::new), added.cloned());
+            let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
+            make(self.agreed(kernels.of(components))?)
+        })
     }
 
     /// `Ok` if what has a meaning of the values of cells has that of these.

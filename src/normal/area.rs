@@ -1,9 +1,12 @@
 //! Where a normal contact touches: area, extent, warnings.
 
+use std::sync::Arc;
+
 use crate::buffer::or_abort;
 use crate::contact_map::ContactMap;
-use crate::error::Result;
+use crate::error::{Error, RankFailure, Result};
 use crate::normal::NormalSolution;
+use crate::share::Share;
 use crate::warning::Warning;
 
 impl NormalSolution {
@@ -113,16 +116,24 @@ impl NormalSolution {
         }
     }
 
-    /// The map of the cells held here, of a slab without what lies around it.
+    /// The map of the cells held here, without what lies around it.
     pub(crate) fn own_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
-        let (pressure, grid) = (self.pressure.as_slice(), self.grid());
-        let [along_x, along_y] = self.boundary.repeats();
+        let pressure = self.pressure.as_slice();
         ContactMap {
-            grid,
-            // What follows the last row of a slab is not its first.
-            repeats: [along_x, along_y && grid == grid.whole()],
+            grid: self.grid(),
+            repeats: [false; 2],
             contains: move |i| pressure[i] > 0.0,
             counted: None,
         }
+    }
+
+    /// How the cells are dealt out to ranks, if they are; an error of a slab that does not know.
+    pub(crate) fn share(&self) -> Result<Option<&Arc<Share>>> {
+        let share = self.whole.as_ref().map(|whole| &whole.share);
+        if share.is_none() && self.grid() != self.grid().whole() {
+            let slab = "a slab that was deserialised";
+            return Err(Error::Ranks(RankFailure::NotShared(slab)));
+        }
+        Ok(share)
     }
 }

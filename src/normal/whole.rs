@@ -1,17 +1,30 @@
 //! What all ranks together have found, kept with the slab of each.
 
+use std::sync::Arc;
+
 use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
+use crate::share::Share;
 use crate::survey::Survey;
 
 /// Counts and sums of the whole grid, as every rank knows it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Whole {
     pub(super) contact: Survey,
     /// Sums of the pressure, and of x and y times it.
     pub(super) sums: [f64; 3],
     /// Cells beyond what the softer body bears.
     pub(super) overloaded: usize,
+    /// How the grid is dealt out.
+    pub(super) share: Arc<Share>,
+}
+
+/// Whether the answers are equal, whoever has found them.
+impl PartialEq for Whole {
+    fn eq(&self, other: &Self) -> bool {
+        let of = |whole: &Self| (whole.contact, whole.sums, whole.overloaded);
+        of(self) == of(other)
+    }
 }
 
 impl Whole {
@@ -19,6 +32,7 @@ impl Whole {
     pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();
         let columns = grid.nx();
+        let share = bodies.share(bodies.grid().whole().size())?;
         let contact = bodies.survey(|i| pressure[i] > 0.0)?;
         let layout = bodies.grid_layout();
         let total = reduce::sum(&layout, |i| pressure[i]);
@@ -31,6 +45,7 @@ impl Whole {
             contact,
             sums: [total, moments[0], moments[1]],
             overloaded: reduce::sum(&layout, |i| usize::from(pressure[i] > hardness)),
+            share,
         }))
     }
 }

@@ -7,8 +7,9 @@
 //! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
 //! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, cycles
 //! (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
-//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), statistics, files. What a solution says of the whole
-//! contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the slab.
+//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), contact spots, statistics, files. What else a solution says
+//! of the whole contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the
+//! slab.
 //!
 //! # The same inputs
 //!
@@ -35,6 +36,7 @@
 //! |---|---|
 //! | [`Threads`] | threads of one process, to try and test distributed programs |
 //! | `Mpi` (feature `mpi`) | processes of an MPI program |
+//! | in Python, in C | a communicator of mpi4py, a function of the program ([guide](crate::guide::past_one_machine)) |
 //! | your own | anything that swaps blocks: implement [`Ranks::swap`], and what can be done faster than by swaps |
 //!
 //! # The same bits
@@ -80,11 +82,14 @@
 //! wait.
 //!
 //! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
-//! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows.
+//! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows. Where it is asked for the spots one by one
+//! ([`NormalSolution::spots`](crate::NormalSolution::spots) and its like), each labels its slab, sends the labels of its last
+//! row to the next rank, and all gather the sums of all spots, 72 bytes for each and for each part of one that a slab cuts.
 //!
 //! # Failure
 //!
-//! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others. If a rank ends
+//! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others; so do kernels that one
+//! rank cannot make, for want of memory or as its response fails. If a rank ends
 //! or is silent for too long, the calls of the others return [`RankFailure::Lost`] or [`RankFailure::Silent`], and so do
 //! all that follow on the same bodies; a block of another length than is due is that of a rank that makes other calls
 //! ([`RankFailure::OutOfStep`]). A file that they were writing together is then the old one, or the new one if all

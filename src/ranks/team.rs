@@ -99,6 +99,36 @@ impl Team {
         self.kept(self.ranks.all_gather(own, counts))
     }
 
+    /// The values of all ranks of a team, if there is one, in their order, and how many each has.
+    pub(crate) fn gathered_of<T: Words>(
+        team: Option<&Self>,
+        own: Vec<T>,
+    ) -> Result<(Vec<T>, Vec<usize>)> {
+        let length = own.len();
+        let Some(team) = team else {
+            return Ok((own, vec![length]));
+        };
+        let none = || team.check().map(|()| (Vec::new(), Vec::new()));
+        let Some(lengths) = team.gather(&[length as u64], &vec![1; team.size()]) else {
+            return none();
+        };
+        let mut lengths = &lengths[..];
+        let lengths: Vec<usize> = (0..team.size())
+            .map(|_| Words::read(&mut lengths))
+            .collect();
+        let mut words = Vec::with_capacity(length * T::COUNT);
+        for value in own {
+            value.write(&mut words);
+        }
+        let counts: Vec<usize> = lengths.iter().map(|length| length * T::COUNT).collect();
+        let Some(all) = team.gather(&words, &counts) else {
+            return none();
+        };
+        let mut all = &all[..];
+        let values = (0..lengths.iter().sum()).map(|_| T::read(&mut all));
+        Ok((values.collect(), lengths))
+    }
+
     /// A decision of the first rank, for all.
     pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
         let found = self.of_first(decision);

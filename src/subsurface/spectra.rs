@@ -53,19 +53,20 @@ impl Spectra {
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
-        memory("kernels of a depth", [waves_here.len(), height], BYTES)?;
+        let room = memory("kernels of a depth", [waves_here.len(), height], BYTES);
+        bodies.agreed(room)?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let z = depth_in(grid, depth);
         watch.ask()?;
-        let mut values = match boundary {
+        let mut values = bodies.agreed(match boundary {
             Boundary::Periodic => waves(
                 grid,
                 torus,
                 |k| symbols(k, z),
                 |n| Integral::ALL[n].is_odd(),
-            )?,
-            _ => samples(grid, boundary, torus, z)?,
-        };
+            ),
+            _ => samples(grid, boundary, torus, z),
+        })?;
         let keeps = |n: usize| with_displacements || !Integral::ALL[n].is_length();
         transform(
             &mut values,
@@ -94,19 +95,16 @@ impl Spectra {
         watch: &mut Watch<'_>,
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
-        memory(
-            "kernels of a depth",
-            [waves_here.len(), height],
-            LAYERED_BYTES,
-        )?;
+        let size = [waves_here.len(), height];
+        bodies.agreed(memory("kernels of a depth", size, LAYERED_BYTES))?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         watch.ask()?;
         let layered = Layered::new(body, depth_in(grid, depth));
         let is_odd = |n: usize| Entry::of(n).is_odd();
-        let mut values = match boundary {
-            Boundary::Periodic => waves(grid, torus, |k| layered.symbols(k), is_odd)?,
-            _ => layered.samples(grid, boundary, torus)?,
-        };
+        let mut values = bodies.agreed(match boundary {
+            Boundary::Periodic => waves(grid, torus, |k| layered.symbols(k), is_odd),
+            _ => layered.samples(grid, boundary, torus),
+        })?;
         let keeps = |n: usize| with_displacements || !Entry::of(n).component.is_displacement();
         transform(&mut values, boundary, torus, keeps, is_odd, watch)?;
         let values = Values::Layered(values, layered.poisson_ratio());

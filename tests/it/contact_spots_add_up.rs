@@ -1,13 +1,19 @@
 //! Contact spots have the areas, loads and places of what they are cut out of.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
+use std::sync::atomic::Ordering::Relaxed;
 
 use stickslip::analytical::HertzSphere;
 use stickslip::ranks::{Ranks, Threads};
+use stickslip::surface::SelfAffine;
 use stickslip::{
-    Boundary, CellValue, ContactSpots, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
+    Boundary, CellValue, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
 };
+
+use crate::files_of_slabs_are_never_half::Leaving;
+use crate::ranks_share_a_contact::{PATIENCE, RANKS};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
@@ -130,49 +136,83 @@ fn across_the_edges_of_a_grid_that_repeats() {
     assert!((spot.perimeter - 2.0 * (width[0] + width[1])).abs() < 1e-9);
 }
 
-/// The spots of a slab that lie within it are those of the whole contact, also across the edge in x of a grid that
-/// repeats; a slab of all rows repeats along y too.
+/// Of pressures, tractions and histories, across the ends of slabs: every rank has all spots, with the bits of one process,
+/// and the labels of its cells.
 #[test]
-fn of_slabs_of_a_grid_that_repeats() {
-    for (boundary, rows) in [
-        (Boundary::Periodic, 306),
-        (Boundary::NonPeriodic, 306),
-        (Boundary::Periodic, 60),
-    ] {
-        let grid = Grid::new(40, rows, 0.5, 0.5).unwrap();
-        let [width, length] = [20.0, 0.5 * rows as f64];
-        let near = |x: f64, centre: f64, period: f64| {
-            let x = x - centre;
-            (x - period * (x / period).round()).powi(2)
+fn of_a_contact_that_ranks_share() {
+    let grid = Grid::new(96, 350, 0.5, 0.5).unwrap();
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        let made = |bodies: &HalfSpace| {
+            let heights = SelfAffine::with_rms_height(3.0).generate_on(bodies);
+            let heights = heights.unwrap();
+            let highest = bodies.max_of(&heights).unwrap();
+            let gap = heights.map(|z| highest - z);
+            let contact = press(bodies, &gap, 60.0);
+            let friction = Friction::coulomb(0.4).unwrap();
+            let load = TangentialLoad::force([12.0, 0.0]);
+            let shear = TangentialProblem::builder(bodies, &contact, friction.clone(), load);
+            let shear = shear.build().unwrap().solve().unwrap();
+            let mut history = History::builder(bodies, &gap, friction).build().unwrap();
+            let step = LoadStep::force([8.0, 0.0]).normal(NormalControl::Force(40.0));
+            history.step(&step).unwrap();
+            let sheared = shear.spots(&contact).unwrap();
+            [contact.spots(), sheared, history.spots()]
         };
-        // Balls at the edge in x, one in the middle of each third of the rows; a single one at the corner of few rows.
-        let balls = if rows > 102 { 3_u8 } else { 1 };
-        let first = if rows > 102 { 0.0 } else { 0.5 * length };
-        let height = |x: f64, y: f64| {
-            (near(x, 9.8, width) + near(y, first, length / f64::from(balls))) / 20.0
-        };
-        let made = |bodies: &HalfSpace| press(bodies, &Field::from_fn(bodies.grid(), height), 2.0);
         let alone = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
-        let whole = made(&alone).spots();
-        let slabs = Threads::run(3, std::time::Duration::from_secs(60), |rank| {
-            let (pair, rank) = (kit::unit_pair(0.3), Arc::new(rank) as Arc<dyn Ranks>);
-            let bodies = HalfSpace::distributed(grid, pair, boundary, rank).unwrap();
-            made(&bodies).spots()
-        });
-        let spots: Vec<_> = slabs.iter().flat_map(ContactSpots::as_slice).collect();
-        assert_eq!(spots, whole.as_slice().iter().collect::<Vec<_>>());
-        let count = if boundary == Boundary::Periodic {
-            balls
-        } else {
-            2 * balls
-        };
-        assert_eq!(whole.as_slice().len(), usize::from(count));
-        let label = |slab: &ContactSpots, cell: usize| slab.label(cell).is_some();
-        let labels = slabs
-            .iter()
-            .flat_map(|slab| (0..slab.grid().cells()).map(move |cell| label(slab, cell)));
-        let expected = (0..grid.cells()).map(|cell| label(&whole, cell));
-        assert!(labels.eq(expected));
+        let expected = made(&alone);
+        for size in RANKS {
+            let slabs = Threads::run(size, PATIENCE, |rank| {
+                let (pair, rank) = (kit::unit_pair(0.3), Arc::new(rank) as Arc<dyn Ranks>);
+                made(&HalfSpace::distributed(grid, pair, boundary, rank).unwrap())
+            });
+            for (place, whole) in expected.iter().enumerate() {
+                let slabs = slabs.iter().map(|slabs| &slabs[place]);
+                assert!(
+                    slabs
+                        .clone()
+                        .all(|slab| slab.as_slice() == whole.as_slice())
+                );
+                let labels: Vec<u32> = slabs.flat_map(|slab| slab.labels().to_vec()).collect();
+                assert_eq!(labels, whole.labels());
+                let count = whole.as_slice().len();
+                assert!(count > 20, "{count} spots");
+            }
+        }
+    }
+}
+
+/// Wherever a rank is lost while spots are found, the others are told.
+#[test]
+fn of_ranks_that_lose_each_other() {
+    let grid = Grid::new(64, 200, 0.5, 0.5).unwrap();
+    let found_until = |calls: usize| {
+        Threads::run(3, PATIENCE, |rank| {
+            let is_lost = rank.rank() == 1;
+            let ranks = Arc::new(Leaving {
+                rank,
+                calls_left: usize::MAX.into(),
+            });
+            let (pair, shared) = (kit::unit_pair(0.3), Arc::clone(&ranks) as Arc<dyn Ranks>);
+            let bodies = HalfSpace::distributed(grid, pair, Boundary::Periodic, shared).unwrap();
+            let ball = surface::sphere(bodies.grid(), 40.0).unwrap();
+            let contact = press(&bodies, &ball, 20.0);
+            let calls = if is_lost { calls } else { usize::MAX };
+            ranks.calls_left.store(calls, Relaxed);
+            let spots = catch_unwind(AssertUnwindSafe(|| contact.try_spots()));
+            (spots.ok(), calls - ranks.calls_left.load(Relaxed))
+        })
+    };
+    let whole = found_until(usize::MAX);
+    for calls in 0..whole[1].1 {
+        let found = found_until(calls);
+        assert_eq!(found[1].0, None);
+        for rank in [0, 2] {
+            match &found[rank].0 {
+                Some(Err(Error::Ranks(_))) => {}
+                // The last words that it sends may be all that this rank waits for.
+                spots => assert!(*spots == whole[rank].0 && calls + 2 > whole[1].1),
+            }
+        }
     }
 }
 

@@ -311,15 +311,26 @@ pub(crate) fn shared_scenes() -> Vec<Scene> {
     scenes().iter().map(shared).collect()
 }
 
-/// What every rank knows of a history, and what is found in its cells, as bits.
-pub(crate) fn found(history: &History) -> (Vec<u64>, Vec<[u64; 8]>) {
-    let known = known(history).into_iter().map(f64::to_bits).collect();
-    let cells = cells(history).into_iter();
-    (known, cells.map(|cell| cell.map(f64::to_bits)).collect())
+/// What every rank knows of a history, and what is found in its cells, as bits; with the contact spots and their labels.
+pub(crate) fn found(history: &History) -> (Vec<u64>, Vec<[u64; 9]>) {
+    let spots = history.spots();
+    let sums = spots.as_slice().iter().flat_map(|spot| {
+        let [x, y] = spot.centroid;
+        let stick = spot.stick_ratio.unwrap_or(f64::NAN);
+        [spot.load, spot.max_pressure, spot.perimeter, x, y, stick]
+    });
+    let known = known(history).into_iter().chain(sums);
+    let cells = cells(history).into_iter().zip(spots.labels());
+    let bits = cells.map(|(cell, label)| {
+        let mut bits = [u64::from(*label); 9];
+        bits[..8].copy_from_slice(&cell.map(f64::to_bits));
+        bits
+    });
+    (known.map(f64::to_bits).collect(), bits.collect())
 }
 
 /// Whether the parts of ranks are those of the whole.
-fn put_together(parts: Vec<(Vec<u64>, Vec<[u64; 8]>)>, whole: &(Vec<u64>, Vec<[u64; 8]>)) -> Law {
+fn put_together(parts: Vec<(Vec<u64>, Vec<[u64; 9]>)>, whole: &(Vec<u64>, Vec<[u64; 9]>)) -> Law {
     let size = parts.len();
     for (rank, (known, _)) in parts.iter().enumerate() {
         same(known, &whole.0, || {

@@ -3,9 +3,11 @@
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, State};
+use stickslip::influence::Component;
+use stickslip::layers::Response;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::*;
 
@@ -137,6 +139,36 @@ fn ranks_that_return_to_different_steps_are_told() {
         history.set_state(&early).unwrap();
         assert!(history.to_bytes() == early.to_bytes());
     });
+}
+
+/// Coefficients that one rank cannot make are refused by all, which go on with others.
+#[test]
+fn kernels_that_fail_on_one_rank_are_refused_by_all() {
+    let (near, boundary) = (pair(), Boundary::NonPeriodic);
+    let grid = Grid::new(64, 200, 0.1, 0.1).unwrap();
+    let outcomes = Threads::run(3, PATIENCE, |rank| {
+        let is_last = rank.rank() == 2;
+        let fails = Arc::new(AtomicBool::new(false));
+        let broken = Arc::clone(&fails);
+        let response = move |k: f64| {
+            let found = near.response(k).unwrap();
+            let is_broken = broken.load(Relaxed);
+            let normal = if is_broken { f64::NAN } else { found.normal };
+            Response { normal, ..found }
+        };
+        let kernel = Kernel::isotropic(near, 0.4, response).unwrap();
+        let bodies = HalfSpace::distributed(grid, &kernel, boundary, Arc::new(rank)).unwrap();
+        fails.store(is_last, Relaxed);
+        let failed = bodies.operator(Component::ZZ).map(drop);
+        (failed, bodies.operator(Component::XX).map(drop))
+    });
+    for (number, (failed, other)) in outcomes.iter().enumerate() {
+        let is_told = match failed {
+            Err(Error::Sample { .. }) => number == 2,
+            failed => *failed == Err(Error::Ranks(RankFailure::Refused { rank: 2 })),
+        };
+        assert!(is_told && *other == Ok(()), "rank {number}: {failed:?}");
+    }
 }
 
 /// What all ranks refuse, or what one of them is lost in, leaves the history as it was.

@@ -53,6 +53,8 @@ module stickslip_bindings
     public :: stickslip_last_error_report
     public :: stickslip_half_space_new
     public :: stickslip_half_space_new_coated
+    public :: stickslip_half_space_new_distributed
+    public :: stickslip_half_space_first_row
     public :: stickslip_half_space_set_cell_value
     public :: stickslip_half_space_cell_value
     public :: stickslip_half_space_free
@@ -103,6 +105,7 @@ module stickslip_bindings
     public :: stickslip_planes_solve_observed
     public :: stickslip_planes_field
     public :: stickslip_planes_measure
+    public :: stickslip_block_room
     public :: stickslip_rolling_options_default
     public :: stickslip_rolling_solver_new
     public :: stickslip_rolling_solver_free
@@ -436,6 +439,9 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_HEIGHTS_NOT_REACHED = 87
     ! Two objects belong to bodies whose cells have values of another meaning.
     integer(c_int32_t), parameter, public :: STICKSLIP_CELL_VALUE_MISMATCH = 88
+    ! Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
+    ! different inputs, which the message names.
+    integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
     ! Body 1, into which z points.
@@ -460,6 +466,11 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_adaptive_steps
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_adaptive_steps
+
+    ! A block on its way to this rank.
+    type, bind(c), public :: stickslip_block
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_block
 
     ! Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
     ! next solve into it, or until it is freed.
@@ -1050,6 +1061,19 @@ module stickslip_bindings
         ! Thickness (a length).
         real(c_double) :: thickness = 0
     end type stickslip_layer
+
+    ! One of several processes that solve together; stickslip_mpi.h makes it of an MPI communicator. Function and data are
+    ! needed until all that was made of the bodies is freed.
+    type, bind(c), public :: stickslip_ranks
+        ! The number of this one, from zero.
+        integer(c_size_t) :: rank = 0
+        ! How many there are.
+        integer(c_size_t) :: size = 0
+        ! Swaps blocks with others; not called where there are none.
+        type(c_funptr) :: swap = c_null_funptr
+        ! Passed to the function as it is.
+        type(c_ptr) :: user = c_null_ptr
+    end type stickslip_ranks
 
     ! Constants of a pair of materials.
     type, bind(c), public :: stickslip_pair
@@ -1811,6 +1835,36 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new_coated
 
+        ! The same of bodies whose rows are dealt out to ranks, which solve together to the bits of one: every rank makes them of the
+        ! whole grid, and then the same calls in the same order. The grid of the bodies is that of the rows of this rank, from
+        ! stickslip_half_space_first_row on, as are all arrays and labels; sums, reports and spots are those of the whole contact.
+        !
+        ! Of the functions that return or take a grid alone none knows that it is a part: gaps are made by the program. Where ranks are
+        ! threads of one process, stickslip_set_num_threads(1) keeps each in its own.
+        function stickslip_half_space_new_distributed(grid, body_1, layers_1, layers_1_count, body_2, layers_2, &
+            layers_2_count, boundary, ranks, half_space) result(answer) bind(c)
+            import
+            type(stickslip_grid), intent(in), optional :: grid
+            type(stickslip_material), intent(in), optional :: body_1
+            type(stickslip_layer), intent(in), optional :: layers_1(*)
+            integer(c_size_t), value :: layers_1_count
+            type(stickslip_material), intent(in), optional :: body_2
+            type(stickslip_layer), intent(in), optional :: layers_2(*)
+            integer(c_size_t), value :: layers_2_count
+            type(stickslip_boundary), intent(in), optional :: boundary
+            type(stickslip_ranks), intent(in), optional :: ranks
+            type(stickslip_half_space), intent(out) :: half_space
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_new_distributed
+
+        ! The first row of the whole grid that this rank has; zero where no ranks share it.
+        function stickslip_half_space_first_row(half_space, row) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            integer(c_size_t), intent(out), optional :: row
+            integer(c_int32_t) :: answer
+        end function stickslip_half_space_first_row
+
         ! Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
         ! made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
         function stickslip_half_space_set_cell_value(half_space, value) result(answer) bind(c)
@@ -2272,6 +2326,15 @@ module stickslip_bindings
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
         end function stickslip_planes_measure
+
+        ! Room for so many words of a block that is received, to be filled before the swap returns; NULL if there is no memory.
+        ! Called by a stickslip_swap alone, on the block that it was given.
+        function stickslip_block_room(block, words) result(answer) bind(c)
+            import
+            type(stickslip_block), value :: block
+            integer(c_size_t), value :: words
+            type(c_ptr) :: answer
+        end function stickslip_block_room
 
         ! The options that rolling solvers have by default.
         function stickslip_rolling_options_default() result(answer) bind(c)

@@ -437,6 +437,10 @@
 // Two objects belong to bodies whose cells have values of another meaning.
 #define STICKSLIP_CELL_VALUE_MISMATCH 88
 
+// Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
+// different inputs, which the message names.
+#define STICKSLIP_RANKS_APART 89
+
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
 
@@ -465,6 +469,9 @@
 // Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
 // histories on one grid.
 typedef struct stickslip_adaptive_steps stickslip_adaptive_steps;
+
+// A block on its way to this rank.
+typedef struct stickslip_block stickslip_block;
 
 // Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
 // next solve into it, or until it is freed.
@@ -1038,6 +1045,31 @@ typedef struct {
     double thickness;
 } stickslip_layer;
 
+// Sends a block of words to the rank `to` and receives one from the rank `from`, neither of which is this one: it asks
+// stickslip_block_room for the memory, and fills it. Blocks between two ranks keep their order, and are of any length, also
+// none. Returns 0, or any other number if a rank is lost: nothing more is then asked. It is called by one thread at a time, on
+// more than 4096 cells possibly another than that which made the call. It must not unwind or jump out, nor call other
+// functions of this library.
+typedef int32_t (*stickslip_swap)(const uint64_t *block,
+                                  size_t words,
+                                  size_t to,
+                                  size_t from,
+                                  stickslip_block *received,
+                                  void *user);
+
+// One of several processes that solve together; stickslip_mpi.h makes it of an MPI communicator. Function and data are
+// needed until all that was made of the bodies is freed.
+typedef struct {
+    // The number of this one, from zero.
+    size_t rank;
+    // How many there are.
+    size_t size;
+    // Swaps blocks with others; not called where there are none.
+    stickslip_swap swap;
+    // Passed to the function as it is.
+    void *user;
+} stickslip_ranks;
+
 // Constants of a pair of materials.
 typedef struct {
     // E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
@@ -1600,6 +1632,26 @@ stickslip_status stickslip_half_space_new_coated(const stickslip_grid *grid,
                                                  const stickslip_boundary *boundary,
                                                  stickslip_half_space **half_space);
 
+// The same of bodies whose rows are dealt out to ranks, which solve together to the bits of one: every rank makes them of the
+// whole grid, and then the same calls in the same order. The grid of the bodies is that of the rows of this rank, from
+// stickslip_half_space_first_row on, as are all arrays and labels; sums, reports and spots are those of the whole contact.
+//
+// Of the functions that return or take a grid alone none knows that it is a part: gaps are made by the program. Where ranks are
+// threads of one process, stickslip_set_num_threads(1) keeps each in its own.
+stickslip_status stickslip_half_space_new_distributed(const stickslip_grid *grid,
+                                                      const stickslip_material *body_1,
+                                                      const stickslip_layer *layers_1,
+                                                      size_t layers_1_count,
+                                                      const stickslip_material *body_2,
+                                                      const stickslip_layer *layers_2,
+                                                      size_t layers_2_count,
+                                                      const stickslip_boundary *boundary,
+                                                      const stickslip_ranks *ranks,
+                                                      stickslip_half_space **half_space);
+
+// The first row of the whole grid that this rank has; zero where no ranks share it.
+stickslip_status stickslip_half_space_first_row(const stickslip_half_space *half_space, size_t *row);
+
 // Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
 // made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
 stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space,
@@ -1837,6 +1889,10 @@ const double *stickslip_planes_field(const stickslip_planes *planes, int32_t whi
 // Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
 // values, which has count entries.
 stickslip_status stickslip_planes_measure(const stickslip_planes *planes, int32_t which, double *values, size_t count);
+
+// Room for so many words of a block that is received, to be filled before the swap returns; NULL if there is no memory.
+// Called by a stickslip_swap alone, on the block that it was given.
+uint64_t *stickslip_block_room(stickslip_block *block, size_t words);
 
 // The options that rolling solvers have by default.
 stickslip_rolling_options stickslip_rolling_options_default(void);

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ffi::{CString, c_char};
 
-use stickslip_rs::Error;
+use stickslip_rs::{Error, ranks::RankFailure};
 
 use crate::call::call;
 use crate::pointer::answer;
@@ -165,6 +165,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::Hurst(_) => STICKSLIP_HURST,
         Error::EmptyBand { .. } => STICKSLIP_EMPTY_BAND,
         Error::HeightsNotReached { .. } => STICKSLIP_HEIGHTS_NOT_REACHED,
+        Error::Ranks(_) => STICKSLIP_RANKS_APART,
         _ => STICKSLIP_REFUSED,
     }
 }
@@ -220,7 +221,12 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             ..
         } => (numbers.value, numbers.limit) = (value, limit),
         Error::Sample { index, value, .. } => (numbers.index, numbers.value) = (index, value),
-        Error::Yielded { cells, .. } => numbers.index = cells,
+        Error::Yielded { cells: index, .. }
+        | Error::Ranks(
+            RankFailure::Lost { rank: index }
+            | RankFailure::OutOfStep { rank: index }
+            | RankFailure::Refused { rank: index },
+        ) => numbers.index = index,
         Error::Length {
             expected, found, ..
         } => (numbers.expected, numbers.found) = (expected, found),

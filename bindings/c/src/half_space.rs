@@ -1,5 +1,7 @@
 //! The two bodies on their grid.
 
+use std::sync::Arc;
+
 use stickslip_rs::layers::Layer;
 use stickslip_rs::{Boundary, CellValue, ElasticPair, HalfSpace, Material};
 
@@ -10,6 +12,7 @@ use crate::inputs::{
     stickslip_layer, stickslip_material,
 };
 use crate::pointer::{Place, entries, input, optional};
+use crate::ranks::stickslip_ranks;
 use crate::reading::tell;
 use crate::status::stickslip_status;
 use crate::threads::enter;
@@ -67,18 +70,61 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
     boundary: *const stickslip_boundary,
     half_space: *mut *mut stickslip_half_space,
 ) -> stickslip_status {
+    let alone = stickslip_ranks {
+        rank: 0,
+        size: 1,
+        swap: None,
+        user: std::ptr::null_mut(),
+    };
+    // SAFETY: the rule for pointers.
+    unsafe {
+        stickslip_half_space_new_distributed(
+            grid,
+            body_1,
+            layers_1,
+            layers_1_count,
+            body_2,
+            layers_2,
+            layers_2_count,
+            boundary,
+            &raw const alone,
+            half_space,
+        )
+    }
+}
+
+/// The same of bodies whose rows are dealt out to ranks, which solve together to the bits of one: every rank makes them of the
+/// whole grid, and then the same calls in the same order. The grid of the bodies is that of the rows of this rank, from
+/// stickslip_half_space_first_row on, as are all arrays and labels; sums, reports and spots are those of the whole contact.
+///
+/// Of the functions that return or take a grid alone none knows that it is a part: gaps are made by the program. Where ranks are
+/// threads of one process, stickslip_set_num_threads(1) keeps each in its own.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_new_distributed(
+    grid: *const stickslip_grid,
+    body_1: *const stickslip_material,
+    layers_1: *const stickslip_layer,
+    layers_1_count: usize,
+    body_2: *const stickslip_material,
+    layers_2: *const stickslip_layer,
+    layers_2_count: usize,
+    boundary: *const stickslip_boundary,
+    ranks: *const stickslip_ranks,
+    half_space: *mut *mut stickslip_half_space,
+) -> stickslip_status {
     call(|| {
         // SAFETY: the rule for pointers.
         let place = unsafe { Place::new("half_space", half_space)? };
         // SAFETY: the rule for pointers.
-        let (grid, bodies, boundary, layers) = unsafe {
+        let (grid, bodies, boundary, ranks, layers) = unsafe {
             let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];
             let layers = [
                 entries("layers_1", layers_1, layers_1_count)?,
                 entries("layers_2", layers_2, layers_2_count)?,
             ];
             let boundary = optional("boundary", boundary)?;
-            (input("grid", grid)?, bodies, boundary, layers)
+            let ranks = input("ranks", ranks)?.checked()?;
+            (input("grid", grid)?, bodies, boundary, ranks, layers)
         };
         let boundary = boundary.map_or(Ok(Boundary::NonPeriodic), stickslip_boundary::checked)?;
         let coated = |n: usize| -> Outcome<Material> {
@@ -89,10 +135,21 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
         let one = coated(0)?;
         let pair = ElasticPair::new(one, coated(1)?)?;
         let grid = grid.checked()?;
-        let make = || HalfSpace::with_boundary(grid, pair, boundary);
+        let make = || HalfSpace::distributed(grid, pair, boundary, Arc::new(ranks));
         let bodies = enter(grid.cells(), make)?;
-        give(place, bodies, grid.cells())
+        let cells = bodies.grid().cells();
+        give(place, bodies, cells)
     })
+}
+
+/// The first row of the whole grid that this rank has; zero where no ranks share it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_half_space_first_row(
+    half_space: *const stickslip_half_space,
+    row: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { tell(half_space, ("row", row), |of| Ok(of.grid().rows().start)) }
 }
 
 /// Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is

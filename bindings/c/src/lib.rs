@@ -28,6 +28,7 @@ pub mod normal;
 pub mod observer;
 pub mod planes;
 mod pointer;
+pub mod ranks;
 mod reading;
 mod reserved;
 pub mod results;

@@ -97,5 +97,8 @@ pub const STICKSLIP_EMPTY_BAND: i32 = 86;
 pub const STICKSLIP_HEIGHTS_NOT_REACHED: i32 = 87;
 /// Two objects belong to bodies whose cells have values of another meaning.
 pub const STICKSLIP_CELL_VALUE_MISMATCH: i32 = 88;
+/// Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
+/// different inputs, which the message names.
+pub const STICKSLIP_RANKS_APART: i32 = 89;
 /// Any other refusal: the message says which.
 pub const STICKSLIP_REFUSED: i32 = 127;

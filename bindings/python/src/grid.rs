@@ -3,6 +3,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use pyo3::prelude::*;
+use pyo3::types::PySlice;
 
 use crate::array::Array;
 use crate::digits::short;
@@ -118,8 +119,26 @@ impl Grid {
     #[getter]
     fn extent(&self) -> (f64, f64, f64, f64) {
         let x = 0.5 * self.0.dx() * self.0.nx() as f64;
-        let y = 0.5 * self.0.dy() * self.0.ny() as f64;
-        (-x, x, -y, y)
+        let y = |row: usize| (row as f64 - 0.5 * self.0.whole().ny() as f64) * self.0.dy();
+        (-x, x, y(self.0.rows().start), y(self.0.rows().end))
+    }
+
+    /// The rows of the :attr:`whole` grid that it has, a slice: ``array[grid.rows]`` are those of an array of the whole.
+    #[getter]
+    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PySlice>> {
+        let rows = self.0.rows();
+        Ok(PySlice::new(
+            py,
+            rows.start.try_into()?,
+            rows.end.try_into()?,
+            1,
+        ))
+    }
+
+    /// The grid of which it is some rows, as :meth:`HalfSpace.distributed` deals them out; itself if it is no such part.
+    #[getter]
+    fn whole(&self) -> Self {
+        Self(self.0.whole())
     }
 
     fn __repr__(&self) -> String {

@@ -1,5 +1,7 @@
 //! Two elastic half-spaces on a grid.
 
+use std::sync::Arc;
+
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
@@ -9,6 +11,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
+use crate::ranks::Communicator;
 
 /// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared. Two of equal grid,
 /// bodies, boundary and meaning of the values are equal.
@@ -57,7 +60,67 @@ impl HalfSpace {
         bodies.or_raise(py).map(Self)
     }
 
-    /// The grid.
+    /// Bodies whose rows are dealt out to the ranks of a communicator, which solve together. Every rank makes them, and then
+    /// the same calls in the same order. Its grid, and all arrays, are those of its rows (:attr:`Grid.rows`); what is said of the
+    /// whole contact, such as forces, areas, reports and spots, every rank knows. The answers have the bits of one process.
+    ///
+    /// Parameters
+    /// ----------
+    /// grid : Grid
+    ///     The whole one.
+    /// pair : ElasticPair, two Materials, or Kernel
+    ///     The two bodies; z points into the first.
+    /// comm : mpi4py.MPI.Comm, or any object with three of its methods
+    ///     ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes`` to one rank and returns
+    ///     those of another, of any length, in the order in which they were sent. Nothing else may be received there: give the
+    ///     duplicate of a communicator that is used elsewhere. It is called one call at a time, also on threads of the
+    ///     package. An exception in it is :class:`~stickslip.errors.Ranks`, and goes to `sys.unraisablehook` itself.
+    /// boundary : Boundary or str, default "non_periodic"
+    ///     As of the class.
+    /// cell_value : CellValue or str, default "uniform"
+    ///     As of the class.
+    ///
+    /// Raises
+    /// ------
+    /// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Ranks
+    ///
+    /// Notes
+    /// -----
+    /// Ranks may be threads of one process: each then makes its bodies, and solves, on a thread of its own.
+    ///
+    /// Examples
+    /// --------
+    /// Run as ``mpirun -n 4 python -m mpi4py press.py``, which ends all ranks when one has failed::
+    ///
+    ///     from mpi4py import MPI
+    ///     import stickslip as ss
+    ///
+    ///     pair = ss.Material(213e9, 0.29), ss.Material.rigid()
+    ///     bodies = ss.HalfSpace.distributed(ss.Grid.square(4096, 0.4e-3), pair, MPI.COMM_WORLD.Dup())
+    ///     ball = ss.surface.sphere(bodies.grid, 3.5e-3)  # its own rows
+    ///     normal = ss.NormalProblem(bodies, ball, force=100.0).solve()
+    ///     print(bodies.grid.rows, normal.pressure.shape, normal.contact_area)
+    #[staticmethod]
+    #[pyo3(signature = (grid, pair, comm, boundary=None, cell_value=None))]
+    fn distributed(
+        py: Python<'_>,
+        grid: &Grid,
+        pair: Bodies,
+        comm: Bound<'_, PyAny>,
+        boundary: Option<Surroundings>,
+        cell_value: Option<Choice<stickslip::CellValue>>,
+    ) -> PyResult<Self> {
+        let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
+        let cell_value = cell_value.map(|chosen| chosen.0).unwrap_or_default();
+        let ranks = Arc::new(Communicator::of(&comm)?);
+        let made = py.detach(|| {
+            let bodies = stickslip::HalfSpace::distributed(grid.0, pair.0, boundary, ranks)?;
+            bodies.with_cell_value(cell_value)
+        });
+        made.or_raise(py).map(Self)
+    }
+
+    /// The grid; of :meth:`distributed` bodies the rows of this rank.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
@@ -102,8 +165,14 @@ impl HalfSpace {
         (Grid, ElasticPair, Boundary, Choice<stickslip::CellValue>),
     )> {
         let bodies = slf.get();
-        if bodies.0.pair().stands_for_kernel() {
-            let refused = "bodies of a Kernel are not pickled: make them from it anew";
+        let refused = if bodies.0.pair().stands_for_kernel() {
+            Some("bodies of a Kernel are not pickled: make them from it anew")
+        } else {
+            // Only ranks gather anything, when their bodies are made.
+            let is_shared = bodies.0.traffic().gathers > 0;
+            is_shared.then_some("bodies that ranks share are not pickled: make them anew")
+        };
+        if let Some(refused) = refused {
             return Err(PyTypeError::new_err(refused));
         }
         Ok((

@@ -152,13 +152,13 @@ impl Kernel {
 }
 
 /// Tells of an exception that no caller can be given.
-fn tell(py: Python<'_>, error: PyErr, response: &Bound<'_, PyAny>) {
+pub(crate) fn tell(py: Python<'_>, error: PyErr, callback: &Bound<'_, PyAny>) {
     let interrupts = error.is_instance_of::<PyKeyboardInterrupt>(py)
         && py
             .import("_thread")
             .and_then(|thread| thread.call_method0("interrupt_main"))
             .is_ok();
     if !interrupts {
-        error.write_unraisable(py, Some(response));
+        error.write_unraisable(py, Some(callback));
     }
 }

@@ -29,6 +29,7 @@ mod operator;
 mod pickle;
 mod pool;
 mod progress;
+mod ranks;
 mod real;
 mod report;
 mod rolling;

@@ -1,5 +1,6 @@
 //! The threads of solves.
 
+use std::cell::{Cell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -46,6 +47,17 @@ impl Owned {
     }
 }
 
+thread_local! {
+    /// Whether this thread is a rank, whose pool is its own: ranks that wait for each other must not wait for the same threads.
+    static IS_RANK: Cell<bool> = const { Cell::new(false) };
+    static OWN: RefCell<Option<Owned>> = const { RefCell::new(None) };
+}
+
+/// Solves that this thread calls from now on run in a pool of its own.
+pub(crate) fn keep_apart() {
+    IS_RANK.set(true);
+}
+
 /// As rayon counts them.
 fn default_threads() -> usize {
     let asked = std::env::var("RAYON_NUM_THREADS").ok();
@@ -61,19 +73,27 @@ pub(crate) fn initialise() {
     stickslip::avoid_global_pool();
 }
 
-/// The pool of this process, made when it is first needed; none where work stays on the calling thread.
+/// The pool of this process, or of this rank, made when it is first needed; none where work stays on the calling thread.
 pub(crate) fn of_this_process(_py: Python<'_>) -> PyResult<Option<Arc<ThreadPool>>> {
     let mut place = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     let threads = place
         .as_ref()
         .map_or_else(default_threads, |owned| owned.threads);
-    if place
-        .as_ref()
-        .is_none_or(|owned| owned.process != std::process::id())
-    {
-        Owned::new(threads)?.put(&mut place);
+    let found = |place: &mut Option<Owned>| {
+        let id = (std::process::id(), threads);
+        if place
+            .as_ref()
+            .is_none_or(|owned| (owned.process, owned.threads) != id)
+        {
+            Owned::new(threads)?.put(place);
+        }
+        Ok(place.as_ref().and_then(|owned| owned.pool.clone()))
+    };
+    if IS_RANK.get() {
+        OWN.with_borrow_mut(found)
+    } else {
+        found(&mut place)
     }
-    Ok(place.as_ref().and_then(|owned| owned.pool.clone()))
 }
 
 /// Runs short work in this thread, which counts as a pool of its own: nothing in it can then wait for threads that a

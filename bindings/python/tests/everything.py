@@ -31,6 +31,16 @@ LEFT_OUT = {
 REFUSED = {"asc_parse", "asc_read", "sur_parse", "sur_read", "x3p_parse", "x3p_read"}
 
 
+class Alone:
+    """The communicator of a single rank."""
+
+    def Get_rank(self):
+        return 0
+
+    def Get_size(self):
+        return 1
+
+
 class Scene:
     """Objects of all kinds on a grid of so many cells a side, and the values of arguments."""
 
@@ -152,7 +162,7 @@ class Scene:
             "a": 1.0, "b": 2.0, "accumulated": ball, "along_x": ball, "along_y": ball, "amplitude": 1e-6,
             "amplitudes": (1e-7, 2e-7), "approach": 1e-6, "area_coefficient": 2.0, "axis": "x", "bodies": bodies,
             "body": "one", "body_1": steel, "body_2": steel, "bytes": grid_bytes, "cells": 9, "coefficient": 1e-13,
-            "column": 1, "columns": (0, 8), "component": "zz", "cone": ss.analytical.Cone(pair, slope, 100.0),
+            "column": 1, "columns": (0, 8), "comm": Alone(), "component": "zz", "cone": ss.analytical.Cone(pair, slope, 100.0),
             "contact": normal, "contact_radius": 1e-4, "count": 2, "creepage": 1e-3,
             "curvatures": (1.0, 0.0, 1.0), "cycle": cycle, "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5],
             "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,

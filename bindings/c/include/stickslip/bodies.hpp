@@ -34,6 +34,20 @@ class HalfSpace {
                                                      out);
           })) {}
 
+    /// Bodies whose rows are dealt out to ranks: grids and fields are those of the rows of this one.
+    HalfSpace(const Grid &grid, const Coated &body_1, const Coated &body_2, const stickslip_ranks &ranks,
+              const Boundary *boundary = nullptr)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_half_space_new_distributed(
+                  &grid, &body_1.base, body_1.layers.data(), body_1.layers.size(), &body_2.base, body_2.layers.data(),
+                  body_2.layers.size(), boundary, &ranks, out);
+          })) {}
+
+    /// The first row of the whole grid that this rank has.
+    std::size_t first_row() const {
+        return detail::asked<std::size_t>([&](auto *out) { return stickslip_half_space_first_row(get(), out); });
+    }
+
     /// STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
     void set_cell_value(std::int32_t value) { check(stickslip_half_space_set_cell_value(get(), value)); }
     std::int32_t cell_value() const {

@@ -1895,6 +1895,11 @@ class Grid:
         Cells along y.
         """
     @property
+    def rows(self, /) -> slice:
+        """
+        The rows of the :attr:`whole` grid that it has, a slice: ``array[grid.rows]`` are those of an array of the whole.
+        """
+    @property
     def shape(self, /) -> tuple[int, int]:
         """
         Shape of the arrays on it, (ny, nx).
@@ -1903,6 +1908,11 @@ class Grid:
     def square(n: int, side: float) -> Grid:
         """
         ``n`` x ``n`` square cells on a square of this side (a length): the side of the square, not of a cell.
+        """
+    @property
+    def whole(self, /) -> Grid:
+        """
+        The grid of which it is some rows, as :meth:`HalfSpace.distributed` deals them out; itself if it is no such part.
         """
     @property
     def x(self, /) -> NDArray[float64]:
@@ -1962,10 +1972,54 @@ class HalfSpace:
         """
         The meaning of the pressure and the traction of a cell.
         """
+    @staticmethod
+    def distributed(grid: Grid, pair: ElasticPair | Kernel | tuple[Material, Material], comm: Any, boundary: Boundary | str | tuple[str, float] | None = None, cell_value: CellValue | str | None = None) -> HalfSpace:
+        """
+        Bodies whose rows are dealt out to the ranks of a communicator, which solve together. Every rank makes them, and then
+        the same calls in the same order. Its grid, and all arrays, are those of its rows (:attr:`Grid.rows`); what is said of the
+        whole contact, such as forces, areas, reports and spots, every rank knows. The answers have the bits of one process.
+
+        Parameters
+        ----------
+        grid : Grid
+            The whole one.
+        pair : ElasticPair, two Materials, or Kernel
+            The two bodies; z points into the first.
+        comm : mpi4py.MPI.Comm, or any object with three of its methods
+            ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes`` to one rank and returns
+            those of another, of any length, in the order in which they were sent. Nothing else may be received there: give the
+            duplicate of a communicator that is used elsewhere. It is called one call at a time, also on threads of the
+            package. An exception in it is :class:`~stickslip.errors.Ranks`, and goes to `sys.unraisablehook` itself.
+        boundary : Boundary or str, default "non_periodic"
+            As of the class.
+        cell_value : CellValue or str, default "uniform"
+            As of the class.
+
+        Raises
+        ------
+        NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Ranks
+
+        Notes
+        -----
+        Ranks may be threads of one process: each then makes its bodies, and solves, on a thread of its own.
+
+        Examples
+        --------
+        Run as ``mpirun -n 4 python -m mpi4py press.py``, which ends all ranks when one has failed::
+
+            from mpi4py import MPI
+            import stickslip as ss
+
+            pair = ss.Material(213e9, 0.29), ss.Material.rigid()
+            bodies = ss.HalfSpace.distributed(ss.Grid.square(4096, 0.4e-3), pair, MPI.COMM_WORLD.Dup())
+            ball = ss.surface.sphere(bodies.grid, 3.5e-3)  # its own rows
+            normal = ss.NormalProblem(bodies, ball, force=100.0).solve()
+            print(bodies.grid.rows, normal.pressure.shape, normal.contact_area)
+        """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid.
+        The grid; of :meth:`distributed` bodies the rows of this rank.
         """
     def operator(self, /, component: Component | str) -> LinearOperator:
         """
@@ -2441,7 +2495,7 @@ class History:
     @property
     def spots(self, /) -> ContactSpots:
         """
-        The contact spots, with their stick ratios.
+        The contact spots, with their stick ratios. All ranks that share the history ask for them.
         """
     def state(self, /) -> State:
         """
@@ -3628,7 +3682,7 @@ class NormalSolution:
     @property
     def spots(self, /) -> ContactSpots:
         """
-        The contact spots, one by one.
+        The contact spots, one by one. All ranks that share the contact ask for them.
         """
     def stiffness(self, /, bodies: HalfSpace) -> NormalStiffness:
         """

@@ -10,6 +10,7 @@ use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
 use crate::edges::TangentialEdges;
+use crate::error::OrRaise;
 use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -165,10 +166,11 @@ impl History {
         unobserved_on(py, self.grid(), || history.edges()).map(TangentialEdges)
     }
 
-    /// The contact spots, with their stick ratios.
+    /// The contact spots, with their stick ratios. All ranks that share the history ask for them.
     #[getter]
-    fn spots(&self) -> PyResult<ContactSpots> {
-        self.read(|history| ContactSpots::of(history.spots()))
+    fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
+        let spots = self.read(stickslip::History::try_spots)?;
+        spots.or_raise(py).map(ContactSpots::of)
     }
 
     /// The stiffness: the slopes of the forces and the moment by approach, shift and twist.

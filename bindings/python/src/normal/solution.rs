@@ -9,6 +9,7 @@ use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::edges::Edges;
+use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
@@ -198,10 +199,10 @@ impl NormalSolution {
         Warning::all(self.get().warnings())
     }
 
-    /// The contact spots, one by one.
+    /// The contact spots, one by one. All ranks that share the contact ask for them.
     #[getter]
-    fn spots(&self) -> ContactSpots {
-        ContactSpots::of(self.get().spots())
+    fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
+        self.get().try_spots().or_raise(py).map(ContactSpots::of)
     }
 
     /// Normal displacement of all cells by the pressure, that of body 1 plus that of body 2 (lengths, positive where the

@@ -1,0 +1,51 @@
+/* Ranks that are the processes of an MPI communicator, for stickslip_half_space_new_distributed. Header only: the program
+ * compiles it with its own MPI. See stickslip.h. */
+
+#ifndef STICKSLIP_MPI_H
+#define STICKSLIP_MPI_H
+
+#include <limits.h>
+
+#include <mpi.h>
+
+#include "stickslip.h"
+
+/* A stickslip_swap whose data is a pointer to a communicator. */
+static inline int32_t stickslip_mpi_swap(const uint64_t *block, size_t words, size_t to, size_t from,
+                                         stickslip_block *received, void *user) {
+    MPI_Comm comm = *(const MPI_Comm *)user;
+    MPI_Request sent;
+    MPI_Message message;
+    MPI_Status status;
+    int count = 0;
+    uint64_t *room = NULL;
+    if (words > INT_MAX || MPI_Isend((void *)block, (int)words, MPI_UINT64_T, (int)to, 0, comm, &sent) != MPI_SUCCESS) {
+        return 1;
+    }
+    if (MPI_Mprobe((int)from, 0, comm, &message, &status) == MPI_SUCCESS &&
+        MPI_Get_count(&status, MPI_UINT64_T, &count) == MPI_SUCCESS) {
+        room = stickslip_block_room(received, (size_t)count);
+    }
+    if (room == NULL || MPI_Mrecv(room, count, MPI_UINT64_T, &message, MPI_STATUS_IGNORE) != MPI_SUCCESS) {
+        MPI_Request_free(&sent);
+        return 1;
+    }
+    return MPI_Wait(&sent, MPI_STATUS_IGNORE) != MPI_SUCCESS;
+}
+
+/* The ranks of a communicator in which nothing else is sent: the duplicate of another. The variable that comm points to stays
+ * until all that was made of the bodies is freed. MPI must grant at least MPI_THREAD_SERIALIZED, as calls may come from
+ * threads of the library. A rank that is lost makes the others wait, unless the error handler of MPI ends them. */
+static inline stickslip_ranks stickslip_mpi_ranks(MPI_Comm *comm) {
+    stickslip_ranks ranks;
+    int rank = 0, size = 1;
+    MPI_Comm_rank(*comm, &rank);
+    MPI_Comm_size(*comm, &size);
+    ranks.rank = (size_t)rank;
+    ranks.size = (size_t)size;
+    ranks.swap = stickslip_mpi_swap;
+    ranks.user = comm;
+    return ranks;
+}
+
+#endif /* STICKSLIP_MPI_H */

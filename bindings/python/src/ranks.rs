@@ -1,0 +1,68 @@
+//! Ranks that Python reaches: a communicator of mpi4py, or any object that has the methods of one.
+
+use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyBytes};
+use stickslip::ranks::{RankFailure, Ranks};
+
+use crate::kernel::tell;
+use crate::pool;
+
+/// A communicator. Its methods are called with the GIL, by whichever thread the work is on, one at a time.
+#[derive(Debug)]
+pub(crate) struct Communicator {
+    object: Py<PyAny>,
+    rank: usize,
+    size: usize,
+}
+
+impl Communicator {
+    pub(crate) fn of(object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let size = object.call_method0("Get_size")?.extract()?;
+        if size > 1 {
+            pool::keep_apart();
+        }
+        Ok(Self {
+            object: object.clone().unbind(),
+            rank: object.call_method0("Get_rank")?.extract()?,
+            size,
+        })
+    }
+}
+
+const WORD: usize = size_of::<u64>();
+
+impl Ranks for Communicator {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    /// An exception stands for a rank that is lost, and is told as those of other callbacks are.
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        Python::attach(|py| {
+            let object = self.object.bind(py);
+            let swapped = || {
+                let sent = PyBytes::new_with(py, block.len() * WORD, |bytes| {
+                    for (bytes, word) in bytes.chunks_exact_mut(WORD).zip(&block) {
+                        bytes.copy_from_slice(&word.to_ne_bytes());
+                    }
+                    Ok(())
+                })?;
+                let ends = [("dest", to), ("source", from)].into_py_dict(py)?;
+                let received = object.call_method("sendrecv", (sent,), Some(&ends))?;
+                let words = received.cast::<PyBytes>()?.as_bytes().chunks(WORD);
+                // Of another length than is due if the last one is cut short.
+                Ok(words
+                    .map_while(|word| Some(u64::from_ne_bytes(word.try_into().ok()?)))
+                    .collect())
+            };
+            swapped().map_err(|error| {
+                tell(py, error, object);
+                RankFailure::Lost { rank: from }
+            })
+        })
+    }
+}
