@@ -96,7 +96,8 @@ pub enum Error {
         /// What to do instead.
         remedy: &'static str,
     },
-    /// A pair that stands for a [`Kernel`](crate::Kernel) was given without the kernel, or its table lacks a coefficient.
+    /// A pair that stands for a [`Kernel`](crate::Kernel) was given without the kernel, or its table lacks a coefficient, or its
+    /// operators a direction.
     #[error("the kernel is missing: {0}")]
     KernelMissing(&'static str),
     /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this

@@ -86,7 +86,8 @@ pub trait Operator<const N: usize = 1>: Sync {
         0.0
     }
 
-    /// How that is known: a positive number is [proven](EigenvalueBound::Proven) unless this says otherwise.
+    /// How that is known: a positive number is [proven](EigenvalueBound::Proven) unless this says otherwise. An operator
+    /// that hands on the bound of another hands this on too.
     fn eigenvalue_bound(&self) -> EigenvalueBound {
         if self.lower_bound() > 0.0 {
             EigenvalueBound::Proven

@@ -44,13 +44,14 @@ impl fmt::Display for Status {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EigenvalueBound {
-    /// Not at all: a certified error is then the duality gap, with which it falls like its root.
+    /// Not at all. [`Report::duality_gap`] is then the duality gap of the problem, and the bound of the error, its root, falls
+    /// only with the root of the residual.
     #[default]
     Unknown,
     /// By an estimate on the safe side: of stiff coatings on long grids
     /// ([`layers`](crate::layers#limits-of-the-model)).
     Estimated,
-    /// By a bound from below.
+    /// By a bound from below: computed for the operators of this crate, stated by those of a user.
     Proven,
 }
 
@@ -117,7 +118,8 @@ pub struct Report {
     /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
     pub duality_gap: f64,
-    /// How the smallest eigenvalue is known that [`Self::duality_gap`] rests on.
+    /// How the smallest eigenvalue is known that [`Self::duality_gap`] rests on, and what else is certified beside it: the
+    /// bounds of a coupled contact, of a stiffness.
     pub eigenvalue_bound: EigenvalueBound,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.

@@ -59,6 +59,14 @@ pub(crate) struct CoupledDemand<'a> {
     pub(crate) tangential: Demand,
 }
 
+/// `Ok` if pressure and tractions can be found together.
+pub(crate) fn check_joint(bodies: &HalfSpace) -> Result<()> {
+    let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+    bodies.check_directions([z, x, y], false)?;
+    bodies.check_directions([z], true)?;
+    bodies.check_directions([x, y], true)
+}
+
 impl CoupledDemand<'_> {
     /// Whether friction may turn out not to hold the force: where its sum depends on how the pressure is distributed.
     fn is_doubtful(&self) -> bool {

@@ -62,7 +62,7 @@ mod sliding;
 mod solution;
 mod solver;
 
-pub(crate) use increment::{CoupledDemand, CoupledIncrement};
+pub(crate) use increment::{CoupledDemand, CoupledIncrement, check_joint};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;

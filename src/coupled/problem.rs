@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
+use crate::coupled::check_joint;
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::field::Field;
@@ -180,6 +181,7 @@ impl CoupledProblemBuilder<'_> {
 
     /// `Ok` if everything is right that a rank sees by itself.
     fn check(&self) -> Result<()> {
+        check_joint(self.bodies)?;
         let grid = self.bodies.grid();
         self.gap.check("gap", grid)?;
         self.friction.check(grid)?;

@@ -17,7 +17,8 @@ use crate::report::{Report, Status};
 #[non_exhaustive]
 pub struct CoupledReport {
     /// Of the cells of the finest window: why the iteration ended, steps of GMRES, products with the tensor of all
-    /// coefficients, residual, load error and time. Its duality gap is infinite: nothing is certified of the whole.
+    /// coefficients, residual, load error and time. Its duality gap is infinite: nothing is certified of the whole; its eigenvalue bound is
+    /// that on which the bounds of the halves rest, the weaker of both.
     pub work: Report,
     /// Steps and products, with the normal part alone, of the sweeps of halves.
     pub normal: Report,

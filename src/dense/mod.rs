@@ -73,7 +73,8 @@ impl DenseOperator {
     /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells; as [`HalfSpace::operator`]; [`Error::Ranks`].
+    /// [`Error::TooManyCells`] above 4096 cells; [`Error::Coated`] for operators of a user; as [`HalfSpace::operator`];
+    /// [`Error::Ranks`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         bodies.check_alone("a dense matrix")?;
         bodies.kernel().check_no_operators("a dense matrix")?;

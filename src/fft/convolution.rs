@@ -154,12 +154,12 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// With an estimate of the least eigenvalue in place of that of the periodic continuation.
-    pub(crate) fn estimated(self, least: f64) -> Self {
+    /// With a least eigenvalue that is known so in place of that of the periodic continuation.
+    pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
         Self {
             least,
             lower_bound: (least - 1e-14 * self.upper_bound).max(0.0),
-            is_estimate: true,
+            is_estimate: known == EigenvalueBound::Estimated,
             is_single_enough: least > SINGLE_RANGE * self.upper_bound,
             ..self
         }

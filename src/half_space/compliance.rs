@@ -10,6 +10,7 @@ use crate::influence::{Component, Direction, Kernel, least_of_lattice};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::pool::Pool;
+use crate::report::EigenvalueBound;
 use crate::share::Share;
 
 /// An operator and the preconditioner that goes with it.
@@ -51,6 +52,32 @@ impl HalfSpace {
             operator,
             inverse: ElasticPreconditioner(inverse),
         })
+    }
+
+    /// `Ok` if tractions along these directions can be found: operators of a user have them all, and state a bound where
+    /// that is needed.
+    pub(crate) fn check_directions<const N: usize>(
+        &self,
+        directions: [Direction; N],
+        needs_bound: bool,
+    ) -> Result<()> {
+        self.check_components(tensor(directions), needs_bound)
+    }
+
+    /// The same of components.
+    pub(crate) fn check_components<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        needs_bound: bool,
+    ) -> Result<()> {
+        let Some(operators) = self.kernel().user_operators() else {
+            return Ok(());
+        };
+        let operator = ElasticOperator::from(operators.part(components, self.size())?);
+        if needs_bound {
+            operator.check_bounded()?;
+        }
+        Ok(())
     }
 
     /// The pool of a kind of things for these cells and components, as long as anyone has it; of no components where
@@ -99,19 +126,21 @@ impl HalfSpace {
             return Ok(operators.part(components, self.size())?.into());
         }
         let made = self.made(components, size, |size, share, kernels| {
-            let convolution = Convolution::of_kernels(size, share, kernels)?;
+            let mut convolution = Convolution::of_kernels(size, share, kernels)?;
             let is_compliance = (0..N).all(|i| components[i][i].is_odd() == [false; 2]);
-            let is_free = self.boundary() == Boundary::NonPeriodic;
+            if N == 3 || !is_compliance || convolution.lower_bound() > 0.0 {
+                return Ok(convolution);
+            }
             // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
-            if N < 3
-                && is_compliance
-                && is_free
-                && self.kernel().has_response()
-                && convolution.lower_bound() <= 0.0
-            {
+            if self.boundary() == Boundary::NonPeriodic && self.kernel().has_response() {
                 let grid = self.grid().whole();
                 let least = least_of_lattice(grid, self.kernel(), self.cell_value(), components);
-                return Ok(convolution.estimated(least));
+                convolution = convolution.bounded(least, EigenvalueBound::Estimated);
+            }
+            // The matrix of a window is a principal part of that of the grid.
+            if convolution.lower_bound() <= 0.0 && size != self.size() {
+                let whole = self.operator_of(components, self.size())?;
+                convolution = convolution.bounded(whole.lower_bound(), whole.eigenvalue_bound());
             }
             Ok(convolution)
         });

@@ -26,7 +26,8 @@ impl HalfSpace {
     /// [`ranks`](crate::ranks) tells more.
     ///
     /// # Errors
-    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks).
+    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks); [`Error::Coated`](crate::Error::Coated) for
+    /// operators of a user.
     pub fn distributed(
         grid: Grid,
         bodies: impl Into<Kernel>,

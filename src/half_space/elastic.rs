@@ -51,7 +51,7 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// `Ok` where an answer is worth nothing without a bound of its error, and can have one.
+    /// `Ok` if a bound of the least eigenvalue is known, or need not be stated.
     pub(crate) fn check_bounded(&self) -> Result<()> {
         if let Kind::User(part) = &self.0 {
             positive("lower bound of an operator of a user", part.lower_bound())?;
@@ -167,6 +167,13 @@ const FOREIGN: &str = "the workspace is that of another operator";
 /// pointer to it.
 #[derive(Debug, Clone)]
 pub struct ElasticPreconditioner<const N: usize = 1>(pub(super) Arc<CirculantInverse<N>>);
+
+impl<const N: usize> ElasticPreconditioner<N> {
+    /// Whether both point to the same: other bodies, and other windows, have others.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
 
 impl<const N: usize> Operator<N> for ElasticPreconditioner<N> {
     type Workspace = SingleWorkspace<N>;

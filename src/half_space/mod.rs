@@ -93,8 +93,10 @@ impl HalfSpace {
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
     /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::Below`] for a layer
-    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::Coated`] on grids that they do not take; [`Error::Below`] for an isotropic one that is not near its half-space;
-    /// [`Error::GridMismatch`] for a table of other cells or of too few; [`Error::NotPositive`] and [`Error::NotFinite`]
+    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::Coated`] on grids that they do not take;
+    /// [`Error::Below`] for an isotropic one that is not near its half-space; [`Error::GridMismatch`] for a table of other
+    /// cells or of too few; [`Error::Length`] for operators of another number of cells, [`Error::NotModelled`] for those that
+    /// do not map constants to zero on a grid that repeats along both axes; [`Error::NotPositive`] and [`Error::NotFinite`]
     /// for a response that is not positive at a wave of a grid that repeats; [`Error::KernelMissing`] of a pair that stands
     /// for a kernel.
     pub fn new(grid: Grid, bodies: impl Into<kernel::Kernel>) -> Result<Self> {
@@ -236,7 +238,8 @@ impl HalfSpace {
     /// The operator of one component on the whole grid, made at the first call.
     ///
     /// # Errors
-    /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`].
+    /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`];
+    /// [`Error::KernelMissing`] for directions that a table or the operators of a user have not.
     pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
         self.operator_of([[component]], self.size())
     }

@@ -5,6 +5,7 @@ use crate::buffer::{self, TryClone, try_clone};
 use crate::cell_value::CellValue;
 use crate::cgm::Settings;
 use crate::contact::Trend;
+use crate::coupled::check_joint;
 use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::field::{Field, clone_in_place};
@@ -13,10 +14,11 @@ use crate::half_space::HalfSpace;
 use crate::history::TouchRule;
 use crate::history::memory::Memory;
 use crate::history::relative::Relative;
+use crate::influence::Direction;
 use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::shown::shown;
-use crate::tangential::{Axis, Friction, Motion, Zone};
+use crate::tangential::{Axis, Friction, Motion, Zone, check_axes};
 use crate::window::Window;
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
@@ -219,7 +221,12 @@ impl State {
     /// `Ok` if the state is one of the cells held here of these bodies.
     pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         bodies.grid().expect(QUANTITY, self.grid())?;
-        self.check_origin(bodies)
+        self.check_origin(bodies)?;
+        if self.is_joint() {
+            return check_joint(bodies);
+        }
+        bodies.check_directions([Direction::Z], false)?;
+        check_axes(bodies, self.axes, self.coupling)
     }
 
     /// `Ok` if the state is one of these bodies, or of some rows of them.

@@ -1,15 +1,16 @@
-//! Bodies of a user: linear, described by their response to waves or by influence coefficients.
+//! Bodies of a user: linear, described by their response to waves, by influence coefficients, or by operators.
 //!
 //! A [`Kernel`] takes the place of an [`ElasticPair`] where a [`HalfSpace`](crate::HalfSpace) is made: pressure, traction,
-//! both at once, histories, wear, stiffness and rolling then work with it. It describes the relative displacement
-//! $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of four ways.
+//! both at once, histories, wear, stiffness and, but for operators, rolling then work with it. It describes the relative
+//! displacement $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of
+//! four ways.
 //!
 //! | | given | grids |
 //! |---|---|---|
 //! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all that take coated bodies |
 //! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 of $`(k_x, k_y)`$: a [`ResponseTensor`] | that repeat along both axes |
 //! | [`Kernel::tabulated`] | a [`CoefficientTable`]: of a finite-element code, measured | that do not repeat |
-//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all, of their cells |
+//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all of as many cells |
 //!
 //! ```
 //! use stickslip::layers::Response;
@@ -52,8 +53,8 @@
 //!
 //! # Certificate
 //!
-//! The least eigenvalue of the kernel on the grid is found when an operator is planned. Where it is positive errors are
-//! certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
+//! The least eigenvalue of a response or a table on the grid is found when an operator is planned. Where it is positive
+//! errors are certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
 //! isotropic kernels on free grids, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
 //! positive either, and for tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found
 //! together, the eigenvalues of each alone decide this. Operators state their own bound; without one pressure and traction
@@ -65,9 +66,9 @@
 //! The pair `near` lends what is one number: its hardness, the ratio of tangential to normal compliance in the law of
 //! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
 //! [refuse](Error::Coated) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
-//! same: of a closure those of 41 wave numbers in single precision, of a table all, of an operator the works of two fields of
-//! tractions. States of histories keep it, so that a
-//! history continues with the same kernel only.
+//! same: of a closure those of 41 wave numbers in single precision, of a table all, of operators their directions and the
+//! works of two fields of tractions, in single precision too. States of histories keep it, so that a history continues with
+//! the same kernel only.
 
 mod check;
 mod operators;
@@ -324,22 +325,25 @@ impl Kernel {
     /// Bodies by [operators](Operators) on the cells of a grid, of any boundary: whatever displacements they compute from
     /// tractions. `near` is the pair of homogeneous half-spaces that they resemble for waves of a few cells: its inverse
     /// preconditions the solves, which converge the faster the better it fits, to the same answer. It lends hardness and
-    /// moduli, and whether pressure and traction are [coupled](ElasticPair::is_coupled).
+    /// moduli, whether pressure and traction are [coupled](ElasticPair::is_coupled), and how strongly: what
+    /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate) reckons with.
     ///
     /// A contact is solved on all cells of the grid: no window, no coarser grids. A [lower bound](crate::Operator::lower_bound)
     /// of an operator makes its certificate; without one [`Report::duality_gap`](crate::Report::duality_gap) is the duality
-    /// gap, and does not decide when a solve ends. Rolling, ranks, dense matrices, edges inside the cells and stresses refuse
-    /// such bodies. On a grid that repeats along both axes an operator must map constants to zero.
+    /// gap, and does not decide when a solve ends; pressure and traction are then not found together, nor stiffness, nor cycles
+    /// of wear that a step may jump. Rolling, ranks, dense matrices, edges inside the cells and stresses refuse such bodies. On
+    /// a grid that repeats along both axes an operator must map constants to zero. A
+    /// [cell value](crate::HalfSpace::with_cell_value) changes nothing of an operator: it says which values it takes.
     ///
     /// # Errors
     /// [`Error::Coated`] if `near` is not homogeneous; [`Error::KernelMissing`] without an operator;
     /// [`Error::RepeatedDirection`]; [`Error::Length`] for operators of different numbers of cells; and, of two fields without
     /// mean, [`Error::NotPositive`] for an energy, [`Error::NotFinite`], [`Error::NotModelled`] for works that differ by more
     /// than 1e-9 of the energies or for a coupling that `near` has not, [`Error::Below`] for an energy less than the lower
-    /// bound states.
+    /// bound states; [`Error::Memory`].
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
-        let shown = operators.examined(near.is_coupled())?;
+        let shown = operators.examined(&near)?;
         let mark = (digest_of(&near, 1.0, &shown), near.coupling_strength());
         Ok(Self::new(
             &near,
@@ -433,7 +437,9 @@ impl Kernel {
                 quantity: "a grid that does not repeat along both axes, under an orthotropic response,",
                 remedy: REPEATING,
             }),
-            Some(Given::Operators(operators)) => operators.check_on(grid.cells()),
+            Some(Given::Operators(operators)) => {
+                operators.check_on(grid.cells(), boundary == Boundary::Periodic)
+            }
             Some(Given::Table(table)) if boundary == Boundary::NonPeriodic => table.check_on(grid),
             Some(Given::Table(_)) => Err(Error::Coated {
                 quantity: "a grid that repeats, under a table of coefficients,",

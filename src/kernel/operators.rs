@@ -2,9 +2,11 @@
 
 use std::fmt;
 
+use crate::buffer::zeros;
 use crate::error::{Error, Result, at_least, finite, length, positive};
 use crate::influence::{Component, Direction};
 use crate::kernel::user_operator::{Part, UserOperator};
+use crate::material::ElasticPair;
 use crate::operator::Operator;
 
 /// The compliance of two bodies as operators on the cells of one grid: what [`Kernel::operators`](crate::Kernel::operators)
@@ -80,9 +82,10 @@ impl Operators {
         self
     }
 
-    /// Numbers that tell them from others, if they are what they must be: of as many cells, symmetric, positive, with the
+    /// Numbers that tell them from others, in the units of `near`, if they are what they must be: of as many cells, symmetric, positive, with the
     /// bounds that they state, and coupled only if they may be.
-    pub(super) fn examined(&self, may_couple: bool) -> Result<Vec<f64>> {
+    pub(super) fn examined(&self, near: &ElasticPair) -> Result<Vec<f64>> {
+        let unit = near.compliances().normal;
         let [first, ..] = &self.given[..] else {
             return Err(Error::KernelMissing("there is no operator"));
         };
@@ -94,18 +97,27 @@ impl Operators {
                 return Err(Error::RepeatedDirection);
             }
             length("operator", first.cells(), given.cells())?;
-            shown.extend(examined(given)?);
-            if !may_couple {
+            shown.extend(
+                directions
+                    .iter()
+                    .map(|&direction| unit * f64::from(direction as u8)),
+            );
+            let [one, other, both] = examined(given)?;
+            shown.extend([one, other, unit * both]);
+            if !near.is_coupled() {
                 check_uncoupled(given)?;
             }
         }
         Ok(shown)
     }
 
-    /// `Ok` for a grid of so many cells.
-    pub(super) fn check_on(&self, cells: usize) -> Result<()> {
+    /// `Ok` for a grid of so many cells, which repeats along both axes or does not.
+    pub(super) fn check_on(&self, cells: usize, repeats: bool) -> Result<()> {
         let mut given = self.given.iter();
-        given.try_for_each(|given| length("operator", cells, given.cells()))
+        given.try_for_each(|given| {
+            length("operator", cells, given.cells())?;
+            if repeats { check_means(given) } else { Ok(()) }
+        })
     }
 
     /// These components (displacement, then traction) on `size` cells.
@@ -125,43 +137,51 @@ impl Operators {
     }
 }
 
-/// Numbers of the products of two fields without mean, if they are those of a compliance.
+/// Numbers of the products of two fields without mean, if they are those of a compliance: both energies, and what each does
+/// on the displacements of the other, over their mean.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
-    let [x, y] = [0.618_033_988_749_895, 0.414_213_562_373_095].map(|step| probe(given, step));
+    let directions = given.directions();
+    if !given.is_symmetric() {
+        return Err(Error::NotModelled {
+            quantity: "directions of an operator that is not symmetric",
+            value: directions.len() as f64,
+            remedy: "give an operator that obeys reciprocity, and says so",
+        });
+    }
+    let (x, y) = (probe(given, STEPS[0])?, probe(given, STEPS[1])?);
     let (u, v) = (given.product(&x)?, given.product(&y)?);
     let [xx, xy, yx, yy] = [(&x, &u), (&x, &v), (&y, &u), (&y, &v)].map(|(x, u)| dot(x, u));
     for energy in [xx, yy] {
         positive("energy of a field of tractions under an operator", energy)?;
     }
-    finite("product of an operator", xy)?;
-    let asymmetry = (xy - yx).abs() / (xx.sqrt() * yy.sqrt());
-    if !given.is_symmetric() || asymmetry > ROUNDED {
+    let mean = xx.sqrt() * yy.sqrt();
+    let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
+    if asymmetry > ROUNDED {
         return Err(Error::NotModelled {
             quantity: "difference of the works of two tractions on each other's displacements, over their energies,",
             value: asymmetry,
-            remedy: "give an operator that obeys reciprocity, and says so",
+            remedy: "give an operator that obeys reciprocity",
         });
     }
     let bound = finite("lower bound of an operator", given.lower_bound())?;
     let quantity = "energy of a field of tractions under an operator";
     at_least("that by its lower bound", bound * dot(&x, &x), quantity, xx)?;
-    Ok([xx, xy, yy])
+    Ok([xx, yy, xy / mean])
 }
 
-/// `Ok` if pressure and tractions do no work on each other's displacements.
+/// `Ok` if pressure displaces nothing tangentially.
 fn check_uncoupled(given: &UserOperator) -> Result<()> {
-    let Some(normal) = given.directions().iter().position(|&d| d == Direction::Z) else {
+    let Some(normal) = given.component(Direction::Z) else {
         return Ok(());
     };
-    let x = probe(given, 0.618_033_988_749_895);
     let own = normal * given.cells()..(normal + 1) * given.cells();
-    let pressure: Vec<f64> = (0..x.len())
-        .map(|i| if own.contains(&i) { x[i] } else { 0.0 })
-        .collect();
+    let mut pressure = probe(given, STEPS[0])?;
+    pressure[..own.start].fill(0.0);
+    pressure[own.end..].fill(0.0);
     let u = given.product(&pressure)?;
-    let squares = |part: &[f64]| dot(part, part);
-    let coupled =
-        (squares(&u) - squares(&u[own.clone()])).max(0.0).sqrt() / squares(&u[own]).sqrt();
+    let square = |part: &[f64]| dot(part, part);
+    let others = square(&u[..own.start]) + square(&u[own.end..]);
+    let coupled = (others / square(&u[own])).sqrt();
     if coupled > ROUNDED {
         return Err(Error::NotModelled {
             quantity: "tangential displacement by pressure under an operator, over the normal one,",
@@ -172,12 +192,37 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     Ok(())
 }
 
+/// `Ok` if a uniform traction along each direction displaces nothing: on a grid that repeats along both axes there is no
+/// other datum.
+fn check_means(given: &UserOperator) -> Result<()> {
+    let (x, mut uniform) = (probe(given, STEPS[0])?, zeros(given.unknowns()?)?);
+    let (u, cells) = (given.product(&x)?, given.cells());
+    for part in 0..given.directions().len() {
+        uniform.fill(0.0);
+        uniform[part * cells..(part + 1) * cells].fill(1.0);
+        let found = given.product(&uniform)?;
+        let ratio = (dot(&found, &found) / dot(&uniform, &uniform)).sqrt()
+            / (dot(&u, &u) / dot(&x, &x)).sqrt();
+        if cells > 1 && ratio > ROUNDED {
+            return Err(Error::NotModelled {
+                quantity: "displacement by a uniform traction on a grid that repeats, over that by others,",
+                value: ratio,
+                remedy: "give an operator of displacements without mean, or a grid that does not repeat",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Steps of two sequences that never repeat.
+const STEPS: [f64; 2] = [0.618_033_988_749_895, 0.414_213_562_373_095];
+
 /// Numbers of which each component has mean zero.
-fn probe(given: &UserOperator, step: f64) -> Vec<f64> {
-    let cells = given.cells();
-    let mut x: Vec<f64> = (1..=given.directions().len() * cells)
-        .map(|i| (i as f64 * step).fract() - 0.5)
-        .collect();
+fn probe(given: &UserOperator, step: f64) -> Result<Vec<f64>> {
+    let (cells, mut x) = (given.cells(), zeros(given.unknowns()?)?);
+    for (i, x) in x.iter_mut().enumerate() {
+        *x = ((i + 1) as f64 * step).fract() - 0.5;
+    }
     for part in x.chunks_mut(cells) {
         let mean = part.iter().sum::<f64>() / cells as f64;
         // A single cell has no other field.
@@ -187,7 +232,7 @@ fn probe(given: &UserOperator, step: f64) -> Vec<f64> {
             }
         }
     }
-    x
+    Ok(x)
 }
 
 fn dot(x: &[f64], y: &[f64]) -> f64 {

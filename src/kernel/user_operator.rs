@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::buffer::{or_abort, zeros};
-use crate::error::Result;
+use crate::error::{Result, memory};
 use crate::influence::{Component, Direction};
 use crate::layout::Layout;
 use crate::operator::Operator;
@@ -126,8 +126,19 @@ impl UserOperator {
         Ok(out)
     }
 
+    /// Of all components together.
+    pub(super) fn unknowns(&self) -> Result<usize> {
+        let (cells, directions) = (self.cells(), self.directions.len());
+        memory(
+            "field of an operator",
+            [cells, directions],
+            size_of::<f64>(),
+        )?;
+        Ok(cells * directions)
+    }
+
     /// The component of a direction.
-    fn component(&self, direction: Direction) -> Option<usize> {
+    pub(super) fn component(&self, direction: Direction) -> Option<usize> {
         self.directions.iter().position(|own| *own == direction)
     }
 
@@ -276,7 +287,11 @@ impl<const N: usize> Operator<N> for Part<N> {
     }
 
     fn eigenvalue_bound(&self) -> EigenvalueBound {
-        self.given.operator.eigenvalue_bound()
+        if Operator::<N>::lower_bound(self) > 0.0 {
+            self.given.operator.eigenvalue_bound()
+        } else {
+            EigenvalueBound::Unknown
+        }
     }
 
     fn self_compliance(&self) -> f64 {

@@ -8,6 +8,7 @@ use crate::cgm::{Settings, Total, settings_methods};
 use crate::error::{Error, Result, finite, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
+use crate::influence::Direction;
 use crate::normal::pressure::Pressing;
 use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
@@ -195,6 +196,7 @@ impl NormalProblemBuilder<'_> {
 
     /// `Ok` if everything is right that a rank sees by itself.
     fn check(&self) -> Result<()> {
+        self.bodies.check_directions([Direction::Z], false)?;
         check_gap(self.bodies, &self.gap)?;
         if let Some(hardness) = &self.hardness {
             hardness.check(self.bodies.grid())?;

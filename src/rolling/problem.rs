@@ -212,6 +212,7 @@ impl RollingProblemBuilder<'_> {
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
     /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
     /// [`Error::NotModelled`] for rolling along an axis on which the grid repeats, or spin on such a grid;
+    /// [`Error::Coated`] for operators of a user;
     /// [`Error::Below`] if the grid ends less than a step ahead of the contact;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding, and
     /// [`Error::BeyondFrictionMoment`] for such a moment, beside the forces prescribed;

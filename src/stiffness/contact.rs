@@ -117,7 +117,8 @@ impl NormalSolution {
     /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
     /// not of; [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the half of a coupled solution of dissimilar
     /// bodies, whose pressure follows from the shear too; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
-    /// resists without limit; [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
+    /// resists without limit; [`Error::NotPositive`](crate::Error::NotPositive) for operators of a user without a lower bound;
+    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
     /// [`Error::Ranks`](crate::Error::Ranks).
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         self.stiffness_observed(bodies, unwatched)

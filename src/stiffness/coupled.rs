@@ -54,8 +54,8 @@ type Loads = [f64; 4];
 #[derive(Debug)]
 pub(super) struct Joint {
     compliance: Compliance<N>,
-    /// Of the eigenvalues of its tangential part.
-    lower_bound: f64,
+    /// How far a unit tangential traction displaces its own cell.
+    self_compliance: f64,
     workspace: ConeWorkspace<ElasticOperator<N>, ElasticPreconditioner<N>>,
     /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
     cells: [Vec<f64>; 7],
@@ -72,13 +72,14 @@ impl Joint {
     ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
         operator.check_bounded()?;
-        let is_own = |own: &Self| own.compliance.operator.is(&operator);
+        let is_own = |own: &Self| {
+            own.compliance.operator.is(&operator) && own.compliance.inverse.is(&inverse)
+        };
         provide(slot, is_own, || {
             let (x, y) = (Direction::X, Direction::Y);
-            // The bound of the grid holds for its windows.
             let plane = bodies.compliance([x, y], bodies.grid().whole().size())?;
             Ok(Self {
-                lower_bound: plane.operator.lower_bound(),
+                self_compliance: plane.operator.self_compliance(),
                 workspace: ConeWorkspace::new(&operator, &inverse)?,
                 cells: buffer::vector(operator.cells())?,
                 right: Vec::new(),
@@ -143,7 +144,7 @@ impl Coupled<'_> {
         let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
         let Joint {
             compliance: Compliance { operator, inverse },
-            lower_bound,
+            self_compliance,
             workspace,
             cells,
             right,
@@ -174,7 +175,8 @@ impl Coupled<'_> {
             hardness: limits.map(|_| hardness),
             friction: &self.friction.within(&region),
             totals: [Total::Free; N],
-            lower_bounds: [0.0, *lower_bound],
+            lower_bounds: [0.0; 2],
+            self_compliance: *self_compliance,
             coupling: 0.0,
         };
         let stand = Stand {

@@ -7,7 +7,7 @@ use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::operator::Operator;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{EigenvalueBound, Iteration, Report, Status};
 use crate::watch::Observer;
 
 /// What is asked of the solves, and their report.
@@ -31,11 +31,22 @@ impl Course<'_> {
         let mut observer = with_counts_of(self.report, &mut *self.observer);
         let outcome = held.respond(right, unknowns, workspace, self.tolerance, &mut observer);
         drop(observer);
+        let bound = self.report.eigenvalue_bound;
         self.report.add_pass(workspace.report());
+        self.report.eigenvalue_bound = bound;
         outcome.map_err(|error| match error {
             Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
             other => other,
         })
+    }
+
+    /// A bound rests on an eigenvalue known so, beside those found before.
+    pub(super) fn rest_on(&mut self, known: EigenvalueBound) {
+        let report = &mut *self.report;
+        report.eigenvalue_bound = match report.eigenvalue_bound {
+            EigenvalueBound::Unknown => known,
+            before => before.min(known),
+        };
     }
 
     /// `Ok` if the last solve has come to the tolerance, and not only to where round-off leaves it.

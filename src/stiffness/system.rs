@@ -96,7 +96,9 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
         operator.check_bounded()?;
-        let is_own = |own: &Self| own.compliance.operator.is(&operator);
+        let is_own = |own: &Self| {
+            own.compliance.operator.is(&operator) && own.compliance.inverse.is(&inverse)
+        };
         provide(slot, is_own, || {
             Ok(Self {
                 layout: operator.layout().alike(bodies.team()),
@@ -171,7 +173,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         }
         let found = self.combine(active, parts)?;
         // The bound decides, wherever round-off has left the residuals.
-        course.report.eigenvalue_bound = self.compliance.operator.eigenvalue_bound();
+        course.rest_on(self.compliance.operator.eigenvalue_bound());
         course.report.status = if found.bound <= ALLOWED.max(course.tolerance) {
             Status::Converged
         } else {

@@ -6,6 +6,7 @@ use std::fmt::Debug;
 use crate::buffer::{self, try_each};
 use crate::cgm::{Ball, Known, Method, Own, Settings, Total, Within};
 use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
+use crate::coupling::Coupling;
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -107,6 +108,20 @@ pub(super) fn engine_along(
         [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
         _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
     })
+}
+
+/// `Ok` if tractions along these axes can be found, and what pressure moves along them where that is modelled.
+pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) -> Result<()> {
+    match axes {
+        [axis] => bodies.check_directions([axis.direction()], false)?,
+        _ => bodies.check_directions([Direction::X, Direction::Y], false)?,
+    }
+    let moved = axes.iter().filter(|_| coupling.is_one_way(bodies.pair()));
+    for axis in moved {
+        let component = Component::of(axis.direction(), Direction::Z);
+        bodies.check_components([[component]], false)?;
+    }
+    Ok(())
 }
 
 /// The displacements that tractions along these axes cause on the whole grid.

@@ -59,7 +59,7 @@ pub(crate) use answer::Answer;
 pub(crate) use control::Demand;
 pub use control::{TangentialControl, TangentialLoad};
 pub(crate) use drawing::Drawing;
-pub(crate) use engine::{PlaneVector, at, displacement, zeros};
+pub(crate) use engine::{PlaneVector, at, check_axes, displacement, zeros};
 pub(crate) use entering::{
     OwnCompliance, own_compliance, ratio_of_compliances, ratios_of_compliances,
 };

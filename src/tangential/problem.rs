@@ -9,7 +9,7 @@ use crate::shown::shown;
 use crate::tangential::pressure::contact_window;
 use crate::tangential::{
     Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
-    TangentialModel, TangentialSolution, TangentialSolver,
+    TangentialModel, TangentialSolution, TangentialSolver, check_axes,
 };
 
 /// Bodies, pressure, friction and tangential load.
@@ -214,6 +214,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         self.settings.check()?;
         self.model.check(&self.settings)?;
         check_coupling(self.bodies, self.coupling)?;
+        check_axes(self.bodies, axes, self.coupling)?;
         if let Some(relative) = &self.relative {
             relative.check(self.bodies, axes)?;
         }

@@ -33,7 +33,7 @@ use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
 use crate::layout::Layout;
-use crate::operator::{Operator, SELF_COMPLIANCE};
+use crate::operator::Operator;
 use crate::per_cell::PerCell;
 use crate::report::Status;
 use crate::watch::Observer;
@@ -70,15 +70,10 @@ pub(crate) struct ConeProblem<'a, C, P, F> {
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
     pub(crate) lower_bounds: [f64; 2],
+    /// How far a unit tangential traction displaces its own cell.
+    pub(crate) self_compliance: f64,
     /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
     pub(crate) coupling: f64,
-}
-
-impl<C, P, F> ConeProblem<'_, C, P, F> {
-    /// How far a unit tangential traction displaces its own cell.
-    pub(super) fn self_compliance(&self) -> f64 {
-        SELF_COMPLIANCE * self.lower_bounds[1]
-    }
 }
 
 /// What an iterate shows, from one product.

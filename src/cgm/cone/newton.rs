@@ -244,7 +244,7 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
 
     /// The stiffness of every cell that slips, from the slip just measured.
     fn measure_slip(&mut self) {
-        let (friction, self_compliance) = (&self.problem.friction, self.problem.self_compliance());
+        let (friction, self_compliance) = (&self.problem.friction, self.problem.self_compliance);
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);

@@ -49,7 +49,7 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
                 at(&slip, i),
                 [limit(i), slope],
                 least,
-                problem.self_compliance(),
+                problem.self_compliance,
             )
         })?;
         Ok(&mut self.linear)

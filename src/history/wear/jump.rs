@@ -26,7 +26,8 @@ use crate::operator::Operator;
 /// # Errors
 /// [`Error::Negative`] for the coefficient,
 /// [`Error::GridMismatch`] or [`Error::Sample`] for
-/// coefficients and slip length; as [`HalfSpace::operator`]; [`Error::Ranks`].
+/// coefficients and slip length; [`Error::NotPositive`] for operators of a user without a lower bound; as
+/// [`HalfSpace::operator`]; [`Error::Ranks`].
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -114,7 +115,8 @@ impl CycleJump {
     ///
     /// # Errors
     /// [`Error::GridMismatch`], [`Error::Sample`] for a
-    /// depth that is negative or not finite; as [`HalfSpace::operator`]; [`Error::Ranks`].
+    /// depth that is negative or not finite; [`Error::NotPositive`] for operators of a user without a lower bound; as
+    /// [`HalfSpace::operator`]; [`Error::Ranks`].
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid);
@@ -189,9 +191,10 @@ impl CycleJump {
 
 /// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
-    let least_compliance = bodies.operator(Component::ZZ)?.lower_bound();
+    let compliance = bodies.operator(Component::ZZ)?;
+    compliance.check_bounded()?;
     bodies.joint(Ok(if rate > 0.0 {
-        least_compliance / rate
+        compliance.lower_bound() / rate
     } else {
         f64::INFINITY
     }))
