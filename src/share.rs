@@ -191,10 +191,23 @@ impl Share {
         columns: usize,
         wanted: impl Fn(usize) -> [Range<usize>; 2],
     ) -> Vec<f64> {
+        let own = wanted(self.team.rank()).map(|range| range.len());
+        let mut found = vec![0.0; own.into_iter().product()];
+        self.fetch_into(field, columns, wanted, &mut found);
+        found
+    }
+
+    /// The same into memory that is there.
+    pub(crate) fn fetch_into(
+        &self,
+        field: &[f64],
+        columns: usize,
+        wanted: impl Fn(usize) -> [Range<usize>; 2],
+        found: &mut [f64],
+    ) {
         let (me, ranks) = (self.team.rank(), self.team.size());
         let (own, [own_columns, own_wanted]) = (self.own_rows(), wanted(me));
         let width = own_columns.len();
-        let mut found = vec![0.0; own_wanted.len() * width];
         let most = (0..ranks).map(|rank| wanted(rank).map(|range| range.len()).iter().product());
         let rounds = rounds(most.max().unwrap_or(0), ROUND_WORDS);
         let sent = |rank: usize, round: usize| {
@@ -238,7 +251,6 @@ impl Share {
                 }
             }
         }
-        found
     }
 }
 

@@ -196,7 +196,7 @@ impl NormalSolution {
     /// [`Self::spots`] where memory may run out, or a rank be lost.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Ranks`], also of a slab that was deserialised.
+    /// [`Error::Memory`]; [`Error::Ranks`].
     pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self, None)
     }

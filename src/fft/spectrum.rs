@@ -7,7 +7,7 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::buffer;
-use crate::error::{Result, memory};
+use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::influence::Kernel;
 use crate::parallel::{self, Blocks};
@@ -87,12 +87,12 @@ pub(super) fn of_samples(
     };
     let (rows, width) = match share {
         Some(share) => {
-            let own = [frame.own_columns().len(), height];
-            let room = || memory("influence coefficients", own, size_of::<f64>());
-            let rows = transformed().and_then(|rows| room().map(|()| rows));
-            let rows = share.team().agreed(rows)?;
-            let found = share.fetch(&rows, width, |rank| [frame.columns_of(rank), 0..height]);
-            (found, frame.own_columns().len())
+            let own = frame.own_columns().len();
+            let found = transformed().and_then(|rows| Ok((rows, buffer::zeros(own * height)?)));
+            let (rows, mut found) = share.team().agreed(found)?;
+            let wanted = |rank| [frame.columns_of(rank), 0..height];
+            share.fetch_into(&rows, width, wanted, &mut found);
+            (found, own)
         }
         None => (transformed()?, width),
     };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::buffer::or_abort;
 use crate::contact_map::ContactMap;
-use crate::error::{Error, RankFailure, Result};
+use crate::error::Result;
 use crate::normal::NormalSolution;
 use crate::share::Share;
 use crate::warning::Warning;
@@ -107,12 +107,14 @@ impl NormalSolution {
     }
 
     pub(crate) fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
-        let pressure = self.pressure.as_slice();
+        let (pressure, grid) = (self.pressure.as_slice(), self.grid());
+        let counted = self.whole.as_ref().map(|whole| &whole.contact);
         ContactMap {
-            grid: self.grid().whole(),
+            // Of a slab nothing but its rows is known before a solve.
+            grid: counted.map_or(grid, |_| grid.whole()),
             repeats: self.boundary.repeats(),
             contains: move |i| pressure[i] > 0.0,
-            counted: self.whole.as_ref().map(|whole| &whole.contact),
+            counted,
         }
     }
 
@@ -127,13 +129,8 @@ impl NormalSolution {
         }
     }
 
-    /// How the cells are dealt out to ranks, if they are; an error of a slab that does not know.
-    pub(crate) fn share(&self) -> Result<Option<&Arc<Share>>> {
-        let share = self.whole.as_ref().map(|whole| &whole.share);
-        if share.is_none() && self.grid() != self.grid().whole() {
-            let slab = "a slab that was deserialised";
-            return Err(Error::Ranks(RankFailure::NotShared(slab)));
-        }
-        Ok(share)
+    /// How the cells are dealt out to ranks, if they are.
+    pub(crate) fn share(&self) -> Option<&Arc<Share>> {
+        self.whole.as_ref().map(|whole| &whole.share)
     }
 }

@@ -46,15 +46,14 @@ shown!(NormalSolver: problem);
 
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let grid = problem.bodies.grid();
+        let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
         // A kernel that cannot be computed is better known now.
-        problem
-            .bodies
-            .compliance([Direction::Z], grid.whole().size())?;
+        bodies.compliance([Direction::Z], grid.whole().size())?;
+        let pressure = bodies.agreed(buffer::zeros(grid.cells()))?;
         Ok(Self {
             problem,
             press: PressureSolver::new(),
-            pressure: buffer::zeros(grid.cells())?,
+            pressure,
         })
     }
 

@@ -109,7 +109,7 @@ type Link = ([usize; 2], (usize, usize));
 impl<'a> Fragments<'a> {
     pub(super) fn of(normal: &'a NormalSolution, zones: Option<&[Zone]>) -> Result<Self> {
         let (grid, pressure) = (normal.grid(), normal.pressure().as_slice());
-        let share = normal.share()?;
+        let share = normal.share();
         let layout = match share {
             Some(share) => Layout::shared(Arc::clone(share)),
             None => Layout::of(grid.size()),

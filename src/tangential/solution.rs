@@ -363,11 +363,13 @@ impl TangentialSolution {
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
+        let counted = self.whole.as_ref().map(|whole| &whole.contact);
         ContactMap {
-            grid: self.grid().whole(),
+            // Of a slab nothing but its rows is known before a solve.
+            grid: counted.map_or(self.grid(), |_| self.grid().whole()),
             repeats: self.boundary.repeats(),
             contains: |i: usize| self.zones[i] != Zone::Separated,
-            counted: self.whole.as_ref().map(|whole| &whole.contact),
+            counted,
         }
     }
 

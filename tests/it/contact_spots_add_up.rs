@@ -148,6 +148,17 @@ fn of_a_contact_that_ranks_share() {
             let highest = bodies.max_of(&heights).unwrap();
             let gap = heights.map(|z| highest - z);
             let contact = press(bodies, &gap, 60.0);
+            let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(60.0));
+            let unsolved = problem
+                .build()
+                .unwrap()
+                .into_solver()
+                .unwrap()
+                .new_solution();
+            assert_eq!(
+                (unsolved.contact_cells(), unsolved.spots().largest()),
+                (0, None)
+            );
             let friction = Friction::coulomb(0.4).unwrap();
             let load = TangentialLoad::force([12.0, 0.0]);
             let shear = TangentialProblem::builder(bodies, &contact, friction.clone(), load);

@@ -1,7 +1,7 @@
 /* One contact on several ranks has the bits of one process. With RANKS_OF_MPI ranks are the processes of a program of MPI, else
  * threads that swap blocks through a box for each pair. */
 
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE
 
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +149,34 @@ int main(int count, char **arguments) {
 
 #include <pthread.h>
 
+#include <errno.h>
+#include <time.h>
+
 #define MOST 3
+/* Seconds that a rank waits for another. */
+#define PATIENCE 60
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *pointer, size_t size);
+void *__libc_memalign(size_t alignment, size_t size);
+
+/* Large allocations that this thread may still make, those of the size of what a rank holds of a field: blocks are smaller.
+ * None fails while it is negative. */
+#define LARGE (CELLS / MOST * sizeof(double) / 2)
+static __thread long may_have = -1;
+
+static int fails(size_t size) {
+    return may_have >= 0 && size >= LARGE && (may_have == 0 || may_have-- == 0);
+}
+void *malloc(size_t size) { return fails(size) ? NULL : __libc_malloc(size); }
+void *calloc(size_t count, size_t size) { return fails(count * size) ? NULL : __libc_calloc(count, size); }
+void *realloc(void *pointer, size_t size) { return fails(size) ? NULL : __libc_realloc(pointer, size); }
+int posix_memalign(void **out, size_t alignment, size_t size) {
+    *out = fails(size) ? NULL : __libc_memalign(alignment, size);
+    return *out == NULL ? ENOMEM : 0;
+}
+void *aligned_alloc(size_t alignment, size_t size) { return fails(size) ? NULL : __libc_memalign(alignment, size); }
 
 /* A block on its way from one rank to another. */
 typedef struct {
@@ -170,17 +197,25 @@ static int32_t swap(const uint64_t *block, size_t words, size_t to, size_t from,
         left = 0;
         return 1;
     }
+    struct timespec until;
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_sec += PATIENCE;
     pthread_mutex_lock(&lock);
     box *sent = &boxes[own][to], *got = &boxes[from][own];
-    while (sent->is_full) {
-        pthread_cond_wait(&changed, &lock);
+    int waited = 0;
+    while (sent->is_full && waited == 0) {
+        waited = pthread_cond_timedwait(&changed, &lock, &until);
     }
     sent->words = malloc(words * sizeof *block + 1);
     memcpy(sent->words, block, words * sizeof *block);
     sent->count = words, sent->is_full = 1;
     pthread_cond_broadcast(&changed);
-    while (!got->is_full) {
-        pthread_cond_wait(&changed, &lock);
+    while (!got->is_full && waited == 0) {
+        waited = pthread_cond_timedwait(&changed, &lock, &until);
+    }
+    if (waited != 0) {
+        pthread_mutex_unlock(&lock);
+        return 1;
     }
     uint64_t *room = stickslip_block_room(received, got->count);
     int32_t failed = room == NULL;
@@ -197,6 +232,9 @@ static int32_t swap(const uint64_t *block, size_t words, size_t to, size_t from,
 typedef struct {
     stickslip_ranks ranks;
     answers *found;
+    /* Large allocations that the second rank can have. */
+    long can_have;
+    stickslip_status status;
 } work;
 
 static void *solve_one(void *argument) {
@@ -205,22 +243,59 @@ static void *solve_one(void *argument) {
     return NULL;
 }
 
-static void on_threads(size_t size, const answers *alone) {
+static void on_threads(size_t size, void *(*run)(void *), work *works) {
     size_t numbers[MOST];
-    work works[MOST];
     pthread_t threads[MOST];
+    memset(boxes, 0, sizeof boxes);
     for (size_t rank = 0; rank < size; rank++) {
         numbers[rank] = rank;
         works[rank].ranks.rank = rank, works[rank].ranks.size = size;
         works[rank].ranks.swap = swap, works[rank].ranks.user = &numbers[rank];
-        works[rank].found = made();
-        CHECK(pthread_create(&threads[rank], NULL, solve_one, &works[rank]) == 0);
+        CHECK(pthread_create(&threads[rank], NULL, run, &works[rank]) == 0);
     }
     for (size_t rank = 0; rank < size; rank++) {
         CHECK(pthread_join(threads[rank], NULL) == 0);
-        compare(works[rank].found, alone);
-        free(works[rank].found);
     }
+}
+
+/* Kernels and solver of a normal contact, for which the second rank lacks memory. */
+static void *make_one(void *argument) {
+    work *own = argument;
+    stickslip_half_space *bodies = NULL;
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_load load = {STICKSLIP_FORCE, 3.0};
+    stickslip_grid slab;
+    double *gap = calloc(CELLS, sizeof *gap);
+    OK(stickslip_half_space_new_distributed(&GRID, &RUBBER, NULL, 0, &RIGID, NULL, 0, NULL, &own->ranks, &bodies));
+    OK(stickslip_half_space_grid(bodies, &slab));
+    may_have = own->ranks.rank == 1 ? own->can_have : -1;
+    own->status = stickslip_normal_solver_new(bodies, gap, slab.nx * slab.ny, &load, NULL, NULL, &presser);
+    may_have = -1;
+    if (own->ranks.rank != 1 && own->status != STICKSLIP_OK) {
+        CHECK(strstr(stickslip_last_error_message(), "rank 1 has refused") != NULL);
+    }
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_half_space_free(bodies));
+    free(gap);
+    return NULL;
+}
+
+static void memory_that_one_rank_lacks_is_told_to_all(void) {
+    stickslip_status of_second = STICKSLIP_MEMORY;
+    /* The first is the copy of the gap, which a rank makes before it meets the others. */
+    long can_have = 1;
+    for (; of_second != STICKSLIP_OK && can_have < 100; can_have++) {
+        work works[MOST] = {{{0}, NULL, 0, 0}};
+        works[1].can_have = can_have;
+        on_threads(MOST, make_one, works);
+        of_second = works[1].status;
+        int is_made = of_second == STICKSLIP_OK;
+        CHECK(is_made || of_second == STICKSLIP_MEMORY);
+        CHECK(works[0].status == (is_made ? STICKSLIP_OK : STICKSLIP_RANKS_APART));
+        CHECK(works[2].status == works[0].status);
+    }
+    printf("%ld allocations of a rank failed\n", can_have - 2);
+    CHECK(can_have > 8 && of_second == STICKSLIP_OK);
 }
 
 static void bad_ranks_are_refused(void) {
@@ -252,9 +327,18 @@ int main(void) {
     bad_ranks_are_refused();
     solve(&one, alone);
     for (size_t size = 2; size <= MOST; size++) {
-        on_threads(size, alone);
+        work works[MOST];
+        for (size_t rank = 0; rank < size; rank++) {
+            works[rank].found = made();
+        }
+        on_threads(size, solve_one, works);
+        for (size_t rank = 0; rank < size; rank++) {
+            compare(works[rank].found, alone);
+            free(works[rank].found);
+        }
     }
     free(alone);
+    memory_that_one_rank_lacks_is_told_to_all();
     return report("ranks");
 }
 
