@@ -2,6 +2,7 @@
 
 use std::array::from_fn;
 
+use crate::boundary::Boundary;
 use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
@@ -17,6 +18,23 @@ pub(crate) struct ContactMap<'a, F> {
     pub(crate) contains: F,
     /// The counts of all ranks that hold a slab each; nothing else is asked of their map.
     pub(crate) counted: Option<&'a Survey>,
+}
+
+impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
+    /// Of a solution. Of a slab nothing but its rows is known before a solve.
+    pub(crate) fn of(
+        grid: Grid,
+        boundary: Boundary,
+        contains: F,
+        counted: Option<&'a Survey>,
+    ) -> Self {
+        Self {
+            grid: counted.map_or(grid, |_| grid.whole()),
+            repeats: boundary.repeats(),
+            contains,
+            counted,
+        }
+    }
 }
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {

@@ -9,6 +9,7 @@ use crate::error::{at_least, length};
 use crate::grid::Grid;
 use crate::history::History;
 use crate::normal::NormalSolution;
+use crate::ranks::Team;
 #[cfg(feature = "serde")]
 use crate::serial::checked;
 use crate::shown::shown;
@@ -208,7 +209,8 @@ impl TangentialSolution {
     /// # Errors
     /// [`Error::GridMismatch`] for a pressure on another grid; as [`NormalSolution::try_spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
-        self.grid().expect("normal contact", normal.grid())?;
+        let checked = self.grid().expect("normal contact", normal.grid());
+        Team::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
         ContactSpots::new(normal, Some(self.zones()))
     }
 }

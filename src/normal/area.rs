@@ -109,13 +109,7 @@ impl NormalSolution {
     pub(crate) fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
         let (pressure, grid) = (self.pressure.as_slice(), self.grid());
         let counted = self.whole.as_ref().map(|whole| &whole.contact);
-        ContactMap {
-            // Of a slab nothing but its rows is known before a solve.
-            grid: counted.map_or(grid, |_| grid.whole()),
-            repeats: self.boundary.repeats(),
-            contains: move |i| pressure[i] > 0.0,
-            counted,
-        }
+        ContactMap::of(grid, self.boundary, move |i| pressure[i] > 0.0, counted)
     }
 
     /// The map of the cells held here, without what lies around it.

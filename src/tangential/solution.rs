@@ -364,13 +364,8 @@ impl TangentialSolution {
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
         let counted = self.whole.as_ref().map(|whole| &whole.contact);
-        ContactMap {
-            // Of a slab nothing but its rows is known before a solve.
-            grid: counted.map_or(self.grid(), |_| self.grid().whole()),
-            repeats: self.boundary.repeats(),
-            contains: |i: usize| self.zones[i] != Zone::Separated,
-            counted,
-        }
+        let contains = |i: usize| self.zones[i] != Zone::Separated;
+        ContactMap::of(self.grid(), self.boundary, contains, counted)
     }
 
     fn stick_cells(&self) -> usize {

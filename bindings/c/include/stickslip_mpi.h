@@ -10,7 +10,8 @@
 
 #include "stickslip.h"
 
-/* A stickslip_swap whose data is a pointer to a communicator. */
+/* A stickslip_swap whose data is a pointer to a communicator. Whatever fails in it ends all ranks: a message that is half
+ * sent cannot be taken back. */
 static inline int32_t stickslip_mpi_swap(const uint64_t *block, size_t words, size_t to, size_t from,
                                          stickslip_block *received, void *user) {
     MPI_Comm comm = *(const MPI_Comm *)user;
@@ -20,22 +21,24 @@ static inline int32_t stickslip_mpi_swap(const uint64_t *block, size_t words, si
     int count = 0;
     uint64_t *room = NULL;
     if (words > INT_MAX || MPI_Isend((void *)block, (int)words, MPI_UINT64_T, (int)to, 0, comm, &sent) != MPI_SUCCESS) {
+        MPI_Abort(comm, 1);
         return 1;
     }
     if (MPI_Mprobe((int)from, 0, comm, &message, &status) == MPI_SUCCESS &&
         MPI_Get_count(&status, MPI_UINT64_T, &count) == MPI_SUCCESS) {
         room = stickslip_block_room(received, (size_t)count);
     }
-    if (room == NULL || MPI_Mrecv(room, count, MPI_UINT64_T, &message, MPI_STATUS_IGNORE) != MPI_SUCCESS) {
-        MPI_Request_free(&sent);
+    if (room == NULL || MPI_Mrecv(room, count, MPI_UINT64_T, &message, MPI_STATUS_IGNORE) != MPI_SUCCESS ||
+        MPI_Wait(&sent, MPI_STATUS_IGNORE) != MPI_SUCCESS) {
+        MPI_Abort(comm, 1);
         return 1;
     }
-    return MPI_Wait(&sent, MPI_STATUS_IGNORE) != MPI_SUCCESS;
+    return 0;
 }
 
 /* The ranks of a communicator in which nothing else is sent: the duplicate of another. The variable that comm points to stays
  * until all that was made of the bodies is freed. MPI must grant at least MPI_THREAD_SERIALIZED, as calls may come from
- * threads of the library. A rank that is lost makes the others wait, unless the error handler of MPI ends them. */
+ * threads of the library. A rank that ends without MPI's knowledge makes the others wait. */
 static inline stickslip_ranks stickslip_mpi_ranks(MPI_Comm *comm) {
     stickslip_ranks ranks;
     int rank = 0, size = 1;

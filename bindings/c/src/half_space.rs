@@ -98,7 +98,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
 /// stickslip_half_space_first_row on, as are all arrays and labels; sums, reports and spots are those of the whole contact.
 ///
 /// Of the functions that return or take a grid alone none knows that it is a part: gaps are made by the program. Where ranks are
-/// threads of one process, stickslip_set_num_threads(1) keeps each in its own.
+/// threads of one process, stickslip_set_num_threads(1) must keep each in its own: else they wait for the same threads for ever.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     grid: *const stickslip_grid,

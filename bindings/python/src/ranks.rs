@@ -1,5 +1,6 @@
 //! Ranks that Python reaches: a communicator of mpi4py, or any object that has the methods of one.
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyBytes};
 use stickslip::ranks::{RankFailure, Ranks};
@@ -53,10 +54,15 @@ impl Ranks for Communicator {
                 })?;
                 let ends = [("dest", to), ("source", from)].into_py_dict(py)?;
                 let received = object.call_method("sendrecv", (sent,), Some(&ends))?;
-                let words = received.cast::<PyBytes>()?.as_bytes().chunks(WORD);
-                // Of another length than is due if the last one is cut short.
+                let bytes = received.cast::<PyBytes>()?.as_bytes();
+                if bytes.len() % WORD != 0 {
+                    let length = bytes.len();
+                    let told = format!("a block of {length} bytes is not one of words of {WORD}");
+                    return Err(PyValueError::new_err(told));
+                }
+                let words = bytes.chunks_exact(WORD);
                 Ok(words
-                    .map_while(|word| Some(u64::from_ne_bytes(word.try_into().ok()?)))
+                    .filter_map(|word| Some(u64::from_ne_bytes(word.try_into().ok()?)))
                     .collect())
             };
             swapped().map_err(|error| {

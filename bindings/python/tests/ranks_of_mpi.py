@@ -9,7 +9,7 @@ import numpy as np
 import stickslip as ss
 
 # Three ranks have more rows each than are solved in the calling thread.
-GRID = ss.Grid(96, 160, 3e-6, 2e-6)
+GRID = ss.Grid(96, 264, 3e-6, 2e-6)
 PAIR = ss.ElasticPair(ss.Material(213e9, 0.29), ss.Material(213e9, 0.29))
 
 

@@ -169,8 +169,9 @@ impl History {
     /// The contact spots, with their stick ratios. All ranks that share the history ask for them.
     #[getter]
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
-        let spots = self.read(stickslip::History::try_spots)?;
-        spots.or_raise(py).map(ContactSpots::of)
+        let work = lock(&self.work, NAME)?;
+        let history = &work.history;
+        unobserved_on(py, self.grid(), || history.try_spots()).map(ContactSpots::of)
     }
 
     /// The stiffness: the slopes of the forces and the moment by approach, shift and twist.

@@ -202,7 +202,8 @@ impl NormalSolution {
     /// The contact spots, one by one. All ranks that share the contact ask for them.
     #[getter]
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
-        self.get().try_spots().or_raise(py).map(ContactSpots::of)
+        let solution = self.get();
+        unobserved_on(py, solution.grid(), || solution.try_spots()).map(ContactSpots::of)
     }
 
     /// Normal displacement of all cells by the pressure, that of body 1 plus that of body 2 (lengths, positive where the

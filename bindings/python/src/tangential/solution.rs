@@ -200,10 +200,8 @@ impl TangentialSolution {
 
     /// The contact spots of the normal contact below it, with their stick ratios.
     fn spots(&self, py: Python<'_>, normal: &NormalSolution) -> PyResult<ContactSpots> {
-        self.get()
-            .spots(normal.get())
-            .or_raise(py)
-            .map(ContactSpots::of)
+        let (solution, normal) = (self.get(), normal.get());
+        unobserved_on(py, solution.grid(), || solution.spots(normal)).map(ContactSpots::of)
     }
 
     /// Displacement of body 1 relative to body 2 by the tractions along x and y, of all cells (lengths): one product.
