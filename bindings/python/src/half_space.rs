@@ -114,10 +114,11 @@ impl HalfSpace {
         let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
         let cell_value = cell_value.map(|chosen| chosen.0).unwrap_or_default();
         let ranks = Arc::new(Communicator::of(&comm)?);
-        let made = py.detach(|| {
+        let make = || {
             let bodies = stickslip::HalfSpace::distributed(grid.0, pair.0, boundary, ranks)?;
             bodies.with_cell_value(cell_value)
-        });
+        };
+        let made = py.detach(|| raising(make))?;
         made.or_raise(py).map(Self)
     }
 
