@@ -299,6 +299,13 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_STALLED = 4
     ! The observer asked to stop.
     integer(c_int32_t), parameter, public :: STICKSLIP_CANCELLED = 5
+    ! The smallest eigenvalue of an operator, on which a certified error rests, is not known. The bound of the error is then the
+    ! root of the duality gap of the problem, and falls only with the root of the residual.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_UNKNOWN = 0
+    ! It is known by an estimate on the safe side: of stiff coatings on long grids.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_ESTIMATED = 1
+    ! It has a bound from below, which was computed.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_PROVEN = 2
     ! There is no contact.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NO_CONTACT = 1
     ! Contact cells (cells) lie on the edge of the grid.
@@ -845,6 +852,9 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_report
         ! STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
         integer(c_int32_t) :: status = 0
+        ! How the smallest eigenvalue is known that duality_gap, and what else is certified beside it, rests on:
+        ! STICKSLIP_EIGENVALUE_PROVEN, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+        integer(c_int32_t) :: eigenvalue_bound = 0
         ! Conjugate-gradient steps.
         integer(c_size_t) :: iterations = 0
         ! Products with the operator in double precision.

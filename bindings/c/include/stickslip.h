@@ -229,6 +229,16 @@
 // The observer asked to stop.
 #define STICKSLIP_CANCELLED 5
 
+// The smallest eigenvalue of an operator, on which a certified error rests, is not known. The bound of the error is then the
+// root of the duality gap of the problem, and falls only with the root of the residual.
+#define STICKSLIP_EIGENVALUE_UNKNOWN 0
+
+// It is known by an estimate on the safe side: of stiff coatings on long grids.
+#define STICKSLIP_EIGENVALUE_ESTIMATED 1
+
+// It has a bound from below, which was computed.
+#define STICKSLIP_EIGENVALUE_PROVEN 2
+
 // There is no contact.
 #define STICKSLIP_WARNING_NO_CONTACT 1
 
@@ -828,6 +838,9 @@ typedef struct {
 typedef struct {
     // STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
     int32_t status;
+    // How the smallest eigenvalue is known that duality_gap, and what else is certified beside it, rests on:
+    // STICKSLIP_EIGENVALUE_PROVEN, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+    int32_t eigenvalue_bound;
     // Conjugate-gradient steps.
     size_t iterations;
     // Products with the operator in double precision.

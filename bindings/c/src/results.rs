@@ -2,7 +2,7 @@
 
 use std::ffi::c_char;
 
-use stickslip_rs::{NormalSolution, Report, Status, TangentialSolution, Warning};
+use stickslip_rs::{EigenvalueBound, NormalSolution, Report, Status, TangentialSolution, Warning};
 
 use crate::call::Outcome;
 use crate::error::Failure;
@@ -22,12 +22,23 @@ pub const STICKSLIP_STALLED: i32 = 4;
 /// The observer asked to stop.
 pub const STICKSLIP_CANCELLED: i32 = 5;
 
+/// The smallest eigenvalue of an operator, on which a certified error rests, is not known. The bound of the error is then the
+/// root of the duality gap of the problem, and falls only with the root of the residual.
+pub const STICKSLIP_EIGENVALUE_UNKNOWN: i32 = 0;
+/// It is known by an estimate on the safe side: of stiff coatings on long grids.
+pub const STICKSLIP_EIGENVALUE_ESTIMATED: i32 = 1;
+/// It has a bound from below, which was computed.
+pub const STICKSLIP_EIGENVALUE_PROVEN: i32 = 2;
+
 /// How a solve ended, what it cost and how large its error can be.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_report {
     /// STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
     pub status: i32,
+    /// How the smallest eigenvalue is known that duality_gap, and what else is certified beside it, rests on:
+    /// STICKSLIP_EIGENVALUE_PROVEN, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+    pub eigenvalue_bound: i32,
     /// Conjugate-gradient steps.
     pub iterations: usize,
     /// Products with the operator in double precision.
@@ -59,6 +70,11 @@ impl From<&Report> for stickslip_report {
                 Status::Cancelled => STICKSLIP_CANCELLED,
                 _ => STICKSLIP_STALLED,
             },
+            eigenvalue_bound: match report.eigenvalue_bound {
+                EigenvalueBound::Proven => STICKSLIP_EIGENVALUE_PROVEN,
+                EigenvalueBound::Estimated => STICKSLIP_EIGENVALUE_ESTIMATED,
+                _ => STICKSLIP_EIGENVALUE_UNKNOWN,
+            },
             iterations: report.iterations,
             double_precision_products: report.double_precision_products,
             single_precision_products: report.single_precision_products,
@@ -76,6 +92,7 @@ impl From<&Report> for stickslip_report {
 pub(crate) fn unsolved() -> stickslip_report {
     stickslip_report {
         status: STICKSLIP_UNSOLVED,
+        eigenvalue_bound: STICKSLIP_EIGENVALUE_UNKNOWN,
         iterations: 0,
         double_precision_products: 0,
         single_precision_products: 0,

@@ -60,6 +60,35 @@ static void layers_are_felt(void) {
     CHECK(found[1].approach < found[0].approach && found[1].approach > 0.5 * found[0].approach);
 }
 
+/* A certificate that rests on an estimate says so. */
+static void a_report_tells_how_the_least_eigenvalue_is_known(void) {
+    enum { NX = 24, NY = 20 };
+    stickslip_grid grid = {NX, NY, 2.0, 2.0};
+    stickslip_material soft = {2.6, 0.3, 0.0}, rigid = {INFINITY, 0.0, 0.0};
+    stickslip_layer stiff = {2600.0, 0.3, 1.0};
+    static double gap[NX * NY];
+    OK(stickslip_surface_sphere(&grid, 50.0, gap, NX * NY));
+    for (size_t layers = 0; layers < 2; layers++) {
+        stickslip_half_space *bodies = NULL;
+        stickslip_normal_solver *solver = NULL;
+        stickslip_normal_solution *solution = NULL;
+        stickslip_normal_load load = {STICKSLIP_APPROACH, 0.05};
+        stickslip_report report;
+        OK(stickslip_half_space_new_coated(&grid, &soft, &stiff, layers, &rigid, NULL, 0, NULL, &bodies));
+        OK(stickslip_normal_solver_new(bodies, gap, NX * NY, &load, NULL, NULL, &solver));
+        OK(stickslip_normal_solution_new(solver, &solution));
+        OK(stickslip_normal_solution_report(solution, &report));
+        CHECK(report.status == STICKSLIP_UNSOLVED && report.eigenvalue_bound == STICKSLIP_EIGENVALUE_UNKNOWN);
+        OK(stickslip_normal_solver_solve(solver, solution, NULL));
+        OK(stickslip_normal_solution_report(solution, &report));
+        CHECK(report.status == STICKSLIP_CONVERGED);
+        CHECK(report.eigenvalue_bound == (layers == 0 ? STICKSLIP_EIGENVALUE_PROVEN : STICKSLIP_EIGENVALUE_ESTIMATED));
+        OK(stickslip_normal_solution_free(solution));
+        OK(stickslip_normal_solver_free(solver));
+        OK(stickslip_half_space_free(bodies));
+    }
+}
+
 static void bad_input_is_refused(void) {
     stickslip_half_space *bodies = make_bodies(), *none = NULL;
     stickslip_grid grid = GRID;
@@ -386,6 +415,7 @@ int main(void) {
     OK(stickslip_set_num_threads(2));
     OK(stickslip_surface_sphere(&GRID, 3.5e-3, ball, CELLS));
     layers_are_felt();
+    a_report_tells_how_the_least_eigenvalue_is_known();
     bad_input_is_refused();
     failed_steps_leave_no_trace();
     fields_are_not_copied();

@@ -139,6 +139,7 @@ contains
         call presser%solve(pressed)
         report = pressed%report()
         call check(report%status == STICKSLIP_CONVERGED .and. report%residual > 1d-12, 'a report')
+        call check(report%eigenvalue_bound == STICKSLIP_EIGENVALUE_PROVEN, 'a proven bound')
         call presser%set_settings(stickslip_settings(tolerance=1d-12))
         call presser%solve(pressed)
         report = pressed%report()

@@ -1,9 +1,8 @@
 //! The engine: constrained minima of quadratic forms, with any operator.
 
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
-use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -15,84 +14,13 @@ use crate::choice::Choice;
 use crate::digits::{in_python, short};
 use crate::due;
 use crate::error::with_iterate;
-use crate::operator::{LinearOperator, Product, numbers};
+use crate::operator::{LinearOperator, Shared, numbers, product_of};
 use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::Report;
 use crate::settings::{Settings, chosen};
-use crate::work::solve;
-
-/// An operator in the form that the engine takes.
-#[derive(Clone)]
-struct Shared(Arc<dyn Product>);
-
-impl Operator for Shared {
-    type Workspace = ();
-
-    fn cells(&self) -> usize {
-        self.0.cells()
-    }
-
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
-        self.0.apply(x, out);
-    }
-
-    fn apply_f32(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
-        self.0.apply_f32(x, out);
-    }
-
-    fn lower_bound(&self) -> f64 {
-        self.0.lower_bound()
-    }
-}
-
-/// A function of Python as an operator.
-struct Function {
-    call: Py<PyAny>,
-    cells: usize,
-    lower_bound: f64,
-    /// What it raised first; its products are then not numbers, and the solve ends.
-    raised: Mutex<Option<PyErr>>,
-}
-
-impl Function {
-    fn product(&self, x: &[f64], out: &mut [f64]) -> PyResult<()> {
-        Python::attach(|py| {
-            let product = self.call.call1(py, (PyArray1::from_slice(py, x),))?;
-            let product = numbers(product.bind(py), self.cells)?;
-            out.copy_from_slice(product.as_slice()?);
-            Ok(())
-        })
-    }
-
-    fn raised(&self) -> MutexGuard<'_, Option<PyErr>> {
-        self.raised.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-impl Product for Function {
-    fn cells(&self) -> usize {
-        self.cells
-    }
-
-    fn lower_bound(&self) -> f64 {
-        self.lower_bound
-    }
-
-    fn apply(&self, x: &[f64], out: &mut [f64]) {
-        if let Err(exception) = self.product(x, out) {
-            out.fill(f64::NAN);
-            self.raised().get_or_insert(exception);
-        }
-    }
-
-    fn apply_f32(&self, x: &[f64], out: &mut [f64]) {
-        self.apply(x, out);
-    }
-}
+use crate::work::{solve, watch};
 
 /// As many numbers as there are unknowns, from as many or from one for all.
 fn for_each(given: &Bound<'_, PyAny>, cells: usize) -> PyResult<Vec<f64>> {
@@ -235,29 +163,13 @@ pub(crate) fn minimise<'py>(
         },
         _ => return Err(PyTypeError::new_err("give a total or a spring, not both")),
     };
-    let mut function = None;
-    let (product, cells) = if let Ok(known) = operator.cast::<LinearOperator>() {
-        let product = Arc::clone(&known.get().product);
-        let cells = product.cells();
-        (product, cells)
-    } else if operator.is_callable() {
-        let cells = py
-            .import("numpy")?
-            .call_method1("size", (&linear,))?
-            .extract()?;
-        let own = Arc::new(Function {
-            call: operator.clone().unbind(),
-            cells,
-            lower_bound: lower_bound.0,
-            raised: Mutex::new(None),
-        });
-        function = Some(Arc::clone(&own));
-        (own as Arc<dyn Product>, cells)
-    } else {
-        return Err(PyTypeError::new_err(
-            "operator must be a LinearOperator or a callable",
-        ));
-    };
+    let is_function = operator.cast::<LinearOperator>().is_err();
+    let unknowns: usize = py
+        .import("numpy")?
+        .call_method1("size", (&linear,))?
+        .extract()?;
+    let product = product_of(&operator, &[unknowns], lower_bound.0)?;
+    let cells = product.cells();
     if cells == 0 {
         return Err(PyValueError::new_err("there are no unknowns"));
     }
@@ -271,7 +183,7 @@ pub(crate) fn minimise<'py>(
         Some(start) => numbers(&start, cells)?.as_slice()?.to_vec(),
     };
     // A function of Python is called in the thread that called this one.
-    let size = if function.is_some() { 0 } else { cells };
+    let size = if is_function { 0 } else { cells };
     let preconditioner = preconditioner.map(|given| Shared(Arc::clone(&given.product)));
     let outcome = solve(py, size, progress, |observer| {
         let [lower, upper] = bounds.each_ref().map(|bound| &bound[..]);
@@ -279,24 +191,12 @@ pub(crate) fn minimise<'py>(
         let problem = Problem::new(Shared(product), [linear], constraint)
             .diagonal(&diagonal)
             .totals([total]);
-        let stop = |iteration: &Iteration| {
-            if function
-                .as_ref()
-                .is_some_and(|function| function.raised().is_some())
-            {
-                ControlFlow::Break(())
-            } else {
-                observer(Some(iteration))
-            }
-        };
+        let stop = watch(observer);
         match preconditioner {
             None => minimum(&problem, &settings, &mut x, stop),
             Some(given) => minimum(&problem.preconditioner(given), &settings, &mut x, stop),
         }
     })?;
-    if let Some(exception) = function.and_then(|function| function.raised().take()) {
-        return Err(exception);
-    }
     let (multiplier, report, error) = match outcome {
         Ok((multiplier, report)) => (multiplier, report, None),
         Err(stickslip::Error::NotConverged(report)) => {

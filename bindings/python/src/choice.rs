@@ -103,6 +103,9 @@ named! {
         "unsolved" = Unsolved, "converged" = Converged, "iteration_limit" = IterationLimit,
         "time_limit" = TimeLimit, "stalled" = Stalled, "cancelled" = Cancelled
     }
+    "stickslip" "EigenvalueBound": stickslip::EigenvalueBound {
+        "unknown" = Unknown, "estimated" = Estimated, "proven" = Proven
+    }
     "stickslip.history" "Regime": stickslip::history::Regime {
         "full_stick" = FullStick, "partial_slip" = PartialSlip, "gross_slip" = GrossSlip
     }

@@ -9,6 +9,7 @@ use crate::boundary::{Boundary, Surroundings};
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
+use crate::function::raising;
 use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
 use crate::ranks::Communicator;
@@ -29,7 +30,7 @@ use crate::ranks::Communicator;
 ///
 /// Raises
 /// ------
-/// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch
+/// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Length, NotModelled
 ///
 /// Examples
 /// --------
@@ -54,7 +55,7 @@ impl HalfSpace {
         cell_value: Option<Choice<stickslip::CellValue>>,
     ) -> PyResult<Self> {
         let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
-        let bodies = stickslip::HalfSpace::with_boundary(grid.0, pair.0, boundary);
+        let bodies = raising(|| stickslip::HalfSpace::with_boundary(grid.0, pair.0, boundary))?;
         let cell_value = cell_value.map(|chosen| chosen.0).unwrap_or_default();
         let bodies = bodies.and_then(|bodies| bodies.with_cell_value(cell_value));
         bodies.or_raise(py).map(Self)
@@ -113,10 +114,11 @@ impl HalfSpace {
         let boundary = boundary.map(|boundary| boundary.0).unwrap_or_default();
         let cell_value = cell_value.map(|chosen| chosen.0).unwrap_or_default();
         let ranks = Arc::new(Communicator::of(&comm)?);
-        let made = py.detach(|| {
+        let make = || {
             let bodies = stickslip::HalfSpace::distributed(grid.0, pair.0, boundary, ranks)?;
             bodies.with_cell_value(cell_value)
-        });
+        };
+        let made = py.detach(|| raising(make))?;
         made.or_raise(py).map(Self)
     }
 

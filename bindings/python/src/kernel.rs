@@ -1,20 +1,25 @@
-//! Bodies by their response to waves, or by influence coefficients.
+//! Bodies by their response to waves, by influence coefficients, or by operators.
+
+use std::sync::Arc;
 
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::influence::Component;
-use stickslip::kernel::CoefficientTable;
+use stickslip::influence::{Component, Direction};
+use stickslip::kernel::{CoefficientTable, Operators};
 use stickslip::layers::Response;
 
 use crate::choice::Choice;
 use crate::error::OrRaise;
+use crate::function::raising;
+use crate::grid::Grid;
 use crate::material::ElasticPair;
+use crate::operator::{LinearOperator, Product, Shared, product_of};
 use crate::real::{Real, is_real};
 
-/// Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic` or
-/// :meth:`tabulated`. It is not pickled, nor are the bodies made of it.
+/// Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic`,
+/// :meth:`tabulated` or :meth:`operators`. It is not pickled, nor are the bodies made of it.
 ///
 /// Examples
 /// --------
@@ -140,6 +145,93 @@ impl Kernel {
             .map(Self)
     }
 
+    /// Bodies by operators on the cells of a grid, of any boundary: whatever displacements they compute from tractions.
+    ///
+    /// A contact is solved on all cells of the grid: no window, no coarser grids. A problem takes the operator that has all
+    /// directions it asks for and the fewest others: normal problems ask for "z", tangential ones for "x", "y" or both, and
+    /// all three are found together where ``near`` is coupled. Rolling, ranks, dense matrices, edges inside the cells and
+    /// stresses refuse such bodies.
+    ///
+    /// Parameters
+    /// ----------
+    /// near : ElasticPair
+    ///     The homogeneous half-spaces that they resemble for waves of a few cells, whose inverse preconditions the solves: they
+    ///     converge the faster the better it fits, to the same answer. It lends hardness and moduli, and says whether pressure
+    ///     and traction are coupled.
+    /// grid : Grid
+    ///     The cells.
+    /// operators : dict
+    ///     By the directions that it couples, as "z", "xy" or "xyz", a callable or a :class:`~stickslip.cgm.LinearOperator`,
+    ///     symmetric and positive. A callable is given an array of tractions of shape (directions, ny, nx), pressures in the
+    ///     direction z, and returns as many displacements of body 1 relative to body 2 in the same order (lengths). A
+    ///     LinearOperator has as many unknowns: :class:`~stickslip.dense.DenseOperator` takes the compliance matrix of a
+    ///     finite-element code. On a grid that repeats along both axes uniform tractions must displace nothing.
+    /// lower_bounds : dict, optional
+    ///     By the names of callables, lower bounds of their smallest eigenvalues, by which errors are certified; 0 by default.
+    ///     Without one pressure and traction are not found together, nor stiffness. A LinearOperator has its own.
+    ///
+    /// Raises
+    /// ------
+    /// Coated, KernelMissing, RepeatedDirection, NotPositive, NotFinite, NotModelled, Below, Memory
+    ///
+    /// Notes
+    /// -----
+    /// A callable runs under the GIL, on a thread of the package where a grid is large. An exception in it ends the solve, which
+    /// raises it and leaves solvers and histories as they were.
+    ///
+    /// Examples
+    /// --------
+    /// A bed of springs, of which each cell yields by 0.5 under a unit of pressure:
+    ///
+    /// >>> import math, stickslip as ss
+    /// >>> near = ss.ElasticPair(ss.Material(1.0, 0.5), ss.Material.rigid())
+    /// >>> grid = ss.Grid.square(32, 1.0)
+    /// >>> bed = ss.Kernel.operators(near, grid, {"z": lambda p: 0.5 * p}, lower_bounds={"z": 0.5})
+    /// >>> ball, depth = ss.surface.sphere(grid, 1.0), 0.06
+    /// >>> contact = ss.NormalProblem(ss.HalfSpace(grid, bed), ball, approach=depth).solve()
+    /// >>> abs(contact.force / (math.pi * depth**2 / 0.5) - 1) < 0.02  # p = (d - r^2 / 2 R) / c
+    /// True
+    #[staticmethod]
+    #[pyo3(signature = (near, grid, operators, *, lower_bounds=None))]
+    fn operators(
+        py: Python<'_>,
+        near: &ElasticPair,
+        grid: &Grid,
+        operators: Bound<'_, PyDict>,
+        lower_bounds: Option<Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let lower_bounds = lower_bounds.unwrap_or_else(|| PyDict::new(py));
+        for name in lower_bounds.keys() {
+            let of = operators.get_item(&name)?;
+            if of.is_none_or(|of| of.is_instance_of::<LinearOperator>()) {
+                return Err(PyValueError::new_err(format!(
+                    "lower_bounds has {}, which is no callable of operators",
+                    name.repr()?
+                )));
+            }
+        }
+        let mut given = Operators::new();
+        for (name, operator) in operators {
+            let directions = directions(&name)?;
+            let shape = [directions.len(), grid.0.ny(), grid.0.nx()];
+            let bound: Option<Real> = lower_bounds
+                .get_item(&name)?
+                .map(|bound| bound.extract())
+                .transpose()?;
+            let product = product_of(&operator, &shape, bound.map_or(0.0, |bound| bound.0))?;
+            let (found, due): (usize, usize) = (product.cells(), shape.iter().product());
+            if found != due {
+                return Err(PyValueError::new_err(format!(
+                    "the operator {} has {found} unknowns, expected {due}",
+                    name.repr()?
+                )));
+            }
+            given = with(given, &directions, product);
+        }
+        let kernel = raising(|| stickslip::Kernel::operators(near.0, given))?;
+        kernel.or_raise(py).map(Self)
+    }
+
     /// The pair that lends hardness and moduli, marked as that of this kernel.
     #[getter]
     fn pair(&self) -> ElasticPair {
@@ -148,6 +240,37 @@ impl Kernel {
 
     fn __repr__(&self) -> String {
         format!("Kernel({})", self.pair().__repr__())
+    }
+}
+
+/// The directions of an operator, by their letters: up to three.
+fn directions(name: &Bound<'_, PyAny>) -> PyResult<Vec<Direction>> {
+    let letters: Option<String> = name.extract().ok();
+    let known = letters.into_iter().flat_map(|letters| {
+        let of = |letter| match letter {
+            'x' => Some(Direction::X),
+            'y' => Some(Direction::Y),
+            'z' => Some(Direction::Z),
+            _ => None,
+        };
+        letters.chars().map(of).collect::<Vec<_>>()
+    });
+    match known.collect::<Option<Vec<_>>>() {
+        Some(directions) if (1..=3).contains(&directions.len()) => Ok(directions),
+        _ => Err(PyValueError::new_err(format!(
+            "directions of an operator are one to three of the letters x, y and z, got {}",
+            name.repr()?
+        ))),
+    }
+}
+
+fn with(given: Operators, directions: &[Direction], product: Arc<dyn Product>) -> Operators {
+    let operator = Shared(product);
+    match *directions {
+        [one] => given.with([one], operator),
+        [one, two] => given.with([one, two], operator),
+        [one, two, three] => given.with([one, two, three], operator),
+        _ => given,
     }
 }
 

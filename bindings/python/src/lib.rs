@@ -14,6 +14,7 @@ mod edges;
 mod error;
 mod field;
 mod friction;
+mod function;
 mod grid;
 mod half_space;
 mod held;

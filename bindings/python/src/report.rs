@@ -122,6 +122,14 @@ impl Report {
         self.0.energy_error_bound()
     }
 
+    /// How the smallest eigenvalue is known that :attr:`duality_gap` rests on, and what else is certified beside it: "proven";
+    /// "estimated", on the safe side, of stiff coatings on long grids; or "unknown": the bound of the error, the root of the
+    /// duality gap of the problem, then falls only with the root of the residual.
+    #[getter]
+    fn eigenvalue_bound(&self) -> Choice<stickslip::EigenvalueBound> {
+        Choice(self.0.eigenvalue_bound)
+    }
+
     /// Relative error of the prescribed total; zero when none is prescribed.
     #[getter]
     fn load_error(&self) -> f64 {

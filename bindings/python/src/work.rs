@@ -13,6 +13,7 @@ use rayon::ThreadPool;
 use stickslip::{CELLS_ON_ONE_THREAD, Error, Iteration, Result};
 
 use crate::error::OrRaise;
+use crate::function::{has_raised, raising};
 use crate::pool;
 use crate::progress::Progress;
 
@@ -37,7 +38,8 @@ thread_local! {
 }
 
 /// Solves something on so many cells. The outer error is that of Python: an exception of a signal handler, which Ctrl-C
-/// calls, or of the callable that follows the progress. The solve has then ended at its next product.
+/// calls, of the callable that follows the progress, or of a function that is an operator. The solve has then ended at its
+/// next product.
 ///
 /// Signals are handled in the main thread only. A long solve therefore runs in the pool, while the calling thread waits for
 /// it and looks for signals; a short one runs in the calling thread, and so does any if that is the only one.
@@ -58,11 +60,14 @@ pub(crate) fn solve<T: Send>(
     } else {
         pool::of_this_process(py)?
     };
-    let (outcome, interruption) = match pool {
+    // A thread of the pool is here within an operator that calls back: it must not wait for others that may do so too.
+    let pool = pool.filter(|pool| pool.current_thread_index().is_none());
+    let ended = match pool {
         None => in_place(py, callback, work),
-        Some(pool) => in_pool(py, &pool, callback, work)?,
+        Some(pool) => in_pool(py, &pool, callback, work),
     };
     progress.close()?;
+    let (outcome, interruption) = ended?;
     match (interruption, outcome) {
         (None, outcome) => Ok(outcome),
         // It came after the last product: what was asked for is done, and the interrupt is that of the next line.
@@ -116,7 +121,7 @@ fn in_place<T: Send>(
     py: Python<'_>,
     callback: Option<&Py<PyAny>>,
     work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
-) -> Ended<T> {
+) -> PyResult<Ended<T>> {
     let mut interruption = None;
     let outcome = py.detach(|| {
         let mut looked = Instant::now();
@@ -133,13 +138,13 @@ fn in_place<T: Send>(
                 looked = Instant::now();
             }
             match interruption {
-                None => ControlFlow::Continue(()),
-                Some(_) => ControlFlow::Break(()),
+                None if !has_raised() => ControlFlow::Continue(()),
+                _ => ControlFlow::Break(()),
             }
         };
-        pool::alone(|| work(&mut observer))
+        pool::alone(|| raising(|| work(&mut observer)))
     });
-    (outcome, interruption)
+    Ok((outcome?, interruption))
 }
 
 /// What the thread of the solve and the calling thread exchange.
@@ -220,13 +225,13 @@ fn in_pool<T: Send>(
                 if let Some(iteration) = shown {
                     exchange.call(*iteration);
                 }
-                if is_stopped() {
+                if is_stopped() || has_raised() {
                     ControlFlow::Break(())
                 } else {
                     ControlFlow::Continue(())
                 }
             };
-            outcome = Some(work(&mut observer));
+            outcome = Some(raising(|| work(&mut observer)));
             drop(done);
         });
         loop {
@@ -247,7 +252,7 @@ fn in_pool<T: Send>(
         }
     });
     let outcome = outcome.ok_or_else(|| PyRuntimeError::new_err("the solve has not run"))?;
-    Ok((outcome, interruption))
+    Ok((outcome?, interruption))
 }
 
 fn called(py: Python<'_>, callback: Option<&Py<PyAny>>, iteration: &Iteration) -> PyResult<()> {

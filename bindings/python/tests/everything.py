@@ -171,7 +171,7 @@ class Scene:
             "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "k": 1e3, "layers": [layer], "limit": 1e10, "linear": -np.ones(cells * cells),
             "load": 100.0, "loads": [load], "lower": ball, "material": steel, "mean_pressure": 1e8,
             "mean_traction": 1e7, "n": 8, "near": pair, "response": lambda k: (1.0 / k, 1.0 / k, 1.0 / k, 0.0),
-            "coefficients": {"zz": np.eye(2)}, "sides": (1.0, 1.0), "thickness": 1e-5, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
+            "operators": {"z": lambda x: 1e-11 * x}, "coefficients": {"zz": np.eye(2)}, "sides": (1.0, 1.0), "thickness": 1e-5, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
             "path": f"{self.folder}/file", "pattern": strain, "phase": 0.5, "points": points, "poisson_ratio": 0.3,
             "pressure": normal, "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "ratio": 0.5,
             "recess": 1e-3,

@@ -49,6 +49,7 @@ ELSEWHERE = {
     "trait cgm::Constraint": "cgm.minimise",
     "struct kernel::CoefficientTable": "Kernel.tabulated",  # a dictionary of arrays
     "struct kernel::Kernel": "Kernel",
+    "struct kernel::Operators": "Kernel.operators",  # a dictionary
     "struct layers::Response": "layers.WaveResponse",
 }
 # Items that Python does not have, each with the reason.
@@ -68,6 +69,7 @@ WITHOUT = {
     "trait cgm::Ball": "engine generics",
     "trait cgm::Admissible": "engine generics",
     "struct fft::CirculantInverse": "made by HalfSpace.preconditioner",
+    "struct ElasticWorkspace": "buffers, which an operator holds itself",
     "struct fft::ConvolutionWorkspace": "buffers, which an operator holds itself",
     "struct fft::SingleWorkspace": "buffers, which an operator holds itself",
     "struct stiffness::StiffnessWorkspace": "buffers, which Python manages",
@@ -94,6 +96,7 @@ METHODS = {
     "ElasticPair": {"stands_for_kernel": "Kernel.pair"},
     "kernel::CoefficientTable": dict.fromkeys(["get", "sides", "size", "with"], "arrays of NumPy"),
     "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_waves": "in Rust alone"},
+    "kernel::Operators": {"with": "a dictionary"},
     "Field": {
         **dict.fromkeys(["from_fn", "from_indices", "from_vec", "constant", "zeros"], "Field(grid, samples)"),
         **dict.fromkeys(["add_scaled", "minus", "scaled", "map"], "arithmetic, and NumPy"),

@@ -1,6 +1,7 @@
-"""Coated bodies and kernels: layers are felt, and a callable and a table of a coating are that coating."""
+"""Coated bodies, kernels and operators: layers are felt, and what displaces as a body does is that body."""
 
 import pickle
+import threading
 
 import numpy as np
 import pytest
@@ -98,3 +99,160 @@ def test_bad_kernels_are_refused():
     assert "hand over the kernel" in caught.value.part
     with pytest.raises(TypeError, match="not pickled"):
         pickle.dumps(ss.HalfSpace(GRID, kernel))
+
+
+NEAR = ss.ElasticPair(ss.Material(1.0, 0.5), RIGID)
+
+
+def bed(grid, compliance=0.5, **options):
+    """A bed of springs, along all directions."""
+    operators = dict.fromkeys(["z", "xy"], lambda x: compliance * x)
+    return ss.HalfSpace(grid, ss.Kernel.operators(NEAR, grid, operators, **options))
+
+
+def test_a_bed_of_springs_has_its_closed_form():
+    grid, depth, shift = ss.Grid.square(32, 1.0), 0.06, 0.01
+    bodies = bed(grid, lower_bounds={"z": 0.5, "xy": 0.5})
+    ball = ss.surface.sphere(grid, 1.0)
+    # Each cell carries p = (d - h) / c, and sticks where mu p > s / c.
+    contact = ss.NormalProblem(bodies, ball, approach=depth).solve()
+    pressure = np.maximum(depth - ball.array, 0.0) / 0.5
+    assert np.abs(contact.pressure - pressure).max() < 1e-8 * pressure.max()
+    assert contact.report.eigenvalue_bound is ss.EigenvalueBound.PROVEN
+    shear = ss.TangentialProblem(bodies, contact, 0.5, shift_x=shift, shift_y=0.0, model="vector").solve()
+    traction = np.minimum(shift / 0.5, 0.5 * pressure)
+    assert np.abs(np.hypot(*shear.traction) - traction).max() < 1e-6 * traction.max()
+    # Without a bound there is none to prove by.
+    contact = ss.NormalProblem(bed(grid), ball, approach=depth).solve()
+    assert np.abs(contact.pressure - pressure).max() < 1e-8 * pressure.max()
+    assert contact.report.eigenvalue_bound is ss.EigenvalueBound.UNKNOWN
+
+
+def test_operators_of_half_spaces_have_their_answers(large, request):
+    """As operators of the package, as callables on threads of the pool that take them in turn, and as a matrix."""
+    before = ss.num_threads()
+    ss.set_num_threads(2)
+    request.addfinalizer(lambda: ss.set_num_threads(before))
+    own, grid = large.bodies, large.grid
+    known = {"z": own.operator("zz"), "x": own.operator("xx")}
+    called = {name: lambda t, of=of: of(t) for name, of in known.items()}
+    bounds = {name: of.lower_bound for name, of in known.items()}
+    assert all(of.eigenvalue_bound == "proven" for of in known.values())
+    expected = None
+    for operators, options in ((None, {}), (known, {}), (called, {"lower_bounds": bounds})):
+        kernel = own.pair if operators is None else ss.Kernel.operators(own.pair, grid, operators, **options)
+        bodies = ss.HalfSpace(grid, kernel)
+        history = ss.History(bodies, large.ball, 0.5, model="scalar", tolerance=1e-10)
+        history.step(normal_force=100.0)
+        history.step(force_x=20.0)
+        expected = expected or history
+        scale = expected.pressure.max()
+        assert np.abs(history.pressure - expected.pressure).max() < 1e-7 * scale
+        assert np.abs(history.traction[0] - expected.traction[0]).max() < 1e-7 * scale
+
+
+def test_a_matrix_of_all_directions_takes_the_place_of_bodies():
+    grid = ss.Grid.square(8, 1.0)
+    pair = ss.ElasticPair(ss.Material(1.0, 0.2), RIGID)
+    own = ss.HalfSpace(grid, pair)
+    tensor = own.tensor_operator()
+    rows = [np.concatenate([u.ravel() for u in tensor.apply(tuple(unit))]) for unit in np.eye(192).reshape(192, 3, 8, 8)]
+    matrix = ss.dense.DenseOperator(0.5 * (np.array(rows) + np.array(rows).T))
+    ball = ss.surface.sphere(grid, 2.0)
+    options = {"approach": 0.03, "force_x": 0.001, "tolerance": 1e-9}
+    kernel = ss.Kernel.operators(pair, grid, {"xyz": matrix})
+    found, expected = (ss.CoupledProblem(ss.HalfSpace(grid, of), ball, 0.4, **options).solve() for of in (kernel, pair))
+    scale = expected.normal.pressure.max()
+    assert np.abs(found.normal.pressure - expected.normal.pressure).max() < 1e-6 * scale
+    assert np.abs(np.array(found.tangential.traction) - expected.tangential.traction).max() < 1e-6 * scale
+    assert found.report.work.eigenvalue_bound == "proven"
+
+
+class Stop(Exception):
+    pass
+
+
+@pytest.mark.parametrize("cells", [32, 128])
+def test_what_an_operator_raises_arrives_and_leaves_the_history(cells, request):
+    before = ss.num_threads()
+    ss.set_num_threads(2)
+    request.addfinalizer(lambda: ss.set_num_threads(before))
+    grid, is_broken = ss.Grid.square(cells, 1.0), False
+
+    def springs(x):
+        assert x.shape == (1, cells, cells)
+        if is_broken:
+            raise Stop
+        return 0.5 * x
+
+    bodies = ss.HalfSpace(grid, ss.Kernel.operators(NEAR, grid, {"z": springs, "xy": lambda x: 0.5 * x}))
+    history = ss.History(bodies, ss.surface.sphere(grid, 1.0), 0.5)
+    history.step(approach=0.05)
+    known = history.pressure.copy()
+    is_broken = True
+    with pytest.raises(Stop):
+        history.step(approach=0.06)
+    with pytest.raises(Stop):
+        bodies.operator("zz")(np.ones(grid.shape))
+    with pytest.raises(Stop):
+        ss.Kernel.operators(NEAR, grid, {"z": springs})
+    assert (history.pressure == known).all()
+    is_broken = False
+    history.step(approach=0.06)
+    assert history.pressure.max() > known.max()
+
+
+def test_solves_at_once_on_the_threads_of_a_pool_keep_their_exceptions_apart(large, request):
+    before = ss.num_threads()
+    ss.set_num_threads(2)
+    request.addfinalizer(lambda: ss.set_num_threads(before))
+    of, pair, ended = large.bodies.operator("zz"), large.bodies.pair, {}
+
+    def solve(number):
+        products = 0
+
+        def product(x):
+            nonlocal products
+            products += 1
+            if number % 2 and products == 12:
+                raise Stop(number)
+            return of(x)
+
+        bodies = ss.HalfSpace(large.grid, ss.Kernel.operators(pair, large.grid, {"z": product}))
+        try:
+            ended[number] = ss.NormalProblem(bodies, large.ball, force=100.0).solve().report.is_converged
+        except Stop as stop:
+            ended[number] = stop.args
+
+    threads = [threading.Thread(target=solve, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert ended == {0: True, 1: (1,), 2: True, 3: (3,)}
+
+
+def test_bad_operators_are_refused():
+    grid = ss.Grid.square(16, 1.0)
+    for operators, error, told in (
+        ({}, ss.errors.KernelMissing, "no operator"),
+        ({"w": lambda x: x}, ValueError, "letters x, y and z, got 'w'"),
+        ({"": lambda x: x}, ValueError, "letters"),
+        ({"xx": lambda x: x}, ss.errors.RepeatedDirection, None),
+        ({"z": 1.0}, TypeError, "callable"),
+        ({"z": lambda x: x[0, 0]}, ValueError, "16 numbers, expected 256"),
+        ({"z": ss.cgm.identity(255)}, ValueError, "255 unknowns, expected 256"),
+        ({"z": lambda x: -x}, ss.errors.NotPositive, None),
+        ({"xy": lambda x: x + 0.5 * np.array([1, -1])[:, None, None] * x[::-1]}, ss.errors.NotModelled, "reciprocity"),
+    ):
+        with pytest.raises(error, match=told):
+            ss.Kernel.operators(NEAR, grid, operators)
+    with pytest.raises(ss.errors.Below):
+        bed(grid, 0.5, lower_bounds={"z": 0.6})
+    for name, operator in (("y", lambda x: x), ("z", ss.cgm.identity(256))):
+        with pytest.raises(ValueError, match="no callable of operators"):
+            ss.Kernel.operators(NEAR, grid, {"z": operator}, lower_bounds={name: 1.0})
+    with pytest.raises(ss.errors.Length):
+        ss.HalfSpace(ss.Grid.square(8, 1.0), ss.Kernel.operators(NEAR, grid, {"z": lambda x: x}))
+    with pytest.raises(ss.errors.NotModelled, match="uniform traction"):
+        ss.HalfSpace(grid, ss.Kernel.operators(NEAR, grid, {"z": lambda x: x}), boundary="periodic")

@@ -56,7 +56,7 @@ from . import (
     tangential,
     wear,
 )
-from ._enums import Axis, CellValue, Coupling, Method, Status, TangentialModel, Zone
+from ._enums import Axis, CellValue, Coupling, EigenvalueBound, Method, Status, TangentialModel, Zone
 from ._stickslip import (
     Boundary,
     ContactSpots,
@@ -109,6 +109,7 @@ __all__ = [
     "CoupledSolution",
     "CoupledSolver",
     "Coupling",
+    "EigenvalueBound",
     "ElasticPair",
     "EmptyContact",
     "Field",

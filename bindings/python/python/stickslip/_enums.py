@@ -97,6 +97,19 @@ class Status(_Name):
     CANCELLED = "cancelled"
 
 
+class EigenvalueBound(_Name):
+    """How the smallest eigenvalue of an operator is known, on which a certified error rests.
+
+    "proven": by a bound from below, computed for the operators of this package and stated by your own. "estimated": by an
+    estimate on the safe side, of stiff coatings on long grids. "unknown": not at all; the bound of the error, the root of the
+    duality gap of the problem, then falls only with the root of the residual.
+    """
+
+    UNKNOWN = "unknown"
+    ESTIMATED = "estimated"
+    PROVEN = "proven"
+
+
 class Regime(_Name):
     """The regime of a cycle."""
 

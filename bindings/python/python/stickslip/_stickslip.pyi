@@ -169,7 +169,7 @@ __all__ = [
 ]
 
 from os import PathLike
-from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, LeadingEdge, Method, Regime, Status, TangentialModel, TouchRule
+from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, LeadingEdge, Method, Regime, Status, TangentialModel, TouchRule
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
@@ -1944,7 +1944,7 @@ class HalfSpace:
 
     Raises
     ------
-    NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch
+    NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Length, NotModelled
 
     Examples
     --------
@@ -2718,8 +2718,8 @@ class KalkerCoefficients:
 @final
 class Kernel:
     """
-    Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic` or
-    :meth:`tabulated`. It is not pickled, nor are the bodies made of it.
+    Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic`,
+    :meth:`tabulated` or :meth:`operators`. It is not pickled, nor are the bodies made of it.
 
     Examples
     --------
@@ -2761,6 +2761,56 @@ class Kernel:
         Raises
         ------
         NotPositive, NotFinite, Coated
+        """
+    @staticmethod
+    def operators(near: ElasticPair, grid: Grid, operators: dict[str, Any], *, lower_bounds: dict[str, Any] | None = None) -> Kernel:
+        """
+        Bodies by operators on the cells of a grid, of any boundary: whatever displacements they compute from tractions.
+
+        A contact is solved on all cells of the grid: no window, no coarser grids. A problem takes the operator that has all
+        directions it asks for and the fewest others: normal problems ask for "z", tangential ones for "x", "y" or both, and
+        all three are found together where ``near`` is coupled. Rolling, ranks, dense matrices, edges inside the cells and
+        stresses refuse such bodies.
+
+        Parameters
+        ----------
+        near : ElasticPair
+            The homogeneous half-spaces that they resemble for waves of a few cells, whose inverse preconditions the solves: they
+            converge the faster the better it fits, to the same answer. It lends hardness and moduli, and says whether pressure
+            and traction are coupled.
+        grid : Grid
+            The cells.
+        operators : dict
+            By the directions that it couples, as "z", "xy" or "xyz", a callable or a :class:`~stickslip.cgm.LinearOperator`,
+            symmetric and positive. A callable is given an array of tractions of shape (directions, ny, nx), pressures in the
+            direction z, and returns as many displacements of body 1 relative to body 2 in the same order (lengths). A
+            LinearOperator has as many unknowns: :class:`~stickslip.dense.DenseOperator` takes the compliance matrix of a
+            finite-element code. On a grid that repeats along both axes uniform tractions must displace nothing.
+        lower_bounds : dict, optional
+            By the names of callables, lower bounds of their smallest eigenvalues, by which errors are certified; 0 by default.
+            Without one pressure and traction are not found together, nor stiffness. A LinearOperator has its own.
+
+        Raises
+        ------
+        Coated, KernelMissing, RepeatedDirection, NotPositive, NotFinite, NotModelled, Below, Memory
+
+        Notes
+        -----
+        A callable runs under the GIL, on a thread of the package where a grid is large. An exception in it ends the solve, which
+        raises it and leaves solvers and histories as they were.
+
+        Examples
+        --------
+        A bed of springs, of which each cell yields by 0.5 under a unit of pressure:
+
+        >>> import math, stickslip as ss
+        >>> near = ss.ElasticPair(ss.Material(1.0, 0.5), ss.Material.rigid())
+        >>> grid = ss.Grid.square(32, 1.0)
+        >>> bed = ss.Kernel.operators(near, grid, {"z": lambda p: 0.5 * p}, lower_bounds={"z": 0.5})
+        >>> ball, depth = ss.surface.sphere(grid, 1.0), 0.06
+        >>> contact = ss.NormalProblem(ss.HalfSpace(grid, bed), ball, approach=depth).solve()
+        >>> abs(contact.force / (math.pi * depth**2 / 0.5) - 1) < 0.02  # p = (d - r^2 / 2 R) / c
+        True
         """
     @property
     def pair(self, /) -> ElasticPair:
@@ -2892,6 +2942,11 @@ class LinearOperator:
     def cells(self, /) -> int:
         """
         Unknowns.
+        """
+    @property
+    def eigenvalue_bound(self, /) -> EigenvalueBound:
+        """
+        How that is known: "proven", "estimated" (stiff coatings on long grids), or "unknown", which is zero.
         """
     @property
     def lower_bound(self, /) -> float:
@@ -4228,6 +4283,13 @@ class Report:
     def duality_gap(self, /) -> float:
         """
         Certified bound on the squared relative error in the energy norm.
+        """
+    @property
+    def eigenvalue_bound(self, /) -> EigenvalueBound:
+        """
+        How the smallest eigenvalue is known that :attr:`duality_gap` rests on, and what else is certified beside it: "proven";
+        "estimated", on the safe side, of stiff coatings on long grids; or "unknown": the bound of the error, the root of the
+        duality gap of the problem, then falls only with the root of the residual.
         """
     @property
     def energy_error_bound(self, /) -> float:

@@ -11,10 +11,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use stickslip::Operator;
+use stickslip::{EigenvalueBound, Operator};
 
 use crate::array::Array;
+use crate::choice::Choice;
 use crate::digits::counted;
+use crate::function::Function;
 use crate::real::is_real;
 use crate::work::unobserved;
 
@@ -23,6 +25,8 @@ pub(crate) trait Product: Send + Sync {
     fn cells(&self) -> usize;
 
     fn lower_bound(&self) -> f64;
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound;
 
     fn apply(&self, x: &[f64], out: &mut [f64]);
 
@@ -36,6 +40,13 @@ struct Kept<O: Operator> {
 }
 
 impl<O: Operator> Kept<O> {
+    fn new(operator: O) -> Arc<Self> {
+        Arc::new(Self {
+            operator,
+            workspaces: Mutex::new(Vec::new()),
+        })
+    }
+
     fn with_workspace(&self, work: impl FnOnce(&mut O::Workspace)) {
         let kept = || {
             self.workspaces
@@ -59,6 +70,10 @@ where
 
     fn lower_bound(&self) -> f64 {
         self.operator.lower_bound()
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        self.operator.eigenvalue_bound()
     }
 
     fn apply(&self, x: &[f64], out: &mut [f64]) {
@@ -86,12 +101,85 @@ impl LinearOperator {
         O: Operator + Send + 'static,
         O::Workspace: Send,
     {
-        let workspaces = Mutex::new(Vec::new());
-        let product = Arc::new(Kept {
-            operator,
-            workspaces,
-        });
+        let product = Kept::new(operator);
         Self { product, kind }
+    }
+}
+
+/// An operator of the package, or a callable that is given arrays of this shape.
+pub(crate) fn product_of(
+    operator: &Bound<'_, PyAny>,
+    shape: &[usize],
+    lower_bound: f64,
+) -> PyResult<Arc<dyn Product>> {
+    if let Ok(known) = operator.cast::<LinearOperator>() {
+        Ok(Arc::clone(&known.get().product))
+    } else if operator.is_callable() {
+        Ok(Kept::new(Function::new(operator, shape, lower_bound)))
+    } else {
+        Err(PyTypeError::new_err(
+            "operator must be a LinearOperator or a callable",
+        ))
+    }
+}
+
+/// An operator in the form that the crate takes: of N components a cell, whose unknowns it has one behind the other.
+#[derive(Clone)]
+pub(crate) struct Shared(pub(crate) Arc<dyn Product>);
+
+impl Shared {
+    /// A product by way of `buffers`, or where the numbers lie if there is one component.
+    fn product<const N: usize>(
+        x: [&[f64]; N],
+        mut out: [&mut [f64]; N],
+        buffers: &mut [Vec<f64>; 2],
+        apply: impl FnOnce(&[f64], &mut [f64]),
+    ) {
+        if let ([x], [out]) = (&x[..], &mut out[..]) {
+            return apply(x, out);
+        }
+        let [from, to] = buffers;
+        from.clear();
+        for x in x {
+            from.extend_from_slice(x);
+        }
+        to.resize(from.len(), 0.0);
+        apply(from, to);
+        let mut rest = &to[..];
+        for out in out {
+            let (own, others) = rest.split_at(out.len());
+            out.copy_from_slice(own);
+            rest = others;
+        }
+    }
+}
+
+impl<const N: usize> Operator<N> for Shared {
+    /// All components of the tractions, and of the displacements; they have their lengths from the first product on.
+    type Workspace = [Vec<f64>; 2];
+
+    fn cells(&self) -> usize {
+        self.0.cells() / N
+    }
+
+    fn workspace(&self) -> [Vec<f64>; 2] {
+        [const { Vec::new() }; 2]
+    }
+
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], buffers: &mut [Vec<f64>; 2]) {
+        Self::product(x, out, buffers, |x, out| self.0.apply(x, out));
+    }
+
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], buffers: &mut [Vec<f64>; 2]) {
+        Self::product(x, out, buffers, |x, out| self.0.apply_f32(x, out));
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.0.lower_bound()
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        self.0.eigenvalue_bound()
     }
 }
 
@@ -148,6 +236,12 @@ impl LinearOperator {
     #[getter]
     fn lower_bound(&self) -> f64 {
         self.product.lower_bound()
+    }
+
+    /// How that is known: "proven", "estimated" (stiff coatings on long grids), or "unknown", which is zero.
+    #[getter]
+    fn eigenvalue_bound(&self) -> Choice<EigenvalueBound> {
+        Choice(self.product.eigenvalue_bound())
     }
 
     /// The product with an array of as many numbers as there are cells, which is read where it lies.
