@@ -181,7 +181,7 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     let u = given.product(&pressure)?;
     let square = |part: &[f64]| dot(part, part);
     let others = square(&u[..own.start]) + square(&u[own.end..]);
-    let coupled = (others / square(&u[own])).sqrt();
+    let coupled = finite("product of an operator", (others / square(&u[own])).sqrt())?;
     if coupled > ROUNDED {
         return Err(Error::NotModelled {
             quantity: "tangential displacement by pressure under an operator, over the normal one,",
@@ -203,7 +203,7 @@ fn check_means(given: &UserOperator) -> Result<()> {
         let found = given.product(&uniform)?;
         let ratio = (dot(&found, &found) / dot(&uniform, &uniform)).sqrt()
             / (dot(&u, &u) / dot(&x, &x)).sqrt();
-        if cells > 1 && ratio > ROUNDED {
+        if cells > 1 && finite("product of an operator", ratio)? > ROUNDED {
             return Err(Error::NotModelled {
                 quantity: "displacement by a uniform traction on a grid that repeats, over that by others,",
                 value: ratio,
