@@ -20,6 +20,9 @@ pub(crate) struct Compliance<const N: usize> {
     pub(crate) inverse: ElasticPreconditioner<N>,
 }
 
+/// An estimate from below of the eigenvalues of all rectangles of the cells.
+struct LeastOfLattice(f64);
+
 impl HalfSpace {
     /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
     /// grid, wherever it lies; along an axis that repeats it is not cut.
@@ -133,9 +136,8 @@ impl HalfSpace {
             }
             // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
             if self.boundary() == Boundary::NonPeriodic && self.kernel().has_response() {
-                let grid = self.grid().whole();
-                let least = least_of_lattice(grid, self.kernel(), self.cell_value(), components);
-                convolution = convolution.bounded(least, EigenvalueBound::Estimated);
+                let least = self.least_of_lattice(components)?;
+                convolution = convolution.bounded(least.0, EigenvalueBound::Estimated);
             }
             // The matrix of a window is a principal part of that of the grid.
             if convolution.lower_bound() <= 0.0 && size != self.size() {
@@ -145,6 +147,19 @@ impl HalfSpace {
             Ok(convolution)
         });
         made.map(ElasticOperator::from)
+    }
+
+    /// The estimate on the infinite lattice, which all windows of the grid share.
+    fn least_of_lattice<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+    ) -> Result<Arc<LeastOfLattice>> {
+        let made = &self.shared.made;
+        made.get_or_make(components.as_flattened(), self.size(), true, || {
+            let (grid, kernel) = (self.grid().whole(), self.kernel());
+            let least = least_of_lattice(grid, kernel, self.cell_value(), components);
+            Ok(LeastOfLattice(least))
+        })
     }
 
     /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.

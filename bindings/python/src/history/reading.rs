@@ -10,7 +10,6 @@ use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
 use crate::edges::TangentialEdges;
-use crate::error::OrRaise;
 use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;

@@ -9,7 +9,6 @@ use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::edges::Edges;
-use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
