@@ -29,8 +29,8 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
     match kernel {
         Kernel::Table(table) | Kernel::Rows(table) => {
             let is_odd = table.component().is_odd();
-            let at = |i: usize, j: usize| table.at(i, j);
-            of_samples(is_odd, frame, table.share(), sign, lines, at)
+            let row = |j: usize, samples: &mut [f64]| table.write_row(j, samples);
+            of_samples(is_odd, frame, table.share(), sign, lines, row)
         }
         Kernel::Symbols(symbols) => {
             let Lines {
@@ -49,7 +49,7 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
     }
 }
 
-/// Transforms a kernel whose samples reach at least half around the torus.
+/// Transforms a kernel whose samples reach at least half around the torus; `row` writes those of one distance along y.
 ///
 /// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
 /// its parity; an odd kernel vanishes half way around. Of samples whose rows are dealt out each rank transforms its own
@@ -63,7 +63,7 @@ pub(super) fn of_samples(
     share: Option<&Arc<Share>>,
     sign: f64,
     lines: Lines<'_>,
-    at: impl Fn(usize, usize) -> f64 + Sync,
+    row: impl Fn(usize, &mut [f64]) + Sync,
 ) -> Result<()> {
     // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
@@ -82,7 +82,11 @@ pub(super) fn of_samples(
             stride: width,
             entry: 0..width,
         };
-        half_transforms(mx, is_odd_x, row_lines, |j, i| at(i, own_rows.start + j))?;
+        half_transforms(mx, is_odd_x, row_lines, |lines, samples| {
+            for (j, samples) in lines.zip(samples.chunks_exact_mut(width)) {
+                row(own_rows.start + j, samples);
+            }
+        })?;
         Ok(rows)
     };
     let (rows, width) = match share {
@@ -96,16 +100,26 @@ pub(super) fn of_samples(
         }
         None => (transformed()?, width),
     };
-    half_transforms(my, is_odd_y, lines, |i, j| sign * rows[j * width + i])
+    half_transforms(my, is_odd_y, lines, |lines, samples| {
+        for (j, row) in rows.chunks_exact(width).enumerate() {
+            let line = samples[j..].iter_mut().step_by(height);
+            for (sample, value) in line.zip(&row[lines.clone()]) {
+                *sample = sign * value;
+            }
+        }
+    })
 }
 
+/// Lines whose samples are taken at once: the numbers of a cache line.
+const AT_ONCE: usize = 8;
+
 /// For each line, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` of the samples
-/// wrapped around a circle of `m`, for `k = 0..=m/2`.
+/// wrapped around a circle of `m`, for `k = 0..=m/2`; `sample` writes the samples `d = 0..=m/2` of some lines.
 fn half_transforms(
     m: usize,
     is_odd: bool,
     lines: Lines<'_>,
-    sample: impl Fn(usize, usize) -> f64 + Sync,
+    sample: impl Fn(Range<usize>, &mut [f64]) + Sync,
 ) -> Result<()> {
     let Lines {
         values,
@@ -122,26 +136,43 @@ fn half_transforms(
     };
     let work = |task: usize, block: Blocks<'_, f64>| {
         let zero = Complex::new(0.0, 0.0);
+        let mut samples = buffer::zeros(AT_ONCE * half)?;
         let mut wrapped = buffer::zeros(m)?;
         let mut complex = buffer::filled(zero, transform.complex_len())?;
         let mut scratch = buffer::filled(zero, transform.get_scratch_len())?;
-        for (index, out) in block.items.chunks_exact_mut(stride).enumerate() {
-            let line = task * per_task + index;
-            for d in 0..half {
-                let value = sample(line, d);
-                let is_own_image = d == 0 || 2 * d == m;
-                wrapped[(m - d) % m] = if is_odd { -value } else { value };
-                wrapped[d] = if is_odd && is_own_image { 0.0 } else { value };
-            }
-            // Fails for a wrong length alone; all were made by the transform.
-            transform
-                .process_with_scratch(&mut wrapped, &mut complex, &mut scratch)
-                .expect("the transform made its own buffers");
-            for (out, z) in out[entry.clone()].iter_mut().zip(&complex) {
-                *out = if is_odd { -z.im } else { z.re };
+        let firsts = (task * per_task..).step_by(AT_ONCE);
+        for (first, out) in firsts.zip(block.items.chunks_mut(AT_ONCE * stride)) {
+            let lines = out.len() / stride;
+            let samples = &mut samples[..lines * half];
+            sample(first..first + lines, samples);
+            for (samples, out) in samples.chunks(half).zip(out.chunks_exact_mut(stride)) {
+                wrap(samples, is_odd, &mut wrapped);
+                // Fails for a wrong length alone; all were made by the transform.
+                transform
+                    .process_with_scratch(&mut wrapped, &mut complex, &mut scratch)
+                    .expect("the transform made its own buffers");
+                for (out, z) in out[entry.clone()].iter_mut().zip(&complex) {
+                    *out = if is_odd { -z.im } else { z.re };
+                }
             }
         }
         Ok(())
     };
     parallel::sweep(0..count.div_ceil(per_task), data, &work, &Result::and)
+}
+
+/// Wraps samples from nothing to half around a circle; odd ones vanish where they are their own image.
+fn wrap(samples: &[f64], is_odd: bool, circle: &mut [f64]) {
+    let own_image = |sample: f64| if is_odd { 0.0 } else { sample };
+    let m = circle.len();
+    circle[0] = own_image(samples[0]);
+    let (there, back) = circle[1..].split_at_mut((m - 1) / 2);
+    let sign = if is_odd { -1.0 } else { 1.0 };
+    let places = there.iter_mut().zip(back.iter_mut().rev());
+    for ((there, back), sample) in places.zip(&samples[1..]) {
+        (*there, *back) = (*sample, sign * sample);
+    }
+    if m % 2 == 0 {
+        back[0] = own_image(samples[m / 2]);
+    }
 }

@@ -90,7 +90,11 @@ impl Torus {
                 entry: 0..height,
             };
             let distances = self.distances.as_ref();
-            of_samples(is_odd, &self.frame, distances, 1.0, lines, at)?;
+            of_samples(is_odd, &self.frame, distances, 1.0, lines, |j, samples| {
+                for (i, sample) in samples.iter_mut().enumerate() {
+                    *sample = at(i, j);
+                }
+            })?;
             Ok(values)
         })
     }

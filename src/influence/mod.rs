@@ -71,6 +71,7 @@ pub(crate) mod radial;
 mod rectangle;
 mod rest;
 mod samples;
+mod series;
 mod symbols;
 mod table;
 

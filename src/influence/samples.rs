@@ -9,6 +9,7 @@ use crate::error::{Result, all_finite, memory};
 use crate::grid::Grid;
 use crate::influence::images::Images;
 use crate::influence::integrals::Integral;
+use crate::influence::series::Series;
 use crate::influence::{Added, Component, Rectangle, Table};
 use crate::material::ElasticPair;
 use crate::parallel::{self, get_or_make};
@@ -38,6 +39,14 @@ pub(crate) struct Samples {
 enum Sampled {
     Integral(Integral),
     Rest(Component),
+}
+
+/// How the rows of a sampled quantity are found.
+#[derive(Debug)]
+enum Rows {
+    OfCell(Series),
+    OfImages(Images, Integral),
+    OfRest(Component),
 }
 
 impl Sampled {
@@ -172,16 +181,19 @@ impl Samples {
         let Rectangle { cell, unit } = self.rectangle;
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
         let xs = buffer::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
+        let sampler = match (sampled, self.images) {
+            (Sampled::Integral(integral), None) => Rows::OfCell(Series::new(cell, integral)),
+            (Sampled::Integral(integral), Some((images, _))) => Rows::OfImages(images, integral),
+            (Sampled::Rest(component), _) => Rows::OfRest(component),
+        };
         let mut values = buffer::zeros(columns * rows)?;
         parallel::rows(&mut values, columns, |index, out| {
             let (row, is_negative) = row(index);
             let y = distance(row, 1);
-            match (sampled, self.images) {
-                (Sampled::Integral(integral), None) => cell.along_row(integral, &xs, y, out),
-                (Sampled::Integral(integral), Some((images, _))) => {
-                    images.along_row(cell, integral, &xs, y, out);
-                }
-                (Sampled::Rest(component), _) => self.rests_along_row(component, row, &xs, out),
+            match &sampler {
+                Rows::OfCell(series) => series.along_row(&xs, y, out),
+                Rows::OfImages(images, integral) => images.along_row(cell, *integral, &xs, y, out),
+                Rows::OfRest(component) => self.rests_along_row(*component, row, &xs, out),
             }
             if is_negative {
                 for value in out {

@@ -112,4 +112,18 @@ impl Table {
         let sum: f64 = parts.map(|(weight, values)| weight * values[index]).sum();
         sum * self.scale
     }
+
+    /// Writes those of a row, from nothing on.
+    pub(crate) fn write_row(&self, row: usize, out: &mut [f64]) {
+        let first = (row - self.first_row) * self.nx;
+        out.fill(0.0);
+        for (weight, values) in &self.parts {
+            for (out, value) in out.iter_mut().zip(&values[first..first + self.nx]) {
+                *out += weight * value;
+            }
+        }
+        for out in out {
+            *out *= self.scale;
+        }
+    }
 }

@@ -1,0 +1,244 @@
+//! The integrals far from the cell, by Taylor's series of their kernels.
+
+use crate::influence::integrals::{Cell, Integral};
+
+/// Distance, in longer sides, from which the series replaces quadrature: what it leaves out is below 4e-16 of every integral, measured
+/// against 40 digits.
+const FAR: f64 = 20.0;
+
+/// Pairs of derivatives that the series goes up to.
+const PAIRS: usize = 5;
+
+/// Exponents of a monomial along one axis: a kernel has two at the most, and each derivative adds one.
+const EXPONENTS: usize = 2 * PAIRS + 3;
+
+/// An integral over a cell at the points of rows, far away by the series of its kernel $`f`$
+///
+/// ```math
+/// 4 a b \sum_{i + j \le 5} \frac{a^{2 i}}{(2 i + 1)!} \frac{b^{2 j}}{(2 j + 1)!}
+/// \partial_x^{2 i} \partial_y^{2 j} f(x, y) .
+/// ```
+///
+/// All kernels are homogeneous of degree -1. With $`s = 1/r^2`$ and $`u = x^2 s`$ the sum is therefore one power of each
+/// coordinate that $`f`$ is odd in, over a power of $`r`$, times $`\sum_n s^n P_n(u)`$ with polynomials of degree
+/// $`n + 1`$ at the most.
+#[derive(Debug)]
+pub(super) struct Series {
+    cell: Cell,
+    integral: Integral,
+    /// The coefficients of each polynomial, that of the highest power last.
+    polynomials: [[f64; PAIRS + 2]; PAIRS + 1],
+}
+
+impl Series {
+    pub(super) fn new(cell: Cell, integral: Integral) -> Self {
+        let [a, b] = [cell.a, cell.b];
+        let mut polynomials = [[0.0; PAIRS + 2]; PAIRS + 1];
+        let mut along_x = Monomials::of(integral);
+        let mut weight_x = 4.0 * a * b;
+        for i in 0..=PAIRS {
+            if i > 0 {
+                along_x = along_x.derived(0).derived(0);
+                weight_x *= a * a / (2 * i * (2 * i + 1)) as f64;
+            }
+            let (mut derivative, mut weight) = (along_x, weight_x);
+            for j in 0..=PAIRS - i {
+                if j > 0 {
+                    derivative = derivative.derived(1).derived(1);
+                    weight *= b * b / (2 * j * (2 * j + 1)) as f64;
+                }
+                derivative.add_to(&mut polynomials[i + j], weight);
+            }
+        }
+        Self {
+            cell,
+            integral,
+            polynomials,
+        }
+    }
+
+    /// The integral at the points `(x, y)` of a row, near and far, with `x` ascending from zero or more and `y >= 0`.
+    pub(super) fn along_row(&self, xs: &[f64], y: f64, out: &mut [f64]) {
+        let far = FAR * 2.0 * self.cell.a.max(self.cell.b);
+        let near = xs.partition_point(|x| x.hypot(y) < far);
+        self.cell
+            .along_row(self.integral, &xs[..near], y, &mut out[..near]);
+        self.far_along_row(&xs[near..], y, &mut out[near..]);
+    }
+
+    fn far_along_row(&self, xs: &[f64], y: f64, out: &mut [f64]) {
+        match self.integral {
+            Integral::Potential | Integral::AlongX => self.sum(xs, y, out, |_, s| s.sqrt()),
+            Integral::Diagonal => self.sum(xs, y, out, |x, s| x * y * s * s.sqrt()),
+            Integral::RadialX => self.sum(xs, y, out, |x, s| x * s),
+            Integral::RadialY => self.sum(xs, y, out, |_, s| y * s),
+        }
+    }
+
+    /// The sum of `s^n P_n(u)`, times a factor of `x` and `s`.
+    fn sum(&self, xs: &[f64], y: f64, out: &mut [f64], factor: impl Fn(f64, f64) -> f64) {
+        for (out, &x) in out.iter_mut().zip(xs) {
+            let s = 1.0 / (x * x + y * y);
+            let u = x * x * s;
+            let mut sum = 0.0;
+            for (n, polynomial) in self.polynomials.iter().enumerate().rev() {
+                let mut value = 0.0;
+                for coefficient in polynomial[..n + 2].iter().rev() {
+                    value = value * u + coefficient;
+                }
+                sum = sum * s + value;
+            }
+            *out = factor(x, s) * sum;
+        }
+    }
+}
+
+/// A derivative of a kernel: a sum of `c x^p y^q / r^m`, by `[p][q]`, with `m = p + q + 1` and the order of the derivative.
+#[derive(Clone, Copy)]
+struct Monomials {
+    order: usize,
+    coefficients: [[f64; EXPONENTS]; EXPONENTS],
+}
+
+impl Monomials {
+    /// The kernel itself.
+    fn of(integral: Integral) -> Self {
+        let mut coefficients = [[0.0; EXPONENTS]; EXPONENTS];
+        let [p, q] = match integral {
+            Integral::Potential => [0, 0],
+            Integral::AlongX => [2, 0],
+            Integral::Diagonal => [1, 1],
+            Integral::RadialX => [1, 0],
+            Integral::RadialY => [0, 1],
+        };
+        coefficients[p][q] = 1.0;
+        Self {
+            order: 0,
+            coefficients,
+        }
+    }
+
+    /// Those there are: exponents along x and y, and the coefficient.
+    fn terms(&self) -> impl Iterator<Item = ([usize; 2], f64)> {
+        let rows = self.coefficients.iter().enumerate();
+        rows.flat_map(|(p, row)| row.iter().enumerate().map(move |(q, c)| ([p, q], *c)))
+            .filter(|(_, c)| *c != 0.0)
+    }
+
+    /// The derivative along an axis.
+    fn derived(&self, axis: usize) -> Self {
+        let mut coefficients = [[0.0; EXPONENTS]; EXPONENTS];
+        for ([p, q], c) in self.terms() {
+            let (power, exponent) = ((p + q + 1 + self.order) as f64, [p, q][axis]);
+            let mut add = |exponent: usize, c: f64| {
+                let mut place = [p, q];
+                place[axis] = exponent;
+                coefficients[place[0]][place[1]] += c;
+            };
+            if exponent > 0 {
+                add(exponent - 1, exponent as f64 * c);
+            }
+            add(exponent + 1, -power * c);
+        }
+        Self {
+            order: self.order + 1,
+            coefficients,
+        }
+    }
+
+    /// Adds them, times a weight, as a polynomial of `u`: each is `u^(p/2) (1 - u)^(q/2)`, where halves are rounded down.
+    fn add_to(&self, polynomial: &mut [f64], weight: f64) {
+        for ([p, q], c) in self.terms() {
+            let mut binomial = weight * c;
+            for k in 0..=q / 2 {
+                polynomial[p / 2 + k] += binomial;
+                binomial *= -((q / 2 - k) as f64) / (k + 1) as f64;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The series and the quadrature that replaces the closed form nearer to the cell are one integral.
+    #[test]
+    fn series_equal_quadrature() {
+        let integrals = [
+            Integral::Potential,
+            Integral::AlongX,
+            Integral::Diagonal,
+            Integral::RadialX,
+            Integral::RadialY,
+        ];
+        let shapes = [[0.5, 0.5], [0.5, 0.35], [0.01, 0.5], [0.5, 1e-9]];
+        for (integral, [a, b]) in integrals.into_iter().flat_map(|i| shapes.map(|s| (i, s))) {
+            let cell = Cell { a, b };
+            let series = Series::new(cell, integral);
+            for distance in [FAR, 31.0, 260.0, 2e4, 1e9] {
+                for turn in 0..=40 {
+                    let angle = 0.025 * f64::from(turn) * std::f64::consts::FRAC_PI_2;
+                    let [x, y] = [distance * angle.cos(), distance * angle.sin()];
+                    let [x, y] = if turn == 40 { [0.0, y] } else { [x, y] };
+                    let mut found = [0.0];
+                    series.far_along_row(&[x], y, &mut found);
+                    let expected = cell.at(integral, x, y);
+                    // Quadrature misses so much of the integral of 1/R.
+                    let error = (found[0] - expected).abs() / (4.0 * a * b / distance);
+                    assert!(
+                        error <= 4e-15,
+                        "{integral:?} {a} {b} {distance} {turn}: {error:e}"
+                    );
+                }
+            }
+        }
+    }
+    /// Against 40 digits, where the integral is large and where it nearly vanishes.
+    #[test]
+    fn series_keep_their_relative_accuracy() {
+        for (integral, [a, b], [x, y], expected) in [
+            (
+                Integral::Potential,
+                [0.5, 0.5],
+                [20.0, 0.0],
+                0.050_005_207_193_684_27,
+            ),
+            (
+                Integral::AlongX,
+                [0.5, 0.5],
+                [0.0, 20.0],
+                1.042_382_528_657_544e-5,
+            ),
+            (
+                Integral::AlongX,
+                [0.5, 0.35],
+                [15.0, 14.0],
+                0.018_230_644_983_524_132,
+            ),
+            (
+                Integral::Diagonal,
+                [0.5, 0.5],
+                [0.5, 21.0],
+                0.001_132_501_742_908_004_7,
+            ),
+            (
+                Integral::RadialX,
+                [0.01, 0.5],
+                [17.0, 13.0],
+                7.424_222_898_085_648e-4,
+            ),
+            (
+                Integral::Potential,
+                [0.5, 0.01],
+                [260.0, 180.0],
+                6.324_558_029_323_84e-5,
+            ),
+        ] {
+            let mut found = [0.0];
+            Series::new(Cell { a, b }, integral).far_along_row(&[x], y, &mut found);
+            let error: f64 = found[0] / expected - 1.0;
+            assert!(error.abs() <= 6e-16, "{integral:?}: {error:e}");
+        }
+    }
+}
