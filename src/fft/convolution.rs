@@ -148,7 +148,7 @@ impl<const N: usize> Convolution<N> {
             upper_bound: range[1],
             is_estimate: false,
             is_single_enough: range[0] > SINGLE_RANGE * range[1],
-            symbol: symbol.map(|value| value * normalisation)?,
+            symbol: symbol.scaled(normalisation),
         })
     }
 }

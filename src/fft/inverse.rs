@@ -58,9 +58,8 @@ impl<const N: usize> CirculantInverse<N> {
         };
         // Where no bound of the operator is known: far below what the directions have each alone.
         let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
-        let inverse = frame.agreed_on(|| symbol.inverse_above(floor))?;
         Ok(Self {
-            product: SingleProduct::new(frame, &inverse)?,
+            product: SingleProduct::new(frame, &symbol.inverse_above(floor))?,
         })
     }
 }

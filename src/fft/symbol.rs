@@ -198,25 +198,28 @@ impl<const N: usize> Symbol<f64, N> {
         })
     }
 
+    /// Every entry times a factor.
+    pub(super) fn scaled(mut self, factor: f64) -> Self {
+        parallel::update(&mut self.values, |_, chunk| {
+            for value in chunk {
+                *value *= factor;
+            }
+        });
+        self
+    }
+
     /// The inverse, with eigenvalues below `floor` raised to it.
-    pub(super) fn inverse_above(&self, floor: f64) -> Result<Self> {
+    pub(super) fn inverse_above(mut self, floor: f64) -> Self {
         let shape = self.shape;
-        let mut values = buffer::zeros(self.values.len())?;
-        parallel::rows(&mut values, shape.stride(), |kx, out| {
-            let column = &self.values[kx * shape.stride()..][..shape.stride()];
+        parallel::rows(&mut self.values, shape.stride(), |_, column| {
             for row in 0..shape.height {
                 let inverse = inverse_above(shape.matrix(column, row), floor);
                 for (i, j) in upper_triangle::<N>() {
-                    out[shape.entry(i, j).start + row] = inverse[i][j];
+                    column[shape.entry(i, j).start + row] = inverse[i][j];
                 }
             }
         });
-        Ok(Self {
-            values,
-            first: self.first,
-            shape,
-            frame: self.frame.clone(),
-        })
+        self
     }
 }
 
