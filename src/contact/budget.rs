@@ -9,9 +9,13 @@ use crate::error::{Error, Result};
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
-/// Relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells, a stricter one costs
-/// more than the finer cells save.
+/// The loosest relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells.
 const COARSE_TOLERANCE: f64 = 3e-3;
+/// The same as part of the residual of the start that still coarser cells have left: by about so much interpolation misses
+/// the next answer, and a stricter one costs more than the finer cells save.
+const COARSE_PART: f64 = 0.5;
+/// The strictest.
+const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
 /// Steps a coarse answer may take: one that is hard to find is not worth more.
 const COARSE_STEPS: usize = 100;
 
@@ -68,10 +72,12 @@ impl<'a, 'b> Conditions<'a, 'b> {
         Err(Error::NotConverged(Box::new(report.clone())))
     }
 
-    /// The settings of a coarse solve: a rough answer, within the time that is left.
-    pub(crate) fn rough(&self) -> Settings {
+    /// The settings of a coarse solve, whose own start came from a solve with this residual at its beginning: a rough answer,
+    /// within the time that is left.
+    pub(crate) fn rough(&self, residual: f64) -> Settings {
+        let tolerance = (COARSE_PART * residual).max(LEAST_COARSE_TOLERANCE);
         self.in_time()
-            .tolerance(self.settings.tolerance.max(COARSE_TOLERANCE))
+            .tolerance(self.settings.tolerance.max(tolerance.min(COARSE_TOLERANCE)))
             .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
     }
 }

@@ -2,7 +2,7 @@
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
 use crate::buffer;
-use crate::cgm::{Admissible, Constraint, Known};
+use crate::cgm::{Admissible, Constraint, Known, Settings};
 use crate::contact::{Conditions, ElasticProblem, ElasticSolver, ended_from_outside};
 use crate::error::Result;
 use crate::half_space::{HalfSpace, Region};
@@ -128,15 +128,19 @@ pub(crate) fn known_of_start<const N: usize>(bodies: &HalfSpace, size: [usize; 2
     }
 }
 
-/// The [start](nested_start), and whether it was ended on the way, by observer or clock: then nothing more is solved.
+/// The [start](nested_start), and the residual that the coarser answer began with, which is infinite if it did not begin near;
+/// `None` if it was ended on the way, by observer or clock: then nothing more is solved.
 fn descend<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
     scene: &S,
     conditions: &mut Conditions<'_, '_>,
-) -> Result<([Vec<f64>; N], bool)> {
+) -> Result<([Vec<f64>; N], Option<f64>)> {
     if !is_worth_coarsening(bodies, size) {
-        return Ok((scene.plain_start(&bodies.layout(size))?, false));
+        return Ok((
+            scene.plain_start(&bodies.layout(size))?,
+            Some(f64::INFINITY),
+        ));
     }
     let (coarser, coarse_size) = (bodies.coarser()?, halved(size));
     let levels = Levels {
@@ -145,22 +149,30 @@ fn descend<S: Scene<N>, const N: usize>(
         coarser,
     };
     let coarse = scene.coarsened(levels)?;
-    let (mut x, mut is_over) = descend(coarser, coarse_size, &coarse, conditions)?;
-    if !is_over {
+    let (mut x, mut residual) = descend(coarser, coarse_size, &coarse, conditions)?;
+    if let Some(before) = residual {
         let known = known_of_start(coarser, coarse_size);
-        is_over = solve(coarser, coarse_size, &coarse, (&mut x, known), conditions)?;
+        let rough = conditions.rough(before);
+        residual = solve(
+            (coarser, coarse_size),
+            &coarse,
+            (&mut x, known),
+            &rough,
+            conditions,
+        )?;
     }
-    Ok((scene.refined_start(levels, &coarse, &x)?, is_over))
+    Ok((scene.refined_start(levels, &coarse, &x)?, residual))
 }
 
-/// Solves a coarse scene roughly, where it is worth solving; returns whether observer or clock ended it.
+/// Solves a coarse scene roughly, where it is worth solving; returns the residual that it began with, `None` if observer or
+/// clock ended it.
 fn solve<S: Scene<N>, const N: usize>(
-    bodies: &HalfSpace,
-    size: [usize; 2],
+    (bodies, size): (&HalfSpace, [usize; 2]),
     scene: &S,
     (x, known): (&mut [Vec<f64>; N], Known<N>),
+    rough: &Settings,
     conditions: &mut Conditions<'_, '_>,
-) -> Result<bool> {
+) -> Result<Option<f64>> {
     let confined = scene.confined(bodies, x)?;
     let inside = confined.as_ref().map(|(region, _)| {
         let mut inside: [_; N] = buffer::vector(region.cells())?;
@@ -178,12 +190,13 @@ fn solve<S: Scene<N>, const N: usize>(
     let problem = scene.problem(&solver).examined_elsewhere();
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
     let from = (unknowns.map(Vec::as_mut_slice), known);
-    let rough = conditions.rough();
-    let outcome = solver.minimise(&problem, from, &rough, &mut *conditions.observer);
+    let outcome = solver.minimise(&problem, from, rough, &mut *conditions.observer);
     if let (Some((region, _)), Some(inside)) = (&confined, &inside) {
         for (x, inside) in x.iter_mut().zip(inside) {
             region.scatter(inside, x);
         }
     }
-    Ok(ended_from_outside(outcome)?.is_some())
+    let is_over = ended_from_outside(outcome)?.is_some();
+    let begun = solver.report().history.first();
+    Ok((!is_over).then(|| begun.map_or(f64::INFINITY, |step| step.residual)))
 }

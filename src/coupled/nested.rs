@@ -32,7 +32,7 @@ impl CoupledIncrement {
         if self.enters {
             (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
         }
-        let rough = conditions.rough();
+        let rough = conditions.rough(f64::INFINITY);
         let coarse_demand = CoupledDemand {
             gap: &gap,
             friction: &friction,
