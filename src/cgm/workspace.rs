@@ -29,7 +29,7 @@ pub(super) struct Conjugate<const N: usize> {
 }
 
 impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, M, N> {
-    /// Buffers for an operator and its preconditioner: `8 N + N^2` numbers and a motion per cell besides their own.
+    /// Buffers for an operator and its preconditioner: `7 N + N^2` numbers and a motion per cell besides their own.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).

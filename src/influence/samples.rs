@@ -44,9 +44,9 @@ enum Sampled {
 /// How the rows of a sampled quantity are found.
 #[derive(Debug)]
 enum Rows {
-    OfCell(Series),
-    OfImages(Images, Integral),
-    OfRest(Component),
+    Cell(Box<Series>),
+    Images(Images, Integral),
+    Rest(Component),
 }
 
 impl Sampled {
@@ -182,18 +182,20 @@ impl Samples {
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
         let xs = buffer::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
         let sampler = match (sampled, self.images) {
-            (Sampled::Integral(integral), None) => Rows::OfCell(Series::new(cell, integral)),
-            (Sampled::Integral(integral), Some((images, _))) => Rows::OfImages(images, integral),
-            (Sampled::Rest(component), _) => Rows::OfRest(component),
+            (Sampled::Integral(integral), None) => {
+                Rows::Cell(Box::new(Series::new(cell, integral)))
+            }
+            (Sampled::Integral(integral), Some((images, _))) => Rows::Images(images, integral),
+            (Sampled::Rest(component), _) => Rows::Rest(component),
         };
         let mut values = buffer::zeros(columns * rows)?;
         parallel::rows(&mut values, columns, |index, out| {
             let (row, is_negative) = row(index);
             let y = distance(row, 1);
             match &sampler {
-                Rows::OfCell(series) => series.along_row(&xs, y, out),
-                Rows::OfImages(images, integral) => images.along_row(cell, *integral, &xs, y, out),
-                Rows::OfRest(component) => self.rests_along_row(*component, row, &xs, out),
+                Rows::Cell(series) => series.along_row(&xs, y, out),
+                Rows::Images(images, integral) => images.along_row(cell, *integral, &xs, y, out),
+                Rows::Rest(component) => self.rests_along_row(*component, row, &xs, out),
             }
             if is_negative {
                 for value in out {

@@ -1,5 +1,7 @@
 //! The scene of a pressure, and the same on coarser cells.
 
+use std::borrow::Cow;
+
 use crate::buffer;
 use crate::cgm::{Carried, Interval, Total};
 use crate::contact::{Ahead, ElasticProblem, ElasticSolver, Levels, Reached, Scene};
@@ -58,9 +60,12 @@ impl<C: AsRef<[f64]>> PressureScene<C> {
     }
 }
 
-impl Scene<1> for PressureScene<Vec<f64>> {
+impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
     type Set = Interval;
-    type Constraint<'a> = Carried<'a>;
+    type Constraint<'a>
+        = Carried<'a>
+    where
+        Self: 'a;
 
     fn directions(&self) -> [Direction; 1] {
         [Direction::Z]
@@ -72,8 +77,10 @@ impl Scene<1> for PressureScene<Vec<f64>> {
 
     fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
         Ok(Self {
-            gap: levels.coarsened(&self.gap)?,
-            limits: self.limits.try_map(|limits| levels.coarsened(limits))?,
+            gap: Cow::Owned(levels.coarsened(&self.gap)?),
+            limits: self
+                .limits
+                .try_map(|limits| levels.coarsened(limits).map(Cow::Owned))?,
             total: self.total.scaled(levels.part_of_area()),
             ..*self
         })
@@ -93,10 +100,10 @@ impl Scene<1> for PressureScene<Vec<f64>> {
             return Ok(None);
         };
         let region = Region::new(bodies, window);
-        let inside = |whole: &Vec<f64>| {
+        let inside = |whole: &Cow<'_, [f64]>| {
             let mut part = buffer::zeros(region.cells())?;
             region.gather(whole, &mut part);
-            Ok(part)
+            Ok(Cow::Owned(part))
         };
         let part = Self {
             gap: inside(&self.gap)?,

@@ -1,8 +1,8 @@
 //! Normal contacts of the same bodies, one after the other, each from the answer of the last.
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 
-use crate::buffer;
 use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{
     Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
@@ -348,17 +348,12 @@ fn start_cold(
     conditions: &mut Conditions<'_, '_>,
 ) -> Result<(Engine, Known<1>)> {
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
-    let mut own = PressureScene {
-        gap: buffer::zeros(grid.cells())?,
-        datum: 0.0,
-        limits: scene.limits.try_map(|limits| buffer::copied(limits))?,
+    let own = PressureScene {
+        gap: Cow::Borrowed(scene.gap),
+        datum: scene.datum,
+        limits: scene.limits.map(|limits| Cow::Borrowed(*limits)),
         total: scene.total,
     };
-    parallel::update(&mut own.gap, |first, chunk| {
-        for (own, gap) in chunk.iter_mut().zip(&scene.gap[first..]) {
-            *own = gap - scene.datum;
-        }
-    });
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
     let ([start], known) = if is_plain {
         (own.plain_start(&bodies.grid_layout())?, Known::Nothing)

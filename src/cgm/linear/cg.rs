@@ -35,7 +35,7 @@ struct Residual<const N: usize> {
     products: [f64; N],
 }
 
-/// The preconditioned residual `z = M r + change w`, of which `M r` is kept.
+/// The preconditioned residual `z = M r + change w`, of which `M r` follows from the image.
 struct Correction<const N: usize> {
     /// The change of the multipliers that keeps the totals.
     change: [f64; N],
@@ -179,20 +179,19 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// Gathers `M r` from `image`, with the `w_a' r` and `w_a' r_last`.
+    /// Measures `M r`, left in `image`, with the `w_a' r` and `w_a' r_last`.
     fn correct(
         &mut self,
         totals: &TotalsSystem<N>,
         products: [f64; N],
         last_products: [f64; N],
     ) -> Correction<N> {
-        let w = &mut *self.workspace;
+        let w = &*self.workspace;
         let image = slices(&w.linear.image);
         let (residual, last) = (&w.linear.residual, &w.conjugate.last_residual);
         let motions = &w.linear.rows;
-        let data = w.linear.moving.compressed(&mut w.linear.correction);
         let (sum, product, overlap): ([f64; N], f64, f64) =
-            w.linear.moving.sweep(data, |entries, correction| {
+            w.linear.moving.sweep((), |entries, ()| {
                 let image = within(&image, &entries.chunk);
                 let (residual, last) = (
                     &residual[entries.range.clone()],
@@ -201,7 +200,6 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
                 entries.sums(|k, place| {
                     let motion = entries.row(motions, k, place);
                     let z = motion.preconditioned(at(&image, place), residual[k]);
-                    correction.items[k] = z;
                     (z, dot(z, residual[k]), dot(z, last[k]))
                 })
             });
@@ -217,8 +215,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
     fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
         let w = &mut *self.workspace;
-        let (residual, correction, spread) =
-            (&w.linear.residual, &w.linear.correction, &w.linear.spread);
+        let (residual, spread) = (&w.linear.residual, &w.linear.spread);
+        let (motions, image) = (&w.linear.rows, slices(&w.linear.image));
         let has_change = norm(change) != 0.0;
         let compressed = w.linear.moving.compressed(&mut w.conjugate.direction);
         let data = (
@@ -229,10 +227,11 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             .moving
             .sweep(data, |entries, (mut full, compressed)| {
                 let residual = &residual[entries.range.clone()];
-                let correction = &correction[entries.range.clone()];
+                let image = within(&image, &entries.chunk);
                 let spread = &spread[entries.range.clone()];
                 entries.sums(|k, place| {
-                    let mut d = correction[k];
+                    let motion = entries.row(motions, k, place);
+                    let mut d = motion.preconditioned(at(&image, place), residual[k]);
                     if has_change {
                         for (change, w) in change.iter().zip(spread[k]) {
                             d = plus(d, *change, w);

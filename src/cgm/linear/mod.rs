@@ -54,6 +54,7 @@ pub(crate) struct LinearWorkspace<C, P, R, const N: usize> {
     /// The cells that move; the vectors below hold these alone.
     pub(in crate::cgm) moving: MovingCells,
     pub(in crate::cgm) residual: Vec<[f64; N]>,
+    /// Of GMRES; of no cells before it is needed.
     pub(in crate::cgm) correction: Vec<[f64; N]>,
     /// How a change of each multiplier spreads over the unknowns, `w_a = M e_a`.
     pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
@@ -89,13 +90,19 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
         for part in &mut self.direction {
             part.fill(0.0);
         }
-        self.make_room(self.moving.len())
+        self.make_room_for_bases()
     }
 
-    /// Makes room for the unknowns of so many cells.
+    /// Makes room for the vectors of GMRES, of the cells that move.
+    pub(in crate::cgm) fn make_room_for_bases(&mut self) -> Result<()> {
+        let moving = self.moving.len();
+        buffer::resize(&mut self.correction, moving, [0.0; N])?;
+        self.make_room(moving)
+    }
+
+    /// Makes room for the residuals of so many cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
         buffer::resize(&mut self.residual, cells, [0.0; N])?;
-        buffer::resize(&mut self.correction, cells, [0.0; N])?;
         buffer::resize(&mut self.spread, cells, [[0.0; N]; N])
     }
 }
