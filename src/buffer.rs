@@ -1,5 +1,7 @@
 //! Buffers whose size follows the cells: memory that cannot be had is an error here, where a `vec!` ends the program.
 
+use bytemuck::Zeroable;
+
 use crate::error::{Error, Result};
 
 /// So many copies of a value.
@@ -9,10 +11,10 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     Ok(buffer)
 }
 
-/// Zeros, in pages that the system provides when they are first written to.
-pub(crate) fn zeros(len: usize) -> Result<Vec<f64>> {
+/// Zeros, in pages that the system provides when they are first written to, to the thread that writes.
+pub(crate) fn zeros<T: Zeroable>(len: usize) -> Result<Vec<T>> {
     let zeros = bytemuck::allocation::try_zeroed_vec(len);
-    zeros.map_err(|()| lacking(len.saturating_mul(size_of::<f64>())))
+    zeros.map_err(|()| lacking(len.saturating_mul(size_of::<T>())))
 }
 
 /// Zeros for each of N components.
@@ -65,6 +67,18 @@ pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
 pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     make_room(buffer, len)?;
     buffer.resize(len, value);
+    Ok(())
+}
+
+/// [`resize`] with zeros; where there is nothing yet, with pages as those of [`zeros`].
+pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
+    buffer: &mut Vec<T>,
+    len: usize,
+) -> Result<()> {
+    if buffer.capacity() > 0 {
+        return resize(buffer, len, T::zeroed());
+    }
+    *buffer = zeros(len)?;
     Ok(())
 }
 

@@ -96,7 +96,7 @@ impl MovingCells {
         let (cells, chunks) = (layout.cells(), layout.tasks());
         let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
         Ok(Self {
-            offsets: buffer::filled(0, cells)?,
+            offsets: buffer::zeros(cells)?,
             counts: buffer::filled(0, chunks)?,
             starts: buffer::filled(0, chunks + 1)?,
             firsts: buffer::collected(chunks + 1, (0..=chunks).map(first))?,

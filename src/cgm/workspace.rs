@@ -35,7 +35,6 @@ impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, 
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
         let cells = operator.cells();
-        let vectors = || buffer::filled([0.0; N], cells);
         let mut linear = LinearWorkspace::new(operator, preconditioner)?;
         linear.make_room(cells)?;
         Ok(Self {
@@ -44,8 +43,8 @@ impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, 
             gradient: buffer::vector(cells)?,
             centre: std::array::from_fn(|_| Vec::new()),
             conjugate: Conjugate {
-                last_residual: vectors()?,
-                direction: vectors()?,
+                last_residual: buffer::zeros(cells)?,
+                direction: buffer::zeros(cells)?,
             },
             multiplier: [0.0; N],
         })

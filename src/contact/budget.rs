@@ -11,8 +11,8 @@ use crate::watch::Observer;
 
 /// The loosest relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells.
 const COARSE_TOLERANCE: f64 = 3e-3;
-/// The same as part of the residual of the start that still coarser cells have left: by about so much interpolation misses
-/// the next answer, and a stricter one costs more than the finer cells save.
+/// The same as part of the residual that the next coarser solve began with: interpolation misses the next answer by about
+/// so much, and a stricter one costs more than the finer cells save.
 const COARSE_PART: f64 = 0.5;
 /// The strictest.
 const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
@@ -72,8 +72,8 @@ impl<'a, 'b> Conditions<'a, 'b> {
         Err(Error::NotConverged(Box::new(report.clone())))
     }
 
-    /// The settings of a coarse solve, whose own start came from a solve with this residual at its beginning: a rough answer,
-    /// within the time that is left.
+    /// The settings of a coarse solve whose start came from one with this residual at its beginning: a rough answer, within
+    /// the time that is left.
     pub(crate) fn rough(&self, residual: f64) -> Settings {
         let tolerance = (COARSE_PART * residual).max(LEAST_COARSE_TOLERANCE);
         self.in_time()

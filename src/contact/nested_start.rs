@@ -128,7 +128,7 @@ pub(crate) fn known_of_start<const N: usize>(bodies: &HalfSpace, size: [usize; 2
     }
 }
 
-/// The [start](nested_start), and the residual that the coarser answer began with, which is infinite if it did not begin near;
+/// The [start](nested_start), and the residual that the coarser answer began with, infinite if it did not begin near;
 /// `None` if it was ended on the way, by observer or clock: then nothing more is solved.
 fn descend<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
@@ -164,8 +164,8 @@ fn descend<S: Scene<N>, const N: usize>(
     Ok((scene.refined_start(levels, &coarse, &x)?, residual))
 }
 
-/// Solves a coarse scene roughly, where it is worth solving; returns the residual that it began with, `None` if observer or
-/// clock ended it.
+/// Solves a coarse scene roughly, where it is worth solving; returns the residual that it began with, `None` if observer
+/// or clock ended it.
 fn solve<S: Scene<N>, const N: usize>(
     (bodies, size): (&HalfSpace, [usize; 2]),
     scene: &S,

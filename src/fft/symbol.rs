@@ -184,7 +184,7 @@ impl<const N: usize> Symbol<f64, N> {
 
     /// Every entry replaced.
     pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64 + Sync) -> Result<Symbol<T, N>> {
-        let mut values = buffer::filled(T::zero(), self.values.len())?;
+        let mut values = buffer::zeros(self.values.len())?;
         parallel::update(&mut values, |first, chunk| {
             for (value, &from) in chunk.iter_mut().zip(&self.values[first..]) {
                 *value = T::of(f(from));

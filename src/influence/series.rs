@@ -2,8 +2,8 @@
 
 use crate::influence::integrals::{Cell, Integral};
 
-/// Distance, in longer sides, from which the series replaces quadrature: what it leaves out is below 4e-16 of every integral, measured
-/// against 40 digits.
+/// Distance, in longer sides, from which the series replaces quadrature: what it leaves out is below 4e-16 of every
+/// integral, measured against 40 digits.
 const FAR: f64 = 20.0;
 
 /// Pairs of derivatives that the series goes up to.
@@ -93,7 +93,8 @@ impl Series {
     }
 }
 
-/// A derivative of a kernel: a sum of `c x^p y^q / r^m`, by `[p][q]`, with `m = p + q + 1` and the order of the derivative.
+/// A derivative of a kernel: a sum of `c x^p y^q / r^m`, by `[p][q]`, where `m` is `p + q + 1` and the order of the
+/// derivative.
 #[derive(Clone, Copy)]
 struct Monomials {
     order: usize,

@@ -96,14 +96,14 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
     /// Makes room for the vectors of GMRES, of the cells that move.
     pub(in crate::cgm) fn make_room_for_bases(&mut self) -> Result<()> {
         let moving = self.moving.len();
-        buffer::resize(&mut self.correction, moving, [0.0; N])?;
+        buffer::resize_with_zeros(&mut self.correction, moving)?;
         self.make_room(moving)
     }
 
     /// Makes room for the residuals of so many cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
-        buffer::resize(&mut self.residual, cells, [0.0; N])?;
-        buffer::resize(&mut self.spread, cells, [[0.0; N]; N])
+        buffer::resize_with_zeros(&mut self.residual, cells)?;
+        buffer::resize_with_zeros(&mut self.spread, cells)
     }
 }
 
