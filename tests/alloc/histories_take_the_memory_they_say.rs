@@ -55,11 +55,11 @@ fn per_cell_of_the_grid_and_of_the_contact() {
     for (lateral, expected) in [
         (
             TangentialModel::Scalar,
-            [[176.0, 358.0], [129.0, 43.0], [81.0, 34.0]],
+            [[176.0, 339.0], [129.0, 43.0], [81.0, 34.0]],
         ),
         (
             TangentialModel::Vector,
-            [[176.0, 591.0], [129.0, 67.0], [81.0, 58.0]],
+            [[176.0, 564.0], [129.0, 67.0], [81.0, 58.0]],
         ),
     ] {
         let [small, large] = [100.0, 155.0].map(|radius| measured(&bodies, lateral, radius));
