@@ -178,7 +178,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         let (mut linear, mut moved) = self.parts();
         let w = &mut *linear.workspace;
         let cells = w.rows.len();
-        linear.monitor.unless_lacking(w.make_room_for_bases())?;
+        linear.monitor.unless_lacking(w.make_room_for_gmres())?;
         let limits = (BASES, reduction);
         let solved = linear.solve(&border, [0.0; N], limits, &mut moved);
         let room = linear.workspace.make_room(cells);

@@ -75,9 +75,14 @@ impl<'a, 'b> Conditions<'a, 'b> {
     /// The settings of a coarse solve whose start came from one with this residual at its beginning: a rough answer, within
     /// the time that is left.
     pub(crate) fn rough(&self, residual: f64) -> Settings {
-        let tolerance = (COARSE_PART * residual).max(LEAST_COARSE_TOLERANCE);
+        // In this order a residual that is no number asks for the loosest.
+        let tolerance = (COARSE_PART * residual).min(COARSE_TOLERANCE);
         self.in_time()
-            .tolerance(self.settings.tolerance.max(tolerance.min(COARSE_TOLERANCE)))
+            .tolerance(
+                self.settings
+                    .tolerance
+                    .max(tolerance.max(LEAST_COARSE_TOLERANCE)),
+            )
             .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
     }
 }

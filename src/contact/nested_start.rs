@@ -128,8 +128,8 @@ pub(crate) fn known_of_start<const N: usize>(bodies: &HalfSpace, size: [usize; 2
     }
 }
 
-/// The [start](nested_start), and the residual that the coarser answer began with, infinite if it did not begin near;
-/// `None` if it was ended on the way, by observer or clock: then nothing more is solved.
+/// The [start](nested_start), and the residual that the coarser answer began with, infinite where there is no coarser
+/// answer; `None` if it was ended on the way, by observer or clock: then nothing more is solved.
 fn descend<S: Scene<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],

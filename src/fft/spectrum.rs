@@ -114,7 +114,8 @@ pub(super) fn of_samples(
 const AT_ONCE: usize = 8;
 
 /// For each line, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` of the samples
-/// wrapped around a circle of `m`, for `k = 0..=m/2`; `sample` writes the samples `d = 0..=m/2` of some lines.
+/// wrapped around a circle of `m`, for `k = 0..=m/2`; `sample` writes the samples `d = 0..=m/2` of some lines,
+/// line by line.
 fn half_transforms(
     m: usize,
     is_odd: bool,

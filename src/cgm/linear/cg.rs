@@ -1,5 +1,4 @@
 //! Preconditioned conjugate gradients on the cells that move, unclipped: the inner solution of Newton's method.
-//! Between two products each vector is read once.
 
 use std::ops::ControlFlow;
 
@@ -179,7 +178,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// Measures `M r`, left in `image`, with the `w_a' r` and `w_a' r_last`.
+    /// Measures `M r`, which follows from `image` and the residual, with the `w_a' r` and `w_a' r_last`.
     fn correct(
         &mut self,
         totals: &TotalsSystem<N>,
@@ -212,7 +211,8 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
     }
 
-    /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`.
+    /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`. `image` is as
+    /// [`Self::correct`] found it: computing `M r` again costs less than a vector to keep it in.
     fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
         let w = &mut *self.workspace;
         let (residual, spread) = (&w.linear.residual, &w.linear.spread);

@@ -90,17 +90,17 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
         for part in &mut self.direction {
             part.fill(0.0);
         }
-        self.make_room_for_bases()
+        self.make_room_for_gmres()
     }
 
-    /// Makes room for the vectors of GMRES, of the cells that move.
-    pub(in crate::cgm) fn make_room_for_bases(&mut self) -> Result<()> {
+    /// Makes room for correction, residual and spread of the cells that move.
+    pub(in crate::cgm) fn make_room_for_gmres(&mut self) -> Result<()> {
         let moving = self.moving.len();
         buffer::resize_with_zeros(&mut self.correction, moving)?;
         self.make_room(moving)
     }
 
-    /// Makes room for the residuals of so many cells.
+    /// Makes room for the residuals and the spread of so many cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
         buffer::resize_with_zeros(&mut self.residual, cells)?;
         buffer::resize_with_zeros(&mut self.spread, cells)
