@@ -39,8 +39,9 @@ impl Share {
     pub(crate) fn new(team: &Arc<Team>, size: [usize; 2]) -> Self {
         let [columns, all_rows] = size;
         let (ranks, chunk) = (team.size(), chunk_of(size));
-        // As few rows as are whole chunks.
+        // As few rows as are whole chunks, and pairs: rows are transformed two at a time.
         let step = chunk / greatest_common_divisor(chunk, columns);
+        let step = step * (1 + step % 2);
         let steps = all_rows.div_ceil(step);
         let first = |rank: usize| (steps * rank / ranks * step).min(all_rows);
         Self::of(team, size, chunk, (0..=ranks).map(first).collect())

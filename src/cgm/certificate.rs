@@ -231,25 +231,25 @@ impl<const N: usize> Sums<N> {
     /// In lanes, so that many are added at a time.
     fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
         const LANES: usize = 4;
-        let of = |k: usize| {
-            let (x, u) = (at(x, k), at(product, k));
-            Self {
-                energy: dot(x, u),
-                squares: dot(x, x),
-                sum: x,
-                magnitude: norm(x),
-            }
+        let of = |x: [f64; N], u: [f64; N]| Self {
+            energy: dot(x, u),
+            squares: dot(x, x),
+            sum: x,
+            magnitude: norm(x),
         };
         let cells = x[0].len();
         let whole = cells - cells % LANES;
         let mut lanes = [Self::ZERO; LANES];
         for first in (0..whole).step_by(LANES) {
+            // One look at the length of a slice serves all cells of the group.
+            let group = first..first + LANES;
+            let [x, product] = [x, product].map(|vector| within(vector, &group));
             for (k, lane) in lanes.iter_mut().enumerate() {
-                *lane = lane.plus(of(first + k));
+                *lane = lane.plus(of(at(&x, k), at(&product, k)));
             }
         }
         for (k, lane) in (whole..cells).zip(&mut lanes) {
-            *lane = lane.plus(of(k));
+            *lane = lane.plus(of(at(x, k), at(product, k)));
         }
         lanes.into_iter().fold(Self::ZERO, Self::plus)
     }

@@ -1,7 +1,7 @@
 //! The two-dimensional real transform of zero-padded fields, one pass over memory per stage.
 //!
-//! Rows: real to complex, only those that are not zero. Columns, two cache lines of each row at a time: gather, pad,
-//! transform, multiply by the kernel, transform back, keep what is wanted. Rows: complex to real.
+//! Rows: pairs of real ones as complex ones, only those that are not zero. Columns, two cache lines of each row at a time: gather, pad,
+//! transform, multiply by the kernel, transform back, keep what is wanted. Rows: back to pairs of real ones.
 //! Between the stages a field lies in tiles; from stage to stage their owners change, not their places.
 
 use std::fmt;
@@ -9,7 +9,6 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
 use crate::error::Result;
@@ -29,8 +28,8 @@ pub(super) struct Plan<T: Real> {
     pub(super) frame: Frame,
     /// The row at which each tile of a column begins.
     pub(super) tile_rows: Vec<usize>,
-    pub(super) row_forward: Arc<dyn RealToComplex<T>>,
-    pub(super) row_inverse: Arc<dyn ComplexToReal<T>>,
+    pub(super) row_forward: Arc<dyn Fft<T>>,
+    pub(super) row_inverse: Arc<dyn Fft<T>>,
     pub(super) column_forward: Arc<dyn Fft<T>>,
     pub(super) column_inverse: Arc<dyn Fft<T>>,
 }
@@ -55,15 +54,14 @@ pub(super) struct Scratch<T, const N: usize> {
 impl<T: Real> Plan<T> {
     pub(super) fn new(frame: Frame) -> Self {
         let [mx, my] = frame.torus;
-        let mut real = RealFftPlanner::new();
-        let mut complex = FftPlanner::new();
+        let mut planner = FftPlanner::new();
         Self {
             tile_rows: tile_rows(&frame),
             frame,
-            row_forward: real.plan_fft_forward(mx),
-            row_inverse: real.plan_fft_inverse(mx),
-            column_forward: complex.plan_fft_forward(my),
-            column_inverse: complex.plan_fft_inverse(my),
+            row_forward: planner.plan_fft_forward(mx),
+            row_inverse: planner.plan_fft_inverse(mx),
+            column_forward: planner.plan_fft_forward(my),
+            column_inverse: planner.plan_fft_inverse(my),
         }
     }
 

@@ -1,4 +1,14 @@
-//! The transforms of the rows of one field.
+//! The transforms of the rows of one field, two at a time: as real and imaginary part of one row, whose waves are
+//! `Z = A + i B`. Those of real rows follow,
+//!
+//! ```math
+//! 2 A_k = Z_k + \overline{Z_{m-k}}, \qquad 2 B_k = -i \bigl(Z_k - \overline{Z_{m-k}}\bigr) .
+//! ```
+
+use std::array::from_fn;
+use std::ops::Range;
+
+use num_complex::Complex;
 
 use crate::error::Result;
 use crate::fft::aligned::Aligned;
@@ -7,35 +17,34 @@ use crate::fft::real::Real;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile};
 use crate::pool::Pool;
-use num_complex::Complex;
-use std::array::from_fn;
-use std::ops::Range;
+
+/// Pairs of rows in a band of tiles.
+const PAIRS: usize = TILE_ROWS / 2;
+
+/// Columns of a tile in single precision, which has more.
+const MOST_COLUMNS: usize = f32::TILE_COLUMNS;
 
 #[derive(Debug, Clone)]
 pub(super) struct RowScratch<T> {
-    real: Aligned<T>,
-    /// Transforms of the rows of a band.
-    complex: Aligned<Complex<T>>,
+    /// The pairs of a band, and then their waves; behind the last wave of each the first one again.
+    pairs: Aligned<Complex<T>>,
     transform: Aligned<Complex<T>>,
 }
 
 impl<T: Real> Plan<T> {
     pub(super) fn row_scratch(&self) -> Result<RowScratch<T>> {
+        let forward = self.row_forward.get_inplace_scratch_len();
+        let inverse = self.row_inverse.get_inplace_scratch_len();
         Ok(RowScratch {
-            real: Aligned::new(T::zero(), self.frame.torus[0])?,
-            complex: Aligned::new(zero(), TILE_ROWS * self.row_stride())?,
-            transform: Aligned::new(
-                zero(),
-                self.row_forward
-                    .get_scratch_len()
-                    .max(self.row_inverse.get_scratch_len()),
-            )?,
+            pairs: Aligned::new(zero(), PAIRS * self.row_stride())?,
+            transform: Aligned::new(zero(), forward.max(inverse))?,
         })
     }
 
-    /// From one transformed row to the next in scratch memory.
+    /// From one pair of rows to the next in scratch memory: off the powers of two, at which all would share one corner of
+    /// the cache.
     fn row_stride(&self) -> usize {
-        self.tiles_across() * T::TILE_COLUMNS
+        (self.frame.torus[0] + 1).next_multiple_of(T::TILE_COLUMNS) + T::TILE_COLUMNS
     }
 
     /// Transforms the rows of `x` times `scale` that are not zero, and notes which bands hold any.
@@ -68,6 +77,13 @@ impl<T: Real> Plan<T> {
         first * nx..(first + TILE_ROWS).min(self.frame.own_rows().len()) * nx
     }
 
+    /// The columns of waves of each tile of a band.
+    fn columns_of_tiles(&self) -> impl Iterator<Item = Range<usize>> {
+        let width = self.width();
+        let ends = move |first: usize| first..(first + T::TILE_COLUMNS).min(width);
+        (0..width).step_by(T::TILE_COLUMNS).map(ends)
+    }
+
     /// Transforms the rows of a band into its tiles.
     fn forward_band(
         &self,
@@ -76,49 +92,66 @@ impl<T: Real> Plan<T> {
         band: &mut [Tile],
         scratch: &mut RowScratch<T>,
     ) {
-        let RowScratch {
-            real,
-            complex,
-            transform,
-        } = scratch;
-        let rows = complex.chunks_exact_mut(self.row_stride());
-        for (input, output) in input.chunks_exact(self.frame.size[0]).zip(rows) {
-            self.forward_row(input, scale, &mut output[..self.width()], real, transform);
+        let RowScratch { pairs, transform } = scratch;
+        let stride = self.row_stride();
+        let rows = input.chunks(2 * self.frame.size[0]);
+        let waves = &mut pairs[..rows.len() * stride];
+        for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
+            self.forward_pair(rows, scale, waves, transform);
         }
-        for (column, tile) in (0..).step_by(T::TILE_COLUMNS).zip(band) {
-            for (row, values) in tile
-                .of_mut::<T>()
-                .chunks_exact_mut(T::TILE_COLUMNS)
-                .enumerate()
-            {
-                values.copy_from_slice(
-                    &scratch.complex[row * self.row_stride() + column..][..T::TILE_COLUMNS],
-                );
+        for (tile, columns) in band.iter_mut().zip(self.columns_of_tiles()) {
+            let rows = tile.of_mut::<T>().chunks_exact_mut(2 * T::TILE_COLUMNS);
+            for (rows, waves) in rows.zip(waves.chunks_exact(stride)) {
+                let (a, b) = rows.split_at_mut(T::TILE_COLUMNS);
+                self.separate(waves, columns.clone(), [a, b]);
             }
         }
     }
 
-    /// Transforms a row.
-    fn forward_row(
+    /// Transforms two rows, or the last one, to half their waves.
+    fn forward_pair(
         &self,
-        input: &[f64],
+        rows: &[f64],
         scale: f64,
-        output: &mut [Complex<T>],
-        real: &mut [T],
+        waves: &mut [Complex<T>],
         transform: &mut [Complex<T>],
     ) {
-        if !is_occupied(input) {
-            return output.fill(zero());
+        if !is_occupied(rows) {
+            return waves.fill(zero());
         }
-        for (value, x) in real.iter_mut().zip(input) {
-            let scaled: f64 = x * scale;
-            *value = T::of(scaled);
+        let torus = self.frame.torus[0];
+        let (a, b) = rows.split_at(self.frame.size[0]);
+        let half = 0.5 * scale;
+        let of = |a: f64, b: f64| Complex::new(T::of(a * half), T::of(b * half));
+        if b.is_empty() {
+            for (z, &a) in waves.iter_mut().zip(a) {
+                *z = of(a, 0.0);
+            }
+        } else {
+            for ((z, &a), &b) in waves.iter_mut().zip(a).zip(b) {
+                *z = of(a, b);
+            }
         }
-        real[self.frame.size[0]..].fill(T::zero());
-        // Fails for a wrong length alone; all are from the same plan.
+        waves[a.len()..].fill(zero());
         self.row_forward
-            .process_with_scratch(real, output, transform)
-            .expect("the plan sized every buffer");
+            .process_with_scratch(&mut waves[..torus], transform);
+        waves[torus] = waves[0];
+    }
+
+    /// The waves of each of two rows, in these columns, from half those of the pair.
+    fn separate(
+        &self,
+        waves: &[Complex<T>],
+        columns: Range<usize>,
+        [a, b]: [&mut [Complex<T>]; 2],
+    ) {
+        let torus = self.frame.torus[0];
+        let back = torus + 1 - columns.end..torus + 1 - columns.start;
+        let waves = waves[columns].iter().zip(waves[back].iter().rev());
+        for ((a, b), (z, y)) in a.iter_mut().zip(b).zip(waves) {
+            *a = Complex::new(z.re + y.re, z.im - y.im);
+            *b = Complex::new(z.im + y.im, y.re - z.re);
+        }
     }
 
     /// Transforms the rows back and writes them, times `scale`, to `out`.
@@ -135,58 +168,80 @@ impl<T: Real> Plan<T> {
             let tiles = &by_rows[band * across..(band + 1) * across];
             scratch.lend(
                 || self.row_scratch(),
-                |scratch| {
-                    for (column, tile) in (0..).step_by(T::TILE_COLUMNS).zip(tiles) {
-                        for (row, values) in
-                            tile.of::<T>().chunks_exact(T::TILE_COLUMNS).enumerate()
-                        {
-                            scratch.complex[row * self.row_stride() + column..][..T::TILE_COLUMNS]
-                                .copy_from_slice(values);
-                        }
-                    }
-                    self.inverse_band(output.items, scale, scratch);
-                },
+                |scratch| self.inverse_band(tiles, output.items, scale, scratch),
             );
         });
     }
 
-    /// Transforms the rows of a band back from scratch memory.
-    fn inverse_band(&self, output: &mut [f64], scale: f64, scratch: &mut RowScratch<T>) {
-        let RowScratch {
-            real,
-            complex,
-            transform,
-        } = scratch;
-        let rows = complex.chunks_exact_mut(self.row_stride());
-        for (row, output) in rows.zip(output.chunks_exact_mut(self.frame.size[0])) {
-            self.inverse_row(&mut row[..self.width()], scale, output, real, transform);
+    /// Transforms the tiles of a band back into its rows.
+    fn inverse_band(
+        &self,
+        band: &[Tile],
+        output: &mut [f64],
+        scale: f64,
+        scratch: &mut RowScratch<T>,
+    ) {
+        let RowScratch { pairs, transform } = scratch;
+        let stride = self.row_stride();
+        let nothing = [zero(); MOST_COLUMNS];
+        let numbers = output.len() / self.frame.size[0] * T::TILE_COLUMNS;
+        let rows = output.chunks_mut(2 * self.frame.size[0]);
+        let waves = &mut pairs[..rows.len() * stride];
+        for (tile, columns) in band.iter().zip(self.columns_of_tiles()) {
+            // A tile may hold anything beyond the last row.
+            let rows = tile.of::<T>()[..numbers].chunks(2 * T::TILE_COLUMNS);
+            for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
+                let (a, b) = rows.split_at(T::TILE_COLUMNS);
+                let b = if b.is_empty() { &nothing } else { b };
+                self.join([a, b], columns.clone(), waves);
+            }
+        }
+        for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
+            self.inverse_pair(waves, rows, scale, transform);
         }
     }
 
-    /// Transforms a row back.
-    fn inverse_row(
+    /// The waves of a pair from those of each row, in these columns.
+    fn join(&self, [a, b]: [&[Complex<T>]; 2], columns: Range<usize>, waves: &mut [Complex<T>]) {
+        let torus = self.frame.torus[0];
+        // Real rows have real ends: what round-off has added there is not handed to the other row.
+        let ends = |column: usize| Complex::new(a[column].re, b[column].re);
+        let inner = columns.start..columns.end.min(torus.div_ceil(2));
+        let back = torus + 1 - inner.end..torus + 1 - inner.start;
+        for ((z, a), b) in waves[inner.clone()].iter_mut().zip(a).zip(b) {
+            *z = Complex::new(a.re - b.im, a.im + b.re);
+        }
+        for ((y, a), b) in waves[back].iter_mut().rev().zip(a).zip(b) {
+            *y = Complex::new(a.re + b.im, b.re - a.im);
+        }
+        if columns.start == 0 {
+            waves[0] = ends(0);
+        }
+        if inner.end < columns.end {
+            waves[inner.end] = ends(inner.len());
+        }
+    }
+
+    /// Transforms the waves of two rows, or of the last one, back.
+    fn inverse_pair(
         &self,
-        row: &mut [Complex<T>],
+        waves: &mut [Complex<T>],
+        rows: &mut [f64],
         scale: f64,
-        output: &mut [f64],
-        real: &mut [T],
         transform: &mut [Complex<T>],
     ) {
-        // A real row has real ends; round-off must not tell the transform otherwise.
-        row[0].im = T::zero();
-        if self.frame.torus[0] % 2 == 0 {
-            row[self.width() - 1].im = T::zero();
-        }
-        // Fails for a wrong length, or ends that are not real: set to zero above.
         self.row_inverse
-            .process_with_scratch(row, real, transform)
-            .expect("the plan sized every buffer and the ends of the row are real");
-        for (out, value) in output.iter_mut().zip(real.iter()) {
-            *out = value.double() * scale;
+            .process_with_scratch(&mut waves[..self.frame.torus[0]], transform);
+        let (a, b) = rows.split_at_mut(self.frame.size[0]);
+        for (out, z) in a.iter_mut().zip(waves.iter()) {
+            *out = z.re.double() * scale;
+        }
+        for (out, z) in b.iter_mut().zip(waves.iter()) {
+            *out = z.im.double() * scale;
         }
     }
 
-    /// The whole product of fields that are lines.
+    /// The whole product of fields that are lines, each a pair with nothing.
     pub(super) fn convolve_line<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,
@@ -197,22 +252,24 @@ impl<T: Real> Plan<T> {
     ) {
         let make = || self.row_scratch();
         scratch.lend(make, |scratch| {
-            let RowScratch {
-                real,
-                complex,
-                transform,
-            } = scratch;
-            let mut rows = complex.chunks_exact_mut(self.row_stride());
-            let mut lines: [_; N] = from_fn(|_| match rows.next() {
-                Some(row) => &mut row[..self.width()],
+            let RowScratch { pairs, transform } = scratch;
+            let (waves, rest) = pairs.split_at_mut(self.row_stride());
+            let (nothing, rest) = rest.split_at_mut(self.row_stride());
+            let mut lines = rest.chunks_exact_mut(self.row_stride());
+            let mut lines: [_; N] = from_fn(|_| match lines.next() {
+                Some(line) => &mut line[..self.width()],
                 None => Default::default(),
             });
+            let all = 0..self.width();
             for (line, x) in lines.iter_mut().zip(x) {
-                self.forward_row(x, scales[0], line, real, transform);
+                self.forward_pair(x, scales[0], waves, transform);
+                self.separate(waves, all.clone(), [line, nothing]);
             }
             symbol.multiply_line(&mut lines);
+            nothing.fill(zero());
             for (line, out) in lines.into_iter().zip(out) {
-                self.inverse_row(line, scales[1], out, real, transform);
+                self.join([line, nothing], all.clone(), waves);
+                self.inverse_pair(waves, out, scales[1], transform);
             }
         });
     }
