@@ -76,13 +76,11 @@ impl<'a, 'b> Conditions<'a, 'b> {
     /// the time that is left.
     pub(crate) fn rough(&self, residual: f64) -> Settings {
         // In this order a residual that is no number asks for the loosest.
-        let tolerance = (COARSE_PART * residual).min(COARSE_TOLERANCE);
+        let tolerance = (COARSE_PART * residual)
+            .min(COARSE_TOLERANCE)
+            .max(LEAST_COARSE_TOLERANCE);
         self.in_time()
-            .tolerance(
-                self.settings
-                    .tolerance
-                    .max(tolerance.max(LEAST_COARSE_TOLERANCE)),
-            )
+            .tolerance(self.settings.tolerance.max(tolerance))
             .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
     }
 }
@@ -124,5 +122,28 @@ pub(crate) fn ended_from_outside(outcome: Result<()>) -> Result<Option<Status>> 
             Ok(is_outside.then_some(report.status))
         }
         Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coarse_answers_are_as_good_as_their_starts_within_limits() {
+        for (asked, residual, tolerance) in [
+            (1e-6, 1e-3, 5e-4),
+            (1e-6, f64::INFINITY, 3e-3),
+            (1e-6, f64::NAN, 3e-3),
+            (1e-6, 1e-9, 1e-5),
+            (1e-6, 0.0, 1e-5),
+            (1e-3, 1e-4, 1e-3),
+            (1e-2, f64::INFINITY, 1e-2),
+        ] {
+            let settings = Settings::default().tolerance(asked);
+            let conditions = Conditions::new(&settings, &mut |_| ControlFlow::Continue(()));
+            let found = conditions.rough(residual).tolerance;
+            assert_eq!(found, tolerance, "of {residual} at {asked}");
+        }
     }
 }

@@ -103,7 +103,7 @@ impl<T: Real> Plan<T> {
             let rows = tile.of_mut::<T>().chunks_exact_mut(2 * T::TILE_COLUMNS);
             for (rows, waves) in rows.zip(waves.chunks_exact(stride)) {
                 let (a, b) = rows.split_at_mut(T::TILE_COLUMNS);
-                self.separate(waves, columns.clone(), [a, b]);
+                self.separate(waves, columns.clone(), a, b);
             }
         }
     }
@@ -143,7 +143,8 @@ impl<T: Real> Plan<T> {
         &self,
         waves: &[Complex<T>],
         columns: Range<usize>,
-        [a, b]: [&mut [Complex<T>]; 2],
+        a: &mut [Complex<T>],
+        b: &mut [Complex<T>],
     ) {
         let torus = self.frame.torus[0];
         let back = torus + 1 - columns.end..torus + 1 - columns.start;
@@ -193,7 +194,7 @@ impl<T: Real> Plan<T> {
             for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
                 let (a, b) = rows.split_at(T::TILE_COLUMNS);
                 let b = if b.is_empty() { &nothing } else { b };
-                self.join([a, b], columns.clone(), waves);
+                self.join(a, b, columns.clone(), waves);
             }
         }
         for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
@@ -202,7 +203,13 @@ impl<T: Real> Plan<T> {
     }
 
     /// The waves of a pair from those of each row, in these columns.
-    fn join(&self, [a, b]: [&[Complex<T>]; 2], columns: Range<usize>, waves: &mut [Complex<T>]) {
+    fn join(
+        &self,
+        a: &[Complex<T>],
+        b: &[Complex<T>],
+        columns: Range<usize>,
+        waves: &mut [Complex<T>],
+    ) {
         let torus = self.frame.torus[0];
         // Real rows have real ends: what round-off has added there is not handed to the other row.
         let ends = |column: usize| Complex::new(a[column].re, b[column].re);
@@ -263,12 +270,12 @@ impl<T: Real> Plan<T> {
             let all = 0..self.width();
             for (line, x) in lines.iter_mut().zip(x) {
                 self.forward_pair(x, scales[0], waves, transform);
-                self.separate(waves, all.clone(), [line, nothing]);
+                self.separate(waves, all.clone(), line, nothing);
             }
             symbol.multiply_line(&mut lines);
             nothing.fill(zero());
             for (line, out) in lines.into_iter().zip(out) {
-                self.join([line, nothing], all.clone(), waves);
+                self.join(line, nothing, all.clone(), waves);
                 self.inverse_pair(waves, out, scales[1], transform);
             }
         });

@@ -38,7 +38,8 @@ impl Integral {
     }
 }
 
-/// Beyond this distance, in longer sides, quadrature replaces the closed form.
+/// Beyond this distance, in longer sides, quadrature replaces the closed form; far away grids take the
+/// [series](crate::influence::series) in its place.
 const NEAR: f64 = 3.0;
 
 impl Cell {
@@ -182,8 +183,8 @@ impl Cell {
         }
     }
 
-    /// The cheapest rule whose relative error stays below 1e-15 at this distance, measured against 40
-    /// digits, and the distance up to which it suffices; `None` near the cell.
+    /// The cheapest rule whose relative error stays below 1e-15 for `1/R` at this distance, measured against 40
+    /// digits (4e-15 of that for the others), and the distance up to which it suffices; `None` near the cell.
     fn rule(self, x: f64, y: f64) -> Option<(Rule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;

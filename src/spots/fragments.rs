@@ -102,7 +102,7 @@ const SLABS: usize = 0;
 const EDGE_X: usize = 1;
 const EDGE_Y: usize = 2;
 
-/// Two fragments, by their numbers among those of all ranks, of which the second goes on where the first ends, and how many
+/// Two fragments, by their numbers among those of all ranks, of which the second begins where the first ends, and how many
 /// pairs of cells meet there.
 type Link = ([usize; 2], (usize, usize));
 
