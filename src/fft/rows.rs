@@ -139,6 +139,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// The waves of each of two rows, in these columns, from half those of the pair.
+    #[inline]
     fn separate(
         &self,
         waves: &[Complex<T>],
@@ -190,11 +191,15 @@ impl<T: Real> Plan<T> {
         let waves = &mut pairs[..rows.len() * stride];
         for (tile, columns) in band.iter().zip(self.columns_of_tiles()) {
             // A tile may hold anything beyond the last row.
-            let rows = tile.of::<T>()[..numbers].chunks(2 * T::TILE_COLUMNS);
-            for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
+            let pairs = tile.of::<T>()[..numbers].chunks_exact(2 * T::TILE_COLUMNS);
+            let lone = pairs.remainder();
+            let mut waves = waves.chunks_exact_mut(stride);
+            for (rows, waves) in pairs.zip(&mut waves) {
                 let (a, b) = rows.split_at(T::TILE_COLUMNS);
-                let b = if b.is_empty() { &nothing } else { b };
                 self.join(a, b, columns.clone(), waves);
+            }
+            if let (Some(waves), false) = (waves.next(), lone.is_empty()) {
+                self.join(lone, &nothing, columns, waves);
             }
         }
         for (rows, waves) in rows.zip(waves.chunks_exact_mut(stride)) {
@@ -203,6 +208,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// The waves of a pair from those of each row, in these columns.
+    #[inline]
     fn join(
         &self,
         a: &[Complex<T>],
