@@ -175,10 +175,15 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         w.moving.sum(|range| squares(&residual[range])).sqrt()
     }
 
-    /// Makes room for vector `j` of the basis.
+    /// Makes room for vector `j` of the basis and those that are read with it: a solve that takes a step more than those
+    /// before seldom allocates.
     fn extend_basis(&mut self, j: usize) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
-        let room = buffer::resize(&mut w.basis[j], w.residual.len(), [0.0; N]);
+        let group = w.basis.chunks_mut(AT_ONCE).nth(j / AT_ONCE);
+        let room = group
+            .into_iter()
+            .flatten()
+            .try_for_each(|vector| buffer::resize(vector, w.residual.len(), [0.0; N]));
         self.monitor.unless_lacking(room)
     }
 
