@@ -18,6 +18,7 @@ fn press(bodies: &HalfSpace, [x0, y0]: [f64; 2], force: f64) -> NormalSolution {
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
     TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
         .model(TangentialModel::Vector)
+        .tolerance(1e-9)
         .build()
         .unwrap()
         .solve()
