@@ -75,10 +75,10 @@
 //!
 //! Columns of the transform are dealt out in sixteens, two cache lines of each row, since both precisions share them:
 //! of $`n \times n`$ cells on a grid that repeats at most $`n/32`$ ranks have columns to transform (a free grid has
-//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row: 96 rows of 96 cells lie as 42, 42
-//! and 12 on three ranks. Shorter chunks would share them evenly, but would change the last digits of every sum, and such
-//! grids gain nothing from ranks: from $`4096 P`$ cells on no rank has more than twice its even part, from
-//! $`40\,960\, P`$ cells on at most a tenth more than it. Ranks beyond these numbers have nothing to do in that part, and only
+//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row, and in pairs, as they are
+//! transformed: 96 rows of 96 cells lie as 42, 42 and 12 on three ranks. Shorter chunks would share them evenly, but would
+//! change the last digits of every sum, and such grids gain nothing from ranks: from $`8192 P`$ cells on no rank has more
+//! than twice its even part, from $`81\,920\, P`$ cells on at most a tenth more than it. Ranks beyond these numbers have nothing to do in that part, and only
 //! wait.
 //!
 //! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
