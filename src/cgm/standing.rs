@@ -6,7 +6,7 @@ use crate::cgm::motion::{Linearised, Row};
 use crate::cgm::reduce;
 use crate::cgm::run::Run;
 use crate::cgm::totals::{TotalsSystem, sums_of};
-use crate::cgm::vector::{at, dot, norm, plus, slices};
+use crate::cgm::vector::{at, dot, norm, plus, slices, within};
 use crate::cgm::{Constraint, MotionOf};
 use crate::operator::Operator;
 
@@ -21,7 +21,52 @@ pub(super) enum Standing {
     Misses(f64),
 }
 
+/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
+/// are turned away from the total by very little, and it is that which carries it.
+const LEAST_TURN: f64 = 1e-13;
+
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+    /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it, or so
+    /// nearly that turning them by an angle of one changes less than is missing.
+    pub(super) fn locked(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
+        let (has_sum, mobility) = (system.has_sum(), system.mobility);
+        if has_sum == [false; N] {
+            return None;
+        }
+        let normal = mobility.weakest(has_sum);
+        let all: f64 = (0..N).map(|a| mobility.0[a][a]).sum();
+        let can_turn = mobility.least(has_sum) > LEAST_TURN * all;
+        let reaches = || {
+            let missing = self.missing_along(normal);
+            missing.is_none_or(|[missing, _]| missing.abs() <= self.turned(normal))
+        };
+        (!can_turn || !reaches()).then_some(normal)
+    }
+
+    /// By how much the sum along a direction changes where each cell turns by an angle of one, as its tangent goes.
+    fn turned(&self, normal: [f64; N]) -> f64 {
+        let x = slices(&self.x);
+        let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
+        moving.sweep((), |entries, ()| {
+            let x = within(&x, &entries.chunk);
+            entries.sums(|k, place| {
+                let turn = entries.row(motions, k, place).restrict(normal);
+                norm(turn) * norm(at(&x, place))
+            })
+        })
+    }
+
+    /// What is missing of the sum along a direction, and the size of what there is; `None` where no sum is prescribed.
+    fn missing_along(&self, normal: [f64; N]) -> Option<[f64; 2]> {
+        let sums = sums_of(self.layout(), &slices(&self.x));
+        let (mut missing, mut magnitude) = (0.0, 0.0);
+        for c in (0..N).filter(|&c| normal[c] != 0.0) {
+            missing += normal[c] * (self.sums()[c]? - sums[c][0]);
+            magnitude += normal[c].abs() * sums[c][1];
+        }
+        Some([missing, magnitude])
+    }
+
     /// Sees to cells at their bounds, none of which can turn along `normal`, a unit vector: frees those that would stick
     /// first on the way to what is missing of the sum, if they can carry it, and of cells that rest those that would stick
     /// first on any way. Else all are freed.
@@ -79,12 +124,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// gradients of those at the upper bound and those at the lower: takes the middle. `None` where no sum is prescribed or
     /// none can move.
     pub(super) fn stand_at_bounds(&mut self, normal: [f64; N]) -> Option<Standing> {
-        let sums = sums_of(&self.problem.layout, &slices(&self.x));
-        let (mut missing, mut magnitude) = (0.0, 0.0);
-        for c in (0..N).filter(|&c| normal[c] != 0.0) {
-            missing += normal[c] * (self.sums()[c]? - sums[c][0]);
-            magnitude += normal[c].abs() * sums[c][1];
-        }
+        let [missing, magnitude] = self.missing_along(normal)?;
         if missing.abs() > ROUND_OFF * magnitude {
             return Some(Standing::Misses(missing));
         }

@@ -211,19 +211,7 @@ impl<const N: usize> TotalsSystem<N> {
         let is_sound = |a: usize| entry(a) > 0.0 && entry(a).is_finite();
         !moves || (0..N).all(|a| !prescribed[a] || is_sound(a))
     }
-
-    /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it.
-    fn locked(&self) -> Option<[f64; N]> {
-        let has_sum = self.has_sum();
-        let all: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
-        let can_turn = self.mobility.least(has_sum) > LEAST_TURN * all;
-        (!can_turn).then(|| self.mobility.weakest(has_sum))
-    }
 }
-
-/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
-/// are turned away from the total by very little, and it is that which carries it.
-const LEAST_TURN: f64 = 1e-13;
 
 impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
     /// Finds how changes of the multipliers spread over the cells that move.
@@ -242,7 +230,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             return;
         }
         if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() {
-            if let Some(normal) = system.locked() {
+            if let Some(normal) = self.locked(&system) {
                 self.settle(&mut system, normal);
             }
         }

@@ -99,6 +99,44 @@ fn both_halves_of_a_pressed_flat_slide() {
     assert!(sliding >= 8, "{sliding} of 20 slide");
 }
 
+/// Cells in one row that slide apart from its middle turn too little to carry a small force along the row: one sticks.
+#[test]
+fn a_small_force_along_cells_that_slide_apart_lets_one_stick() {
+    let pair = ElasticPair::new(Material::new(1.0, 0.05).unwrap(), Material::rigid()).unwrap();
+    for cells in [2, 4, 7] {
+        let grid = Grid::new(cells, 1, 1.8, 1.0).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = Field::zeros(grid);
+        let press = NormalControl::Force(1e-3);
+        let normal = NormalProblem::builder(&bodies, &gap, press)
+            .build()
+            .unwrap();
+        let normal = normal.solve().unwrap();
+        let coefficient = 0.02;
+        for part in [1e-9, 1e-7, 1e-5, 1e-3, 0.1] {
+            for angle in [0.1_f64, -0.5, 1.2, 2.7] {
+                let force = [angle.cos(), angle.sin()].map(|n| n * part * coefficient * 1e-3);
+                let friction = Friction::coulomb(coefficient).unwrap();
+                let load = TangentialLoad::force(force);
+                let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+                    .model(TangentialModel::Vector)
+                    .build()
+                    .unwrap();
+                let shear = shear.solve().unwrap();
+                assert!(shear.stick_ratio() > 0.0, "{cells} {part:e} {angle}");
+                assert!(
+                    shear.report().iterations < 100,
+                    "{cells} {part:e} {angle}: {}",
+                    shear.report()
+                );
+                for (found, asked) in shear.force().into_iter().zip(force) {
+                    assert!((found - asked).abs() < 1e-14 * 1e-3, "{found:e} {asked:e}");
+                }
+            }
+        }
+    }
+}
+
 /// Given the pressure of full coupling, the tractions are those of full coupling.
 #[test]
 fn tractions_belong_to_their_pressure() {

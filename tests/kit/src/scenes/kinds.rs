@@ -315,11 +315,23 @@ impl Contact {
         self.force / (modulus * grid.area().sqrt())
     }
 
+    /// Part of it where constants displace nothing: a pressure between zero and `h` times its mean differs from the mean
+    /// by at most `sqrt(h - 1)` of it, as a root of squares.
+    fn part_of_reach(&self) -> f64 {
+        let mean = self.force / self.bodies.grid().area();
+        let limit = self.hardness.as_ref().map(|hardness| hardness.of_cell(0));
+        match (self.bodies.boundary(), limit) {
+            (Boundary::Periodic, Some(limit)) => (limit / mean - 1.0).sqrt().min(1.0),
+            _ => 1.0,
+        }
+    }
+
     /// How a force of this part of the sliding one has to end.
     fn expected(&self, part: f64) -> Expected {
         let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
         // The last digit of a height, of a displacement that is known to an order of magnitude.
-        let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / self.reach();
+        let displacement = self.reach() * self.part_of_reach();
+        let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / displacement;
         if is_sliding || self.settings.tolerance < digit {
             Expected::AnswerOrRoundOff
         } else {
