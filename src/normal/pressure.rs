@@ -139,6 +139,36 @@ impl PressureSolver {
         self.windows.present = None;
     }
 
+    /// Forgets it where the contact will leave its window: found anew, on coarser cells first, it takes a fourth of the
+    /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window.
+    pub(super) fn forget_if_outgrown(&mut self, of: &Pressing<'_>, pressure: &[f64]) -> Result<()> {
+        let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
+        let window = self.window().filter(|_| self.is_start);
+        let Some(window) = window.filter(|window| *window != Window::whole(bodies.grid())) else {
+            return Ok(());
+        };
+        let sum = reduce::total(&layout, pressure);
+        let least = bodies.least(of.gap);
+        let depth = self.approach - least;
+        let growth = match of.scene()?.ahead([sum, self.approach]) {
+            // As under a sphere, whose force is as the depth to the power 3/2.
+            Ahead::Total(change) => (1.0 + change / sum).cbrt().powi(2),
+            Ahead::Motion(change) => 1.0 + change / depth,
+            Ahead::Nothing | Ahead::Spring { .. } => 1.0,
+        };
+        if depth > 0.0 && growth > 1.0 {
+            let (gap, first) = (of.gap.as_slice(), bodies.first_cell());
+            let gap = |i: usize| gap[i] - least;
+            let closed = reduce::max(&layout, |i| if pressure[i] > 0.0 { gap(i) } else { 0.0 });
+            let beyond = |i: usize| (!window.contains(first + i)).then(|| (gap(i), ()));
+            let next = reduce::least(&layout, beyond).map_or(f64::INFINITY, |(gap, ())| gap);
+            if (closed..closed * growth).contains(&next) {
+                self.reset();
+            }
+        }
+        Ok(())
+    }
+
     /// Writes what was found to a solution that has the pressure, and rests.
     pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
         let engine = &mut self.windows.present;

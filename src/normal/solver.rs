@@ -110,6 +110,7 @@ impl NormalSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let of = self.problem.pressing();
+        self.press.forget_if_outgrown(&of, &self.pressure)?;
         let outcome = self.press.solve(&of, &mut self.pressure, observer);
         if has_iterate(&outcome) {
             parallel::copy(&self.pressure, solution.pressure_mut());

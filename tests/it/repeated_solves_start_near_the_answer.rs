@@ -88,6 +88,42 @@ fn a_load_that_continues_costs_less() {
     }
 }
 
+/// A contact that is told to outgrow the box it was found in is sought anew: in few more products than from nothing.
+#[test]
+fn a_contact_that_outgrows_its_box_costs_what_a_first_one_does() {
+    let grid = Grid::square(192, 4.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let [cone, ball] = [|r: f64| 0.1 * r, |r: f64| 0.05 * r * r]
+        .map(|profile| Field::from_fn(grid, |x, y| profile(x.hypot(y))));
+    for gap in [ball, cone] {
+        let solver = |load| {
+            let problem = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-6);
+            let mut press = problem.build().unwrap().into_solver().unwrap();
+            let mut contact = press.new_solution();
+            press.solve_into(&mut contact).unwrap();
+            (press, contact)
+        };
+        let (_, small) = solver(NormalControl::Force(0.05));
+        let (_, large) = solver(NormalControl::Force(0.15));
+        for load in [
+            NormalControl::Force(0.15),
+            NormalControl::Approach(large.approach()),
+        ] {
+            let first = match load {
+                NormalControl::Force(_) => NormalControl::Force(0.05),
+                _ => NormalControl::Approach(small.approach()),
+            };
+            let (mut press, mut contact) = solver(first);
+            press.set_load(load).unwrap();
+            press.solve_into(&mut contact).unwrap();
+            let (_, cold) = solver(load);
+            let [again, anew] = [&contact, &cold].map(|contact| contact.report().products());
+            assert!(again <= anew + 2, "{again} for {anew} from nothing");
+            assert!((contact.force() / cold.force() - 1.0).abs() < 1e-6);
+        }
+    }
+}
+
 #[test]
 fn a_pressure_under_the_same_load_is_known() {
     for (bodies, gap, force) in scenes() {
