@@ -1,7 +1,8 @@
 //! The two-dimensional real transform of zero-padded fields, one pass over memory per stage.
 //!
-//! Rows: pairs of real ones as complex ones, only those that are not zero. Columns, two cache lines of each row at a time: gather, pad,
-//! transform, multiply by the kernel, transform back, keep what is wanted. Rows: back to pairs of real ones.
+//! Rows: pairs of real ones as complex ones, only those that are not zero. Columns, two cache lines of each row at a
+//! time: gather, pad, transform, multiply by the kernel, transform back, keep what is wanted. Rows: back to pairs of real
+//! ones.
 //! Between the stages a field lies in tiles; from stage to stage their owners change, not their places.
 
 use std::fmt;

@@ -108,7 +108,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Transforms two rows, or the last one, to half their waves.
+    /// Transforms two rows, or the last one, to half their waves: [`Self::separate`] adds two of them.
     fn forward_pair(
         &self,
         rows: &[f64],

@@ -7,8 +7,8 @@ use crate::buffer::{self, try_each};
 use crate::error::Result;
 use crate::fft::real::Real;
 
-/// Rows of a tile, in pairs. With two cache lines of each it is a piece long enough for memory, small enough to be turned in the
-/// cache.
+/// Rows of a tile, in pairs. With two cache lines of each it is a piece long enough for memory, small enough to be turned
+/// in the cache.
 pub(super) const TILE_ROWS: usize = 16;
 
 /// Words of a tile, in either precision.

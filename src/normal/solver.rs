@@ -16,7 +16,7 @@ use crate::shown::shown;
 use crate::watch::Observer;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
-/// load has changed.
+/// load has changed; from coarser cells, as the first time, where the contact will outgrow the box that it was found in.
 ///
 /// Owns plans, buffers and the last pressure; the load and the gap may change between calls.
 ///
