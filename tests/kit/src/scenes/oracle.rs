@@ -110,7 +110,7 @@ pub(crate) fn tractions(
     } else {
         load
     };
-    if let Some(truth) = sliding(&limits, load, cell_area, found) {
+    if let Some(truth) = sliding(&limits, load, (cell_area, is_periodic), found) {
         return Some(truth);
     }
     let blur = if is_found && found.axis().is_none() {
@@ -171,7 +171,7 @@ fn blur(limits: &[f64], [x, y]: [f64; 2], cell_area: f64) -> f64 {
 fn sliding(
     limits: &[f64],
     load: TangentialLoad,
-    cell_area: f64,
+    (cell_area, is_periodic): (f64, bool),
     found: &TangentialSolution,
 ) -> Option<Truth> {
     let limit = limits.iter().sum::<f64>() * cell_area;
@@ -183,13 +183,21 @@ fn sliding(
     let (x, error): (Vec<f64>, f64) = if let Some(axis) = found.axis() {
         (along([x, y][axis.index()]).collect(), 1e-10)
     } else {
-        (along(x).chain(along(y)).collect(), 5e-6)
+        let part = if is_periodic { varying(limits) } else { 1.0 };
+        (along(x).chain(along(y)).collect(), 5e-6 / part)
     };
     (limit > 0.0 && missing <= SLIDING).then_some(Truth {
         x,
         error,
         against: "all slips",
     })
+}
+
+/// Part of a field that is not its mean, as a root of squares: on a grid that repeats along both axes that alone has energy.
+fn varying(field: &[f64]) -> f64 {
+    let mean = field.iter().sum::<f64>() / field.len() as f64;
+    let square = |of: f64| field.iter().map(|value| (value - of).powi(2)).sum::<f64>();
+    (square(mean) / square(0.0)).sqrt()
 }
 
 fn exact_traction(
