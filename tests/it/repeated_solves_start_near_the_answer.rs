@@ -3,7 +3,7 @@
 use kit::{rough, unit_bodies};
 use stickslip::{
     Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
-    TangentialControl, TangentialModel, surface,
+    NormalSolution, NormalSolver, TangentialControl, TangentialModel, surface,
 };
 
 const FORCE: f64 = 0.2;
@@ -28,6 +28,15 @@ fn history(bodies: &HalfSpace, gap: &Field) -> History {
         .unwrap()
 }
 
+/// A solver after its first solve, and the contact that it has found.
+fn solved(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> (NormalSolver, NormalSolution) {
+    let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
+    let mut press = problem.build().unwrap().into_solver().unwrap();
+    let mut contact = press.new_solution();
+    press.solve_into(&mut contact).unwrap();
+    (press, contact)
+}
+
 fn step(normal: f64, tangential: f64) -> LoadStep {
     LoadStep::hold()
         .normal(NormalControl::Force(normal))
@@ -39,13 +48,7 @@ fn step(normal: f64, tangential: f64) -> LoadStep {
 #[test]
 fn a_load_that_continues_costs_less() {
     for (bodies, gap, force) in scenes() {
-        let solver = |load| {
-            let problem = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-6);
-            let mut press = problem.build().unwrap().into_solver().unwrap();
-            let mut contact = press.new_solution();
-            press.solve_into(&mut contact).unwrap();
-            (press, contact)
-        };
+        let solver = |load| solved(&bodies, &gap, load);
         let approach = solver(NormalControl::Force(force)).1.approach();
         for by_force in [true, false] {
             let load = |percent: u32| {
@@ -96,13 +99,7 @@ fn a_contact_that_outgrows_its_box_costs_what_a_first_one_does() {
     let [cone, ball] = [|r: f64| 0.1 * r, |r: f64| 0.05 * r * r]
         .map(|profile| Field::from_fn(grid, |x, y| profile(x.hypot(y))));
     for gap in [ball, cone] {
-        let solver = |load| {
-            let problem = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-6);
-            let mut press = problem.build().unwrap().into_solver().unwrap();
-            let mut contact = press.new_solution();
-            press.solve_into(&mut contact).unwrap();
-            (press, contact)
-        };
+        let solver = |load| solved(&bodies, &gap, load);
         let (_, small) = solver(NormalControl::Force(0.05));
         let (_, large) = solver(NormalControl::Force(0.15));
         for load in [
