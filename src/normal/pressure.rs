@@ -74,6 +74,8 @@ pub(crate) struct PressureSolver {
     is_start: bool,
     /// The approach that belongs to the pressure.
     approach: f64,
+    /// The largest sum and the largest approach that [`Self::forget_if_outgrown`] has seen on these windows.
+    held: Reached,
     report: Report,
 }
 
@@ -83,6 +85,7 @@ impl PressureSolver {
             windows: Windows::default(),
             is_start: false,
             approach: 0.0,
+            held: [f64::NEG_INFINITY; 2],
             report: Report::with_room(),
         }
     }
@@ -137,10 +140,12 @@ impl PressureSolver {
     /// Forgets the last answer: the next solve starts as the first did.
     pub(crate) fn reset(&mut self) {
         self.windows.present = None;
+        self.held = [f64::NEG_INFINITY; 2];
     }
 
     /// Forgets it where the contact will leave its window: found anew, on coarser cells first, it takes a fourth of the
-    /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window.
+    /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window. What
+    /// the window has held before it holds again.
     pub(super) fn forget_if_outgrown(&mut self, of: &Pressing<'_>, pressure: &[f64]) -> Result<()> {
         let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
         let window = self.window().filter(|_| self.is_start);
@@ -148,9 +153,17 @@ impl PressureSolver {
             return Ok(());
         };
         let sum = reduce::total(&layout, pressure);
+        self.held = [self.held[0].max(sum), self.held[1].max(self.approach)];
+        let scene = of.scene()?;
+        let (Ahead::Total(beyond) | Ahead::Motion(beyond)) = scene.ahead(self.held) else {
+            return Ok(());
+        };
+        if beyond <= 0.0 {
+            return Ok(());
+        }
         let least = bodies.least(of.gap);
         let depth = self.approach - least;
-        let growth = match of.scene()?.ahead([sum, self.approach]) {
+        let growth = match scene.ahead([sum, self.approach]) {
             // As under a sphere, whose force is as the depth to the power 3/2.
             Ahead::Total(change) => (1.0 + change / sum).cbrt().powi(2),
             Ahead::Motion(change) => 1.0 + change / depth,
