@@ -41,7 +41,8 @@ def main() -> None:
             if not target.exists() or target in pages and place not in pages[target].places:
                 dead.append(f"{file.relative_to(folder)}: {link}")
     print(f"{len(pages)} pages, {tried} links within them, {len(dead)} dead", *dead, sep="\n")
-    sys.exit(bool(dead))
+    # A folder without links is not a site: Sphinx has written elsewhere, or not at all.
+    sys.exit(bool(dead) or not tried)
 
 
 if __name__ == "__main__":
