@@ -294,7 +294,10 @@ def uses(path, source, exported):
 
 
 def check_layers(allowed, faults):
-    """The list of layers itself never points up."""
+    """The list of layers never points up, and each of its modules exists."""
+    for module in sorted({*allowed, *REDUCTIONS_IN}):
+        if not any(pathlib.Path("src", name).is_file() for name in (f"{module}.rs", f"{module}/mod.rs")):
+            faults.append(f"LAYERS: {module} is not a module of the crate")
     height = {module: i for i, (_, modules) in enumerate(LAYERS) for module in modules}
     for module, below in allowed.items():
         for used in below:

@@ -243,6 +243,7 @@ fn spheres_on_coatings_are_those_of_an_axisymmetric_solution() {
     let substrate = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let load = 1.0;
     let hertz = analytical::HertzSphere::new(&on_rigid(substrate), 10.0, load).unwrap();
+    assert_eq!(rows(SPHERES).count(), 12);
     for row in rows(SPHERES) {
         let [m, thickness, radius, largest, approach] = [0, 1, 2, 3, 4].map(|k| number(row[k]));
         let coating = layer(m, 0.3, thickness * hertz.contact_radius());

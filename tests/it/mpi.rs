@@ -56,7 +56,7 @@ fn main() -> ExitCode {
         "{} of {scenes} scenes have the bits of one process",
         scenes - failures.len()
     );
-    if failures.is_empty() {
+    if failures.is_empty() && scenes > 0 {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE

@@ -79,9 +79,11 @@ fn error(found: &[f64], expected: &[f64]) -> f64 {
 /// To 1e-12 of the largest component at every depth; slender cells to 2e-16 times the ratio of their sides.
 #[test]
 fn one_rectangle_is_that_of_many_digits() {
-    for table in [ONE_RECTANGLE, HARD_POINTS] {
+    for (table, count) in [(ONE_RECTANGLE, 30), (HARD_POINTS, 35)] {
+        assert_eq!(rows(table).count(), count);
         for row in rows(table) {
             let (&[a, b, nu, x, y, z], expected) = row.split_first_chunk::<6>().unwrap();
+            assert_eq!(expected.len(), 27);
             let grid = Grid::new(1, 1, 2.0 * a, 2.0 * b).unwrap();
             let bodies = on_rigid(grid, nu);
             for (load, expected) in expected.chunks(9).enumerate() {
@@ -118,9 +120,10 @@ fn case(tractions: &str) -> (HalfSpace, [Field; 3]) {
 
 #[test]
 fn contacts_of_another_code_to_their_digits() {
-    for [tractions, points] in CASES {
+    for ([tractions, points], count) in CASES.into_iter().zip([48, 63, 48]) {
         let (bodies, [p, qx, qy]) = case(tractions);
         let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
+        let mut compared = 0;
         for (body, number) in [(Body::One, 1.0), (Body::Two, 2.0)] {
             let rows: Vec<_> = rows(points).filter(|row| row[3] == number).collect();
             let places: Vec<_> = rows
@@ -131,8 +134,10 @@ fn contacts_of_another_code_to_their_digits() {
             for (found, row) in found.iter().zip(&rows) {
                 let error = error(&components(found), &row[4..]);
                 assert!(error < 1e-12, "{error:e} {row:?}");
+                compared += 1;
             }
         }
+        assert_eq!(compared, count);
     }
 }
 
