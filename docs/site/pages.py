@@ -14,7 +14,8 @@ import stickslip
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CRATE = "https://docs.rs/stickslip/latest/stickslip"
-REPOSITORY = re.search(r'^repository = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.M)[1]
+# The address of the project, or None as long as Cargo.toml states none: files outside the site then have no link.
+REPOSITORY = next(iter(re.findall(r'^repository = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.M)), None)
 
 # Page: its file, and where a part of the file is meant its first heading and that after it.
 INCLUDED = {
@@ -158,7 +159,12 @@ def link(page: str, file: str, match: re.Match) -> str:
         sys.exit(f"{file}: no {target}")
     if inside in PAGE_OF:
         return f"[{words}]({up(page)}{PAGE_OF[inside]}.md{'#' + place if place else ''})"
-    return f"[{words}]({REPOSITORY}/blob/HEAD/{inside})"
+    return in_repository(words, inside)
+
+
+def in_repository(words: str, inside: object) -> str:
+    """A link to a file of the repository, or the words alone where the project has no address."""
+    return f"[{words}]({REPOSITORY}/blob/HEAD/{inside})" if REPOSITORY else words
 
 
 def of_crate(page: str, target: str) -> str:
@@ -197,7 +203,7 @@ def tutorial(folder: pathlib.Path, name: str) -> str:
     pictures = folder / "tutorials" / "pictures"
     pictures.mkdir(parents=True, exist_ok=True)
     inside = file.relative_to(ROOT)
-    parts = [f"# {title}\n", f"The code of this page is [`{name}.py`]({REPOSITORY}/blob/HEAD/{inside}).\n"]
+    parts = [f"# {title}\n", f"The code of this page is {in_repository(f'`{name}.py`', inside)}.\n"]
     for heading, words, lines in cells(source):
         before, printed = set(pictures.iterdir()), io.StringIO()
         with contextlib.chdir(pictures), contextlib.redirect_stdout(printed):
