@@ -45,7 +45,7 @@ fn product(criterion: &mut Criterion) {
         let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
         let pressure = pressure.as_slice();
         let mut out = vec![0.0; operator.cells()];
-        let mut workspace = operator.workspace();
+        let mut workspace = operator.scratch().unwrap();
         let mut group = group(criterion, "convolution", side);
         group.bench_function(BenchmarkId::new("double", side), |bencher| {
             bencher.iter(|| operator.apply([black_box(pressure)], [&mut out], &mut workspace));
@@ -53,7 +53,7 @@ fn product(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("single", side), |bencher| {
             bencher.iter(|| operator.apply_f32([black_box(pressure)], [&mut out], &mut workspace));
         });
-        let mut workspace = inverse.workspace();
+        let mut workspace = inverse.scratch().unwrap();
         group.bench_function(BenchmarkId::new("preconditioner", side), |bencher| {
             bencher.iter(|| inverse.apply([black_box(pressure)], [&mut out], &mut workspace));
         });

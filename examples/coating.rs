@@ -1,7 +1,7 @@
 //! Two equal spheres with coatings softer or harder than themselves, pressed and sheared: pressure and contact radius
 //! beside an axisymmetric solution, traction and stick zone, and von Mises stress down to the interface and below it.
 //!
-//! `cargo run --release -p stickslip --example coating` prints both, and writes `target/gallery/coating.csv` and `.svg`.
+//! `cargo run --release -p stickslip-examples --example coating` prints both, and writes `target/gallery/coating.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

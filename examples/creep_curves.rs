@@ -1,7 +1,7 @@
 //! A steel ellipse that rolls: creep curves beside another code and closed forms, and stick and slip under creepage and
 //! spin.
 //!
-//! `cargo run --release -p stickslip --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
+//! `cargo run --release -p stickslip-examples --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
 //! with and without the law of entering cells, and writes `target/gallery/creep_curves.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::ops::ControlFlow;
 
 use stickslip::cgm::{self, Method, NonNegative, Problem, Settings};
-use stickslip::{Operator, Status};
+use stickslip::{Operator, Scratch, Status};
 
 const SPRINGS: usize = 9;
 
@@ -19,15 +19,11 @@ struct SpringRow {
 }
 
 impl Operator for SpringRow {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         SPRINGS
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [force]: [&[f64]; 1], [yielding]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [force]: [&[f64]; 1], [yielding]: [&mut [f64]; 1], _: &mut Scratch) {
         for i in 0..SPRINGS {
             let left = if i > 0 { force[i - 1] } else { 0.0 };
             let right = force.get(i + 1).copied().unwrap_or(0.0);
@@ -64,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
         // Check of the contact conditions: no tension, no overlap, and a closed gap where there is force.
         let mut yielding = [0.0; SPRINGS];
-        springs.apply([&force], [&mut yielding], &mut ());
+        springs.apply([&force], [&mut yielding], &mut Scratch::none());
         for i in 0..SPRINGS {
             let open = yielding[i] + gap[i] - minimum.multiplier[0];
             println!("  {i:>6}   {:.9}  {open:>12.2e}", force[i]);
@@ -75,7 +71,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // An observer is called at the start and at every step, and may stop the solve: here at the third step.
     let mut force = [load / SPRINGS as f64; SPRINGS];
-    let mut workspace = problem.workspace();
+    let mut workspace = problem.workspace()?;
     let settings = Settings::default().method(Method::PolonskyKeer);
     let mut watch = |step: &stickslip::Iteration| {
         println!(

@@ -1,7 +1,7 @@
 //! A simulator with its own wear law. It steps the contact through load cycles, wears the gap after
 //! every step, saves the state half way, and continues from it with the same bits.
 //!
-//! `cargo run --release -p stickslip --example custom_wear_law [cells]` (default 64, at least 32)
+//! `cargo run --release -p stickslip-examples --example custom_wear_law [cells]` (default 64, at least 32)
 //! writes `target/gallery/custom_wear_law.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

@@ -1,6 +1,6 @@
 //! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and traction found together.
 //!
-//! `cargo run --release -p stickslip --example dissimilar [cells]` (default 96) prints what the coupling of the two
+//! `cargo run --release -p stickslip-examples --example dissimilar [cells]` (default 96) prints what the coupling of the two
 //! materials changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

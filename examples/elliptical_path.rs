@@ -5,7 +5,7 @@
 //! Where tractions rotate, the error of a step is proportional to its length. Each loop is therefore also run with
 //! half as many steps, and the energy extrapolated to a step length of zero is printed as well.
 //!
-//! `cargo run --release -p stickslip --example elliptical_path [cells]` (default 64, at least 32)
+//! `cargo run --release -p stickslip-examples --example elliptical_path [cells]` (default 64, at least 32)
 //! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

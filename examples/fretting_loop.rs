@@ -1,7 +1,7 @@
 //! The paper's ball (its Table 2) under a constant normal force and a cyclic tangential force in partial slip: loop
 //! of force and shift, tractions on the way, and energy of a cycle, beside the closed forms.
 //!
-//! `cargo run --release -p stickslip --example fretting_loop [cells]` (default 256, at least 32)
+//! `cargo run --release -p stickslip-examples --example fretting_loop [cells]` (default 256, at least 32)
 //! writes `target/gallery/fretting_loop.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

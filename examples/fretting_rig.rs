@@ -1,7 +1,7 @@
 //! A fretting rig: a cylinder of Ti-6Al-4V on a flat specimen of the same, 200 N/mm, sheared to and fro while the bulk
 //! stress of the specimen follows, until the loop repeats; then the stresses below the surface of the specimen.
 //!
-//! `cargo run --release -p stickslip --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop
+//! `cargo run --release -p stickslip-examples --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop
 //! and the tension at the edge beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti`
 //! (ParaView).
 

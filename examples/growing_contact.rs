@@ -1,6 +1,6 @@
 //! A contact that grows while it is sheared, in few steps and in many: what the law of entering cells is worth.
 //!
-//! `cargo run --release -p stickslip --example growing_contact [reference]` prints, for a ball and a rough ball, the
+//! `cargo run --release -p stickslip-examples --example growing_contact [reference]` prints, for a ball and a rough ball, the
 //! error of the traction field in whole steps and with the law, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
 //! leg.
 

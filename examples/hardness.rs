@@ -1,6 +1,6 @@
 //! Rough steel on steel, elastic and with a hardness: pressed, released and pressed again.
 //!
-//! `cargo run --release -p stickslip --example hardness [cells]` (default 192) prints area, largest pressure and
+//! `cargo run --release -p stickslip-examples --example hardness [cells]` (default 192) prints area, largest pressure and
 //! approach, and writes `target/gallery/hardness.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

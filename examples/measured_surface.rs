@@ -1,7 +1,7 @@
 //! A surface from a file: levelled, freed of outliers, filtered, its holes filled, pressed on a plane, sheared, and every
 //! field written for other programs. A table tells what each step changes in surface and contact.
 //!
-//! `cargo run --release -p stickslip --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
+//! `cargo run --release -p stickslip-examples --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
 //! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent, noisy and with outliers and holes,
 //! as `target/gallery/measured.sur`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv` and `.svg`.
 

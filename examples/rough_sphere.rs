@@ -1,7 +1,7 @@
 //! The real area of contact of a rough ball on a plane against the reduced pressure, for three rms
 //! heights of one slope, beside Mueser's curve (the paper's Fig 14, its Table 3).
 //!
-//! `cargo run --release -p stickslip --example rough_sphere [cells]` (default 640, at least 200)
+//! `cargo run --release -p stickslip-examples --example rough_sphere [cells]` (default 640, at least 200)
 //! writes `target/gallery/rough_sphere.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

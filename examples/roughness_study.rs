@@ -2,7 +2,7 @@
 //! kurtosis, each varied alone (the paper's Figs 16 to 19): on surfaces whose shortest wave spans eight
 //! cells, and on surfaces like the paper's with waves down to the limit of the grid.
 //!
-//! `cargo run --release -p stickslip --example roughness_study [cells]` (default 512, at least 500)
+//! `cargo run --release -p stickslip-examples --example roughness_study [cells]` (default 512, at least 500)
 //! writes `target/gallery/roughness_study.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

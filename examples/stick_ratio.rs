@@ -2,7 +2,7 @@
 //! sliding, beside the straight line 1 - F / mu W and the curve of a smooth ball; and the zones of
 //! stick and slip on magnified spots (the paper's Figs 24 to 26).
 //!
-//! `cargo run --release -p stickslip --example stick_ratio [cells]` (default 512, at least 128)
+//! `cargo run --release -p stickslip-examples --example stick_ratio [cells]` (default 512, at least 128)
 //! writes `target/gallery/stick_ratio.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]

@@ -1,7 +1,7 @@
 //! A ball worn by small oscillations at a constant approach, by Archard's law and in jumps of many cycles,
 //! towards Popov's limiting shape.
 //!
-//! `cargo run --release -p stickslip --example wear_loop [cells] [Poisson's ratio]` (default 128, at least 48; and 0)
+//! `cargo run --release -p stickslip-examples --example wear_loop [cells] [Poisson's ratio]` (default 128, at least 48; and 0)
 //! writes `target/gallery/wear_loop.csv`, `wear_loop_profiles.csv` and `wear_loop.svg`.
 //!
 //! The limiting shape assumes the same wear in all directions, as is the slip where Poisson's ratio is

@@ -289,6 +289,7 @@ pub mod ranks;
 mod reduce;
 mod report;
 pub mod rolling;
+mod scratch;
 #[cfg(feature = "serde")]
 mod serial;
 mod share;
@@ -311,7 +312,7 @@ pub use coupling::Coupling;
 pub use error::{Error, Result};
 pub use field::Field;
 pub use grid::Grid;
-pub use half_space::{ElasticOperator, ElasticPreconditioner, ElasticWorkspace, HalfSpace};
+pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 pub use history::{History, LoadStep};
 pub use kernel::Kernel;
 pub use layout::Layout;
@@ -320,6 +321,7 @@ pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator};
 pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
+pub use scratch::Scratch;
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,

@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::layout::Layout;
 use crate::report::EigenvalueBound;
+use crate::scratch::Scratch;
 
 /// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.
 pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
@@ -10,21 +11,19 @@ pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 /// A linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless it says
 /// [otherwise](Self::is_symmetric).
 ///
-/// A vector is handed over as `N` slices, one per component, each with an entry per cell. The
-/// operator is immutable and shared; what a product writes to lives in a workspace that the caller
-/// owns, so that one operator serves many threads and a product allocates nothing.
+/// A vector is passed as `N` slices, one per component, each with an entry per cell. The operator is immutable and
+/// shared. A product writes to a [`Scratch`] that the caller owns, so that one operator serves many threads and a
+/// product allocates nothing. The trait is object-safe: a program may keep a `Box<dyn Operator>`.
 ///
 /// ```
-/// use stickslip::Operator;
+/// use stickslip::{Operator, Scratch};
 ///
 /// /// Independent springs.
 /// struct Winkler(Vec<f64>);
 ///
 /// impl Operator for Winkler {
-///     type Workspace = ();
 ///     fn cells(&self) -> usize { self.0.len() }
-///     fn workspace(&self) {}
-///     fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+///     fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
 ///         for ((out, x), c) in out.iter_mut().zip(x).zip(&self.0) {
 ///             *out = c * x;
 ///         }
@@ -32,15 +31,13 @@ pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 ///     fn lower_bound(&self) -> f64 { self.0.iter().copied().fold(f64::INFINITY, f64::min) }
 /// }
 ///
-/// let bed = Winkler(vec![1.0, 2.0]);
+/// let bed: Box<dyn Operator> = Box::new(Winkler(vec![1.0, 2.0]));
 /// let mut u = [0.0; 2];
-/// bed.apply([&[3.0, 4.0]], [&mut u], &mut ());
+/// bed.apply([&[3.0, 4.0]], [&mut u], &mut bed.scratch()?);
 /// assert_eq!(u, [3.0, 8.0]);
+/// # Ok::<(), stickslip::Error>(())
 /// ```
 pub trait Operator<const N: usize = 1>: Sync {
-    /// What one product writes to besides its result.
-    type Workspace: Send;
-
     /// Number of cells: the unknowns of one component.
     fn cells(&self) -> usize;
 
@@ -49,29 +46,26 @@ pub trait Operator<const N: usize = 1>: Sync {
         Layout::flat(self.cells())
     }
 
-    /// A workspace for [`Operator::apply`].
-    fn workspace(&self) -> Self::Workspace;
-
-    /// [`Operator::workspace`] where memory may run out. The default is that, which may end the program then.
+    /// Creates the memory that a product writes to besides its result (default: none).
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
-    fn try_workspace(&self) -> Result<Self::Workspace> {
-        Ok(self.workspace())
+    /// [`Error::Memory`](crate::Error::Memory) if there is not enough of it.
+    fn scratch(&self) -> Result<Scratch> {
+        Ok(Scratch::none())
     }
 
     /// Writes `C x` to `out`. Every slice has [`Operator::cells`] entries.
     ///
     /// # Panics
-    /// The operators of this crate panic on slices of another length and on the workspace of an
-    /// operator of another size or kind.
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace);
+    /// The operators of this crate panic on slices of a different length, and on the scratch of an operator of a
+    /// different size or kind.
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch);
 
     /// Writes `C x` to `out` in single precision, with an error of at most some 1e-6 of the largest
     /// result: accurate enough to iterate, not to test convergence. The default is
     /// [`Operator::apply`].
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
-        self.apply(x, out, workspace);
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.apply(x, out, scratch);
     }
 
     /// A lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`: for all `x`, or for all
@@ -113,9 +107,7 @@ pub trait Operator<const N: usize = 1>: Sync {
 /// A pointer to an operator is one.
 macro_rules! operator_behind {
     ($pointer:ty, $($bound:tt)+) => {
-        impl<T: $($bound)+, const N: usize> Operator<N> for $pointer {
-            type Workspace = T::Workspace;
-
+        impl<T: $($bound)+ + ?Sized, const N: usize> Operator<N> for $pointer {
             fn cells(&self) -> usize {
                 (**self).cells()
             }
@@ -124,20 +116,16 @@ macro_rules! operator_behind {
                 (**self).layout()
             }
 
-            fn workspace(&self) -> T::Workspace {
-                (**self).workspace()
+            fn scratch(&self) -> Result<Scratch> {
+                (**self).scratch()
             }
 
-            fn try_workspace(&self) -> Result<T::Workspace> {
-                (**self).try_workspace()
+            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+                (**self).apply(x, out, scratch);
             }
 
-            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut T::Workspace) {
-                (**self).apply(x, out, workspace);
-            }
-
-            fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut T::Workspace) {
-                (**self).apply_f32(x, out, workspace);
+            fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+                (**self).apply_f32(x, out, scratch);
             }
 
             fn lower_bound(&self) -> f64 {
@@ -160,6 +148,7 @@ macro_rules! operator_behind {
 }
 
 operator_behind!(&T, Operator<N>);
+operator_behind!(Box<T>, Operator<N>);
 operator_behind!(std::sync::Arc<T>, Operator<N> + Send);
 
 /// The identity: as a preconditioner it changes nothing.
@@ -177,15 +166,11 @@ impl Identity {
 }
 
 impl<const N: usize> Operator<N> for Identity {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.cells
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], (): &mut ()) {
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], _: &mut Scratch) {
         for (out, x) in out.into_iter().zip(x) {
             out.copy_from_slice(x);
         }

@@ -1,7 +1,7 @@
 //! One rough surface pressed and sheared by several ranks: the report, and a hash of the bits of pressure and traction,
 //! which are the same on any number of ranks.
 //!
-//! `cargo run --release -p stickslip --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
+//! `cargo run --release -p stickslip-examples --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
 //! cells along a side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are
 //! processes: `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a fifth of the memory. With
 //! `--history FILE` twenty steps with wear follow instead, and all ranks save the history in the file after ten; `--from

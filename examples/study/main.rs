@@ -1,7 +1,7 @@
 //! A parameter study of rough contacts, in parts on any number of machines: a table of one row per case, which a
 //! program that was killed continues.
 //!
-//! `cargo run --release -p stickslip --example study -- --help` lists the options; without any, 24 small cases are
+//! `cargo run --release -p stickslip-examples --example study -- --help` lists the options; without any, 24 small cases are
 //! solved and written to standard output. The guide page `studies` has the columns, a script for Slurm and a line for
 //! GNU parallel.
 

@@ -22,7 +22,6 @@ use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result, non_negative};
 use crate::layout::Layout;
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// The vectors no longer than `radius`, finite and not negative; zero fixes the cell.
@@ -213,9 +212,7 @@ impl Linearised<2> for Disc {
     }
 
     /// Refused before any work.
-    fn single_loop<C: Operator<2>, K: Constraint<2, Set = Self>, P: Operator<2>>(
-        run: &mut Run<'_, '_, C, K, P, 2>,
-    ) -> Option<Status> {
+    fn single_loop<K: Constraint<2, Set = Self>>(run: &mut Run<'_, '_, K, 2>) -> Option<Status> {
         newton(run)
     }
 }

@@ -5,9 +5,8 @@ use crate::cgm::run::Run;
 use crate::cgm::vector::{at, dot, minus, norm, slices, slices_mut, update_cells};
 use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
-use crate::operator::Operator;
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// `Ok` if `v' M v` is a positive number of a uniform vector, of the residual that is left, and of its largest part, on
     /// the cells that can move.
     pub(super) fn check_preconditioner(&mut self) -> Result<()> {

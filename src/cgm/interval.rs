@@ -6,7 +6,6 @@ use crate::cgm::vector::update_cells;
 use crate::cgm::{Admissible, Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::layout::Layout;
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// The numbers from `lower` to `upper`; equal bounds fix the cell.
@@ -250,9 +249,7 @@ impl Linearised<1> for Interval {
         suffices
     }
 
-    fn single_loop<C: Operator, K: Constraint<1, Set = Self>, P: Operator>(
-        run: &mut Run<'_, '_, C, K, P, 1>,
-    ) -> Option<Status> {
+    fn single_loop<K: Constraint<1, Set = Self>>(run: &mut Run<'_, '_, K, 1>) -> Option<Status> {
         run.polonsky_keer()
     }
 }

@@ -4,7 +4,6 @@ use crate::cgm::run::{Run, Start};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, slices};
 use crate::cgm::{Constraint, Linearised, reduce};
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// What the caller knows of the start of a solve.
@@ -20,7 +19,7 @@ pub(crate) enum Known<const N: usize> {
 /// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the
     /// last word. Otherwise the product is at hand, if the start is feasible.
     pub(super) fn look(&mut self, known: Known<N>) -> Option<Status> {
@@ -50,7 +49,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// Whether the unknowns are in their sets and have their totals, but for round-off.
     fn is_feasible(&self, multiplier: [f64; N]) -> bool {
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         let x = slices(&self.x);
         let sums = sums_of(self.layout(), &x);
         let has_total = |c: usize| match self.problem.totals[c] {

@@ -147,7 +147,3 @@ pub use crate::report::{Iteration, Report, Status};
 
 /// How a cell of a constraint may move.
 pub(crate) type MotionOf<K, const N: usize> = <<K as Constraint<N>>::Set as Linearised<N>>::Motion;
-
-/// The buffers for an operator, a preconditioner and a kind of set.
-pub(crate) type WorkspaceOf<C, P, S, const N: usize> =
-    Workspace<C, P, <S as Linearised<N>>::Motion, N>;

@@ -7,7 +7,6 @@ use crate::cgm::run::Run;
 use crate::cgm::{Admissible, Constraint};
 use crate::error::Result;
 use crate::layout::Layout;
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// How the unknowns of one cell enter the linear problem of an outer step.
@@ -166,9 +165,7 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
 
     /// The iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer): ends with the status of the run,
     /// or `None` if the sets cycle.
-    fn single_loop<C: Operator<N>, K: Constraint<N, Set = Self>, P: Operator<N>>(
-        run: &mut Run<'_, '_, C, K, P, N>,
-    ) -> Option<Status>
+    fn single_loop<K: Constraint<N, Set = Self>>(run: &mut Run<'_, '_, K, N>) -> Option<Status>
     where
         Self: Admissible<N>;
 }

@@ -16,7 +16,6 @@ use crate::cgm::standing::Standing;
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
-use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
@@ -71,9 +70,7 @@ fn newton_steps(problem: &mut impl NewtonSteps) -> ControlFlow<Status> {
     }
 }
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSteps
-    for Run<'_, '_, C, K, P, N>
-{
+impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
     fn begin(&mut self) -> ControlFlow<Status> {
         let cycle = if MotionOf::<K, N>::IS_CURVED {
             CYCLE_CURVED
@@ -170,7 +167,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> NewtonSte
     }
 }
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Solves the linear problem of the cells that move: unknowns, gradient and multipliers follow.
     fn gmres(&mut self, reduction: f64) -> ControlFlow<Status> {
         self.product_error = f64::INFINITY;

@@ -12,7 +12,6 @@ use crate::cgm::reduce::Tally;
 use crate::cgm::run::{Precision, Run};
 use crate::cgm::vector::{at, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, Interval, reduce};
-use crate::operator::Operator;
 use crate::parallel::Blocks;
 use crate::report::Status;
 
@@ -27,7 +26,7 @@ struct Moves {
     entered: usize,
 }
 
-impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, K, P, 1> {
+impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
     /// Ends with the status of the run; `None` if the sets cycle.
     pub(super) fn polonsky_keer(&mut self) -> Option<Status> {
         self.mark_start();
@@ -101,7 +100,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     fn set_mean_of_free(&mut self) -> usize {
         let w = &mut *self.workspace;
         let [gradient] = &w.gradient;
-        let (count, sum) = reduce::over_chunks(&self.problem.layout, |range| {
+        let (count, sum) = reduce::over_chunks(self.problem.layout, |range| {
             let free = range.filter(|&i| w.linear.rows[i] == Side::Free);
             free.fold((0_usize, 0.0), |(count, sum), i| {
                 (count + 1, sum + gradient[i])
@@ -132,7 +131,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         });
         if has_total && free > 0 {
             let [direction] = &w.linear.direction;
-            let mean = reduce::sum(&self.problem.layout, |i| direction[i]) / free as f64;
+            let mean = reduce::sum(self.problem.layout, |i| direction[i]) / free as f64;
             update_cells(&mut w.linear.direction, |i, [d]| {
                 [if state[i] == Side::Free { d - mean } else { d }]
             });
@@ -162,7 +161,7 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
     /// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
     /// inward follow theirs and become free (eqs 22, 23).
     fn step_and_clip(&mut self, length: f64) -> Moves {
-        let (constraint, layout) = (&self.problem.constraint, &self.problem.layout);
+        let (constraint, layout) = (self.problem.constraint, self.problem.layout);
         let w = &mut *self.workspace;
         let ([gradient], [direction], [multiplier]) =
             (&w.gradient, &w.linear.direction, w.multiplier);
@@ -219,8 +218,8 @@ impl<C: Operator, K: Constraint<1, Set = Interval>, P: Operator> Run<'_, '_, C, 
         let [Some(total)] = self.sums() else {
             return;
         };
-        let (state, constraint) = (&self.workspace.linear.rows, &self.problem.constraint);
-        let layout = &self.problem.layout;
+        let (state, constraint) = (&self.workspace.linear.rows, self.problem.constraint);
+        let layout = self.problem.layout;
         let [x] = &mut self.x;
         if !shift_to_total(layout, x, constraint, |i| state[i] == Side::Free, total) {
             shift_to_total(layout, x, constraint, |_| true, total);

@@ -2,7 +2,6 @@
 
 use std::ops::ControlFlow;
 
-use crate::buffer::or_abort;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::motion::{Linearised, Reach};
 use crate::cgm::newton::newton;
@@ -11,7 +10,7 @@ use crate::cgm::projected_gradient::Objective;
 use crate::cgm::run::Run;
 use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, minus};
-use crate::cgm::{Constraint, Known, Method, MotionOf, Settings, Workspace, set};
+use crate::cgm::{Constraint, Known, Method, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
 use crate::layout::Layout;
 use crate::operator::{Identity, Operator};
@@ -124,20 +123,45 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
     }
 
-    /// Buffers for solving this problem and all of its size; without memory for them the program ends.
-    #[must_use]
-    pub fn workspace(&self) -> Workspace<C, P, MotionOf<K, N>, N> {
-        or_abort(self.try_workspace())
-    }
-
-    /// [`Self::workspace`] where memory may run out.
+    /// Creates the buffers for solving this problem, or others of its size and kind of set.
     ///
     /// # Errors
-    /// [`Error::Memory`].
-    pub fn try_workspace(&self) -> Result<Workspace<C, P, MotionOf<K, N>, N>> {
+    /// [`Error::Memory`] if there is not enough of it.
+    pub fn workspace(&self) -> Result<Workspace<K::Set, N>> {
         Workspace::new(&self.operator, &self.preconditioner)
     }
 
+    /// The problem without the types of its operators.
+    pub(crate) fn posed(&self) -> Posed<'_, K, N> {
+        Posed {
+            operator: &self.operator,
+            preconditioner: &self.preconditioner,
+            layout: &self.layout,
+            own: self.own,
+            linear: self.linear,
+            datum: self.datum,
+            constraint: &self.constraint,
+            totals: self.totals,
+            is_examined_elsewhere: self.is_examined_elsewhere,
+        }
+    }
+}
+
+/// A problem as the iterations take it: they are compiled once for each constraint, not for each operator.
+pub(crate) struct Posed<'a, K, const N: usize> {
+    pub(super) operator: &'a dyn Operator<N>,
+    pub(super) preconditioner: &'a dyn Operator<N>,
+    pub(super) layout: &'a Layout,
+    /// Compliance that cells have of their own.
+    pub(super) own: Own<'a>,
+    linear: [&'a [f64]; N],
+    datum: [f64; N],
+    pub(super) constraint: &'a K,
+    pub(super) totals: [Total; N],
+    pub(super) is_examined_elsewhere: bool,
+}
+
+impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
     /// The linear term of a cell.
     pub(super) fn linear(&self, cell: usize) -> [f64; N] {
         minus(at(&self.linear, cell), self.datum)
@@ -145,13 +169,16 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
 
     /// An iterate to examine, with its product and multipliers.
     pub(super) fn iterate<'b>(
-        &'b self,
+        &self,
         x: [&'b [f64]; N],
         product: [&'b [f64]; N],
         multiplier: [f64; N],
-    ) -> Iterate<'b, N> {
+    ) -> Iterate<'b, N>
+    where
+        'a: 'b,
+    {
         Iterate {
-            layout: &self.layout,
+            layout: self.layout,
             x,
             product,
             linear: self.linear,
@@ -195,7 +222,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
                 positive("compliance of a spring", compliance)?;
             }
         }
-        set::check(&self.constraint, cells)
+        set::check(self.constraint, cells)
     }
 
     /// The single loop solves symmetric problems of intervals without springs.
@@ -253,8 +280,8 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     x: [&mut [f64]; N],
 ) -> Result<Minimum<N>> {
     // An operator may claim any number of unknowns; the start is there.
-    problem.check(settings, &x)?;
-    let mut workspace = problem.try_workspace()?;
+    problem.posed().check(settings, &x)?;
+    let mut workspace = problem.workspace()?;
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
         ControlFlow::Continue(())
     })?;
@@ -274,19 +301,26 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,
     x: [&mut [f64]; N],
-    workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
+    workspace: &mut Workspace<K::Set, N>,
     observer: &mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send),
 ) -> Result<()> {
-    minimise_from(problem, settings, x, Known::Nothing, workspace, observer)
+    minimise_from(
+        &problem.posed(),
+        settings,
+        x,
+        Known::Nothing,
+        workspace,
+        observer,
+    )
 }
 
 /// [`minimise_with`] from a start of which something is known.
-pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    problem: &Problem<'_, C, K, P, N>,
+pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
+    problem: &Posed<'_, K, N>,
     settings: &Settings,
     x: [&mut [f64]; N],
     known: Known<N>,
-    workspace: &mut Workspace<C, P, MotionOf<K, N>, N>,
+    workspace: &mut Workspace<K::Set, N>,
     observer: Observer<'_>,
 ) -> Result<()> {
     let cells = x[0].len();
@@ -295,7 +329,7 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
     problem.layout.agreed(checked)?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
-        let reach = K::Set::reach(&problem.layout, &problem.constraint, sums)?;
+        let reach = K::Set::reach(problem.layout, problem.constraint, sums)?;
         let mut run = Run::new(problem, settings, x, workspace, observer);
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
@@ -335,10 +369,8 @@ pub(crate) fn minimise_from<C: Operator<N>, K: Constraint<N>, P: Operator<N>, co
 const GRADIENTS: [usize; 2] = [32, 64];
 
 /// The chosen method, led past the place where its sets cycle.
-fn iterate<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
-    run: &mut Run<'_, '_, C, K, P, N>,
-) -> Status {
-    let once = |run: &mut Run<'_, '_, C, K, P, N>| match run.monitor.settings.method {
+fn iterate<K: Constraint<N>, const N: usize>(run: &mut Run<'_, '_, K, N>) -> Status {
+    let once = |run: &mut Run<'_, '_, K, N>| match run.monitor.settings.method {
         Method::ActiveSet => newton(run),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };

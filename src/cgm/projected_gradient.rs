@@ -13,7 +13,6 @@ use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// What the objective does at the end of the steps.
@@ -23,7 +22,7 @@ pub(super) enum Objective {
     Stands,
 }
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// At most `steps` steps from the present iterate.
     pub(super) fn project_gradients(&mut self, steps: usize) -> ControlFlow<Status, Objective> {
         self.mark_start();
@@ -73,7 +72,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         if totals == [Total::Free; N] {
             return;
         }
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         let gradient = slices(&self.workspace.gradient);
         let (sum, count): ([f64; N], f64) = reduce::sum(self.layout(), |i| {
             if constraint.of(i).can_move() {
@@ -89,7 +88,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// `d = P(x - a g) - x`; returns `[g'd, d'd]`.
     fn set_projected_direction(&mut self, length: f64) -> [f64; 2] {
-        let (constraint, sums) = (&self.problem.constraint, self.sums());
+        let (constraint, sums) = (self.problem.constraint, self.sums());
         let w = &mut *self.workspace;
         let (x, gradient, multiplier) = (slices(&self.x), slices(&w.gradient), w.multiplier);
         let slope = |i: usize| minus(at(&gradient, i), multiplier);
@@ -98,7 +97,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         });
         if sums != [None; N] {
             K::Set::restore(
-                &self.problem.layout,
+                self.problem.layout,
                 slices_mut(&mut w.linear.direction),
                 constraint,
                 |_| true,
@@ -109,7 +108,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             minus(constraint.of(i).project(d), at(&x, i))
         });
         let direction = slices(&w.linear.direction);
-        reduce::sum(&self.problem.layout, |i| {
+        reduce::sum(self.problem.layout, |i| {
             let d = at(&direction, i);
             [dot(slope(i), d), dot(d, d)]
         })
@@ -132,7 +131,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
 
     /// Takes a part of the direction.
     fn go_along(&mut self, part: f64) {
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
         update_cells(&mut self.x, |i, x| {

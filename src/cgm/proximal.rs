@@ -38,7 +38,7 @@ const POWERS: usize = 8;
 /// Attempts without a stiffness after which the residual was not halved before the iteration counts as stalled.
 const STALLS: usize = 6;
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// From where the sets have cycled to the end.
     pub(super) fn by_proximal_points(&mut self) -> Status {
         let ended = self.approach();
@@ -92,7 +92,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
     /// cells that can move, beside which alone it is positive.
     fn largest_eigenvalue(&mut self) -> ControlFlow<Status, f64> {
         let is_symmetric = self.problem.operator.is_symmetric();
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         let counts = |i: usize| is_symmetric || constraint.of(i).can_move();
         let w = &mut *self.workspace;
         let gradient = slices(&w.gradient);
@@ -109,7 +109,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             self.linear().apply(Precision::Single);
             let w = &mut *self.workspace;
             let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
-            let [square, along, length] = reduce::sum(&self.problem.layout, |i| {
+            let [square, along, length] = reduce::sum(self.problem.layout, |i| {
                 let (d, u) = (at(&direction, i), at(&image, i));
                 let length = if counts(i) { dot(u, u) } else { 0.0 };
                 [dot(d, d), dot(d, u), length]

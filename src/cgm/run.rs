@@ -6,13 +6,15 @@ use crate::cgm::certificate::{Certificate, examine};
 use crate::cgm::linear::{Linear, Moved};
 use crate::cgm::monitor::Monitor;
 use crate::cgm::motion::{Linearised, Row};
+use crate::cgm::problem::Posed;
 use crate::cgm::progress::{INNER_REDUCTION, Progress};
 use crate::cgm::totals::{Total, TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
-use crate::cgm::{Admissible, Constraint, MotionOf, Problem, Settings, Workspace, reduce};
+use crate::cgm::{Admissible, Constraint, MotionOf, Settings, Workspace, reduce};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Report, Status};
+use crate::scratch::Scratch;
 use crate::watch::Observer;
 
 /// Error of a product in single precision, over the largest displacement.
@@ -37,21 +39,21 @@ pub(super) enum Precision {
 
 impl Precision {
     /// `out = C x`, counted.
-    pub(super) fn apply<C: Operator<N>, const N: usize>(
+    pub(super) fn apply<const N: usize>(
         self,
-        operator: &C,
+        operator: &dyn Operator<N>,
         x: [&[f64]; N],
         out: [&mut [f64]; N],
-        workspace: &mut C::Workspace,
+        scratch: &mut Scratch,
         report: &mut Report,
     ) {
         match self {
             Self::Double => {
-                operator.apply(x, out, workspace);
+                operator.apply(x, out, scratch);
                 report.double_precision_products += 1;
             }
             Self::Single => {
-                operator.apply_f32(x, out, workspace);
+                operator.apply_f32(x, out, scratch);
                 report.single_precision_products += 1;
             }
         }
@@ -82,11 +84,11 @@ pub(super) struct Feasible {
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
-pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> {
-    pub(super) problem: &'a Problem<'b, C, K, P, N>,
+pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
+    pub(super) problem: &'a Posed<'b, K, N>,
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
-    pub(super) workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
+    pub(super) workspace: &'a mut Workspace<K::Set, N>,
     /// By how much product and gradient may miss those of `x`, in parts of the largest displacement: by nothing after a
     /// product in double precision, by anything once `x` has moved.
     pub(super) product_error: f64,
@@ -115,14 +117,12 @@ pub struct Run<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N
     is_extreme: bool,
 }
 
-impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
-    Run<'a, 'b, C, K, P, N>
-{
+impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     pub(super) fn new(
-        problem: &'a Problem<'b, C, K, P, N>,
+        problem: &'a Posed<'b, K, N>,
         settings: &'a Settings,
         x: [&'a mut [f64]; N],
-        workspace: &'a mut Workspace<C, P, MotionOf<K, N>, N>,
+        workspace: &'a mut Workspace<K::Set, N>,
         observer: Observer<'a>,
     ) -> Self {
         workspace.multiplier = [0.0; N];
@@ -130,7 +130,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         Self {
             monitor: Monitor::new(
                 settings,
-                &problem.layout,
+                problem.layout,
                 observer,
                 &mut workspace.linear.report,
             ),
@@ -157,7 +157,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// How the cells lie.
     pub(super) fn layout(&self) -> &'a Layout {
-        &self.problem.layout
+        self.problem.layout
     }
 
     /// The prescribed sums.
@@ -167,7 +167,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
 
     /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
     pub(super) fn mark_start(&mut self) {
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         if std::mem::replace(&mut self.start, Start::Unknown) != Start::LookedAt {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             self.product_error = f64::INFINITY;
@@ -191,27 +191,24 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let motions = &self.workspace.linear.rows;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
         let preferred = |i: usize| all || !is_steady && motions[i].moves();
-        let (constraint, sums) = (
-            &self.problem.constraint,
-            self.problem.totals.map(Total::sum),
-        );
+        let (constraint, sums) = (self.problem.constraint, self.problem.totals.map(Total::sum));
         self.product_error = f64::INFINITY;
-        let layout = &self.problem.layout;
+        let layout = self.problem.layout;
         K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
     /// The linear problem of the cells as they may move now.
-    pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, MotionOf<K, N>, N> {
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, MotionOf<K, N>, N> {
         self.parts().0
     }
 
     /// The same, and the iterate that its solution moves.
-    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, C, P, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
+    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
         let w = &mut *self.workspace;
         let linear = Linear {
-            operator: &self.problem.operator,
-            preconditioner: &self.problem.preconditioner,
-            layout: &self.problem.layout,
+            operator: self.problem.operator,
+            preconditioner: self.problem.preconditioner,
+            layout: self.problem.layout,
             own: self.problem.own,
             self_compliance: self.self_compliance,
             restraint: self.restraint,
@@ -330,7 +327,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let w = &*self.workspace;
         let (x, product) = (slices(&self.x), slices(&w.product));
         let iterate = self.problem.iterate(x, product, w.multiplier);
-        let findings = examine(&iterate, &self.problem.constraint, self.lower_bound);
+        let findings = examine(&iterate, self.problem.constraint, self.lower_bound);
         findings.write_to(&mut self.workspace.linear.report);
         self.monitor.free = findings.free;
         findings
@@ -364,10 +361,11 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
     /// iteration towards zero would have no size left to measure its residual by.
     pub(super) fn multiplier_at_zero(&self) -> Option<[f64; N]> {
-        let Problem {
+        let Posed {
             constraint, totals, ..
         } = self.problem;
-        let linear = |i: usize| self.problem.linear(i);
+        let problem = self.problem;
+        let linear = |i: usize| problem.linear(i);
         let first = || {
             reduce::first(self.layout(), |i| {
                 constraint.of(i).can_move().then(|| linear(i))
@@ -385,7 +383,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
         let is_free = self.sums() == [None; N];
         let is_driven = |i: usize| {
             let set = constraint.of(i);
-            let gradient = minus(self.problem.linear(i), multiplier);
+            let gradient = minus(problem.linear(i), multiplier);
             let rests = if is_free {
                 norm(set.forbidden([0.0; N], gradient)) == 0.0
             } else {
@@ -408,7 +406,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// The only feasible point when the sums are the extreme ones along a direction; the multiplier is the one at
     /// which the first cell would move.
     pub(super) fn at_extreme(&mut self, direction: [f64; N]) -> Status {
-        let Problem {
+        let Posed {
             constraint, totals, ..
         } = self.problem;
         update_cells(&mut self.x, |i, _| constraint.of(i).extreme(direction));
@@ -431,7 +429,7 @@ impl<'a, 'b, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>
     /// or as accurate as is needed.
     pub(super) fn make_feasible(&mut self) -> Feasible {
         let mut keeps_sets = true;
-        let constraint = &self.problem.constraint;
+        let constraint = self.problem.constraint;
         let x = slices(&self.x);
         let outside: f64 = reduce::sum(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
         let mut was_so = outside == 0.0 && !self.has_springs();

@@ -8,7 +8,6 @@ use crate::cgm::run::Run;
 use crate::cgm::totals::{TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, norm, plus, slices, within};
 use crate::cgm::{Constraint, MotionOf};
-use crate::operator::Operator;
 
 /// How cells stand that are all at their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +24,7 @@ pub(super) enum Standing {
 /// are turned away from the total by very little, and it is that which carries it.
 const LEAST_TURN: f64 = 1e-13;
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it, or so
     /// nearly that turning them by an angle of one changes less than is missing.
     pub(super) fn locked(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {

@@ -30,7 +30,6 @@ use crate::cgm::small::Small;
 use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
 use crate::layout::Layout;
-use crate::operator::Operator;
 
 /// What is prescribed of the sum of one component over all cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -213,7 +212,7 @@ impl<const N: usize> TotalsSystem<N> {
     }
 }
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Finds how changes of the multipliers spread over the cells that move.
     pub(super) fn set_totals(&mut self) {
         let mut system = TotalsSystem {
@@ -291,7 +290,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
         }
         let spread = &w.linear.spread;
         w.linear.moving.sweep(
-            chunks(&self.problem.layout, &mut self.x),
+            chunks(self.problem.layout, &mut self.x),
             |entries, mut x| {
                 for (place, w) in entries.places().zip(&spread[entries.range.clone()]) {
                     let moved = (0..N).fold(held(&x, place), |x, a| plus(x, change[a], w[a]));
@@ -329,7 +328,7 @@ impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '
             w.multiplier = mean;
             return;
         }
-        let sums = sums_of(&self.problem.layout, &slices(&self.x));
+        let sums = sums_of(self.problem.layout, &slices(&self.x));
         for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
             w.multiplier[a] = system.totals[a].held(mean[a], sums[a]);
         }

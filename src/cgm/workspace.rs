@@ -1,18 +1,20 @@
 //! What an iteration writes to.
 
 use crate::buffer;
+use crate::cgm::Admissible;
 use crate::cgm::linear::LinearWorkspace;
-use crate::cgm::motion::Row;
 use crate::error::Result;
 use crate::operator::Operator;
 use crate::report::Report;
+use crate::scratch::Scratch;
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///
-/// `M` is how cells of the constraint move: [`Problem::workspace`](crate::cgm::Problem::workspace) names it.
+/// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
+/// [`Problem::workspace`](crate::cgm::Problem::workspace) creates it.
 #[derive(Debug, Clone)]
-pub struct Workspace<C: Operator<N>, P: Operator<N>, M, const N: usize = 1> {
-    pub(super) linear: LinearWorkspace<C::Workspace, P::Workspace, M, N>,
+pub struct Workspace<S: Admissible<N>, const N: usize = 1> {
+    pub(super) linear: LinearWorkspace<S::Motion, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
     /// What a stage is restrained about; empty until sets cycle.
@@ -28,12 +30,15 @@ pub(super) struct Conjugate<const N: usize> {
     pub(super) direction: Vec<[f64; N]>,
 }
 
-impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, M, N> {
+impl<S: Admissible<N>, const N: usize> Workspace<S, N> {
     /// Buffers for an operator and its preconditioner: `7 N + N^2` numbers and a motion per cell besides their own.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
+    pub(crate) fn new(
+        operator: &dyn Operator<N>,
+        preconditioner: &dyn Operator<N>,
+    ) -> Result<Self> {
         let cells = operator.cells();
         let mut linear = LinearWorkspace::new(operator, preconditioner)?;
         linear.make_room(cells)?;
@@ -61,8 +66,8 @@ impl<C: Operator<N>, P: Operator<N>, M: Row<N>, const N: usize> Workspace<C, P, 
         self.product
     }
 
-    /// The buffers of a product, for one beside the solves.
-    pub(crate) fn operator_mut(&mut self) -> &mut C::Workspace {
+    /// The scratch of a product, for one outside of the solves.
+    pub(crate) fn operator_mut(&mut self) -> &mut Scratch {
         &mut self.linear.operator
     }
 

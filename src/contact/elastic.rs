@@ -1,8 +1,6 @@
 //! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
 
-use crate::cgm::{
-    self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace, WorkspaceOf,
-};
+use crate::cgm::{self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace};
 use crate::contact::has_iterate;
 use crate::error::Result;
 use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace};
@@ -19,7 +17,7 @@ use crate::watch::Observer;
 pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
-    workspace: Lease<ElasticWorkspace<S, N>>,
+    workspace: Lease<Workspace<S, N>>,
     multiplier: [f64; N],
     report: Report,
 }
@@ -35,9 +33,6 @@ pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -
         _ => known[n],
     })
 }
-
-type ElasticWorkspace<S, const N: usize> =
-    WorkspaceOf<ElasticOperator<N>, ElasticPreconditioner<N>, S, N>;
 
 impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     /// For tractions and displacements along these directions, on `size` cells.
@@ -76,8 +71,8 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let workspace = self.workspace.take(|| problem.try_workspace())?;
-        let outcome = cgm::minimise_from(problem, settings, x, known, workspace, observer);
+        let workspace = self.workspace.take(|| problem.workspace())?;
+        let outcome = cgm::minimise_from(&problem.posed(), settings, x, known, workspace, observer);
         if has_iterate(&outcome) {
             self.multiplier = workspace.multiplier();
             self.report.clone_from(workspace.report());
@@ -96,9 +91,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     /// [`Error::Memory`](crate::Error::Memory) if the buffers are not there, and cannot be had.
     pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) -> Result<()> {
         let Compliance { operator, inverse } = &self.compliance;
-        let workspace = self
-            .workspace
-            .take(|| ElasticWorkspace::<S, N>::new(operator, inverse))?;
+        let workspace = self.workspace.take(|| Workspace::new(operator, inverse))?;
         operator.apply(x, out, workspace.operator_mut());
         Ok(())
     }

@@ -10,15 +10,14 @@ use crate::coupled::contraction::Contraction;
 use crate::coupled::increment::CoupledDemand;
 use crate::coupled::{CoupledReport, N};
 use crate::error::Result;
-use crate::half_space::{
-    Compliance, ElasticOperator, ElasticPreconditioner, ElasticWorkspace, HalfSpace, Region,
-};
+use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::normal::Hardness;
 use crate::operator::Operator;
 use crate::per_cell::PerCell;
 use crate::report::{EigenvalueBound, Report, Status};
+use crate::scratch::Scratch;
 use crate::tangential::{FrictionWithin, own_compliance};
 use crate::watch::Observer;
 use crate::window::Window;
@@ -81,7 +80,7 @@ pub(super) struct Engine {
     /// What it takes to see the rest of the grid, if there is a rest.
     whole: Option<Whole>,
     compliance: Compliance<N>,
-    workspace: ConeWorkspace<ElasticOperator<N>, ElasticPreconditioner<N>>,
+    workspace: ConeWorkspace,
     normal: ElasticSolver<Interval, 1>,
     plane: ElasticSolver<Disc, 2>,
     lower_bounds: [f64; 2],
@@ -115,7 +114,7 @@ pub(super) struct Engine {
 #[derive(Debug, Clone)]
 struct Whole {
     operator: ElasticOperator<N>,
-    workspace: ElasticWorkspace<N>,
+    scratch: Scratch,
 }
 
 impl OnWindow for Engine {
@@ -134,7 +133,7 @@ impl OnWindow for Engine {
             None
         } else {
             Some(Whole {
-                workspace: tensor.try_workspace()?,
+                scratch: tensor.scratch()?,
                 operator: tensor.clone(),
             })
         };
@@ -199,10 +198,9 @@ impl Engine {
             self.region.scatter(x, whole);
         }
         match &mut self.whole {
-            Some(Whole {
-                operator,
-                workspace,
-            }) => operator.apply(slices(tractions), slices_mut(displacement), workspace),
+            Some(Whole { operator, scratch }) => {
+                operator.apply(slices(tractions), slices_mut(displacement), scratch)
+            }
             None => {
                 for (whole, product) in displacement.iter_mut().zip(self.workspace.product()) {
                     whole.copy_from_slice(product);
@@ -309,8 +307,8 @@ impl Engine {
         report: &mut CoupledReport,
     ) -> Result<(Option<Status>, ConeFindings)> {
         let problem = ConeProblem {
-            operator: self.compliance.operator.clone(),
-            preconditioner: self.compliance.inverse.clone(),
+            operator: &self.compliance.operator,
+            preconditioner: &self.compliance.inverse,
             layout: &self.layout,
             linear: slices(&self.asked),
             closing: self.enters.then_some(&self.closing),

@@ -20,6 +20,7 @@ use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::{Added, Component, Samples};
 use crate::operator::Operator;
+use crate::scratch::Scratch;
 use crate::shown::shown;
 
 /// Largest number of unknowns accepted: a matrix of 128 MiB.
@@ -36,8 +37,8 @@ const LIMIT: usize = 4096;
 /// let fast = bodies.operator(Component::ZZ)?;
 /// let traction: Vec<f64> = (0..15).map(f64::from).collect();
 /// let (mut slow_u, mut fast_u) = (vec![0.0; 15], vec![0.0; 15]);
-/// twin.apply([&traction], [&mut slow_u], &mut ());
-/// fast.apply([&traction], [&mut fast_u], &mut fast.workspace());
+/// twin.apply([&traction], [&mut slow_u], &mut twin.scratch()?);
+/// fast.apply([&traction], [&mut fast_u], &mut fast.scratch()?);
 /// assert!(slow_u.iter().zip(&fast_u).all(|(a, b)| (a - b).abs() < 1e-12));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -162,15 +163,11 @@ fn check_size(cells: usize) -> Result<()> {
 }
 
 impl Operator for DenseOperator {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.len
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         for (row, out) in out.iter_mut().enumerate() {
             *out = self.row(row).iter().zip(x).map(|(c, x)| c * x).sum();
         }

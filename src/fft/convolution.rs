@@ -8,7 +8,7 @@ use crate::cell_value::CellValue;
 use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
-use crate::fft::plan::{Plan, Scratch};
+use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
@@ -21,6 +21,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::ranks::Team;
 use crate::report::EigenvalueBound;
+use crate::scratch::Scratch;
 use crate::share::Share;
 use crate::shown::shown;
 
@@ -42,7 +43,7 @@ use crate::shown::shown;
 /// let grid = Grid::new(16, 9, 1e-6, 1e-6)?;
 /// let normal = Convolution::new(grid, &pair, Component::ZZ)?;
 ///
-/// let mut workspace = normal.workspace();
+/// let mut workspace = normal.scratch()?;
 /// let mut displacement = vec![0.0; grid.cells()];
 /// normal.apply([&vec![1e9; grid.cells()]], [&mut displacement], &mut workspace);
 /// // A uniform load sags most in the middle.
@@ -99,7 +100,7 @@ impl Convolution {
     ///
     /// let wave = Field::from_fn(grid, |x, _| 3.0 + (TAU * x).cos());
     /// let mut displacement = Field::zeros(grid);
-    /// normal.apply([wave.as_slice()], [displacement.as_mut_slice()], &mut normal.workspace());
+    /// normal.apply([wave.as_slice()], [displacement.as_mut_slice()], &mut normal.scratch()?);
     /// // 2/(E* k) times the wave, nothing for its mean.
     /// let expected = 2.0 / (pair.contact_modulus() * TAU);
     /// assert!((displacement.get(4, 0).unwrap() - expected).abs() < 1e-15);
@@ -224,16 +225,14 @@ fn reach(size: [usize; 2], boundary: Boundary) -> [usize; 2] {
 
 /// Buffers of products: for each component 16 bytes per cell, and a little for each task.
 #[derive(Debug, Clone)]
-pub struct ConvolutionWorkspace<const N: usize = 1> {
+struct ConvolutionScratch<const N: usize> {
     tiles: Tiles<N>,
-    double: Scratch<f64, N>,
+    double: TaskScratch<f64, N>,
     /// Made by the first product in single precision: many users never ask for one.
-    single: Option<Scratch<f32, N>>,
+    single: Option<TaskScratch<f32, N>>,
 }
 
 impl<const N: usize> Operator<N> for Convolution<N> {
-    type Workspace = ConvolutionWorkspace<N>;
-
     fn cells(&self) -> usize {
         self.plan.cells()
     }
@@ -242,43 +241,34 @@ impl<const N: usize> Operator<N> for Convolution<N> {
         self.plan.layout()
     }
 
-    fn workspace(&self) -> ConvolutionWorkspace<N> {
-        or_abort(self.try_workspace())
-    }
-
-    fn try_workspace(&self) -> Result<ConvolutionWorkspace<N>> {
-        Ok(ConvolutionWorkspace {
+    fn scratch(&self) -> Result<Scratch> {
+        Ok(Scratch::new(ConvolutionScratch::<N> {
             tiles: self.plan.tiles_of_products()?,
             double: self.plan.scratch()?,
             single: None,
-        })
+        }))
     }
 
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ConvolutionWorkspace<N>) {
-        let ConvolutionWorkspace { tiles, double, .. } = workspace;
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        let ConvolutionScratch { tiles, double, .. } = scratch.expect();
         self.plan
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
     /// In single precision: about 3e-7 of the largest displacement, at two thirds of the cost. In double precision where
     /// the smallest eigenvalue is too small a part of the largest to be seen beside that error.
-    fn apply_f32(
-        &self,
-        x: [&[f64]; N],
-        out: [&mut [f64]; N],
-        workspace: &mut ConvolutionWorkspace<N>,
-    ) {
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
-            return self.apply(x, out, workspace);
+            return self.apply(x, out, scratch);
         }
-        let ConvolutionWorkspace { tiles, single, .. } = workspace;
+        let ConvolutionScratch { tiles, single, .. } = scratch.expect();
         if single.is_none() {
             *single = self.single.scratch().ok();
         }
         match single {
-            Some(scratch) => self.single.apply(x, out, tiles, scratch),
+            Some(tasks) => self.single.apply(x, out, tiles, tasks),
             // There is no memory for it: the product in double precision is as good.
-            None => self.apply(x, out, workspace),
+            None => self.apply(x, out, scratch),
         }
     }
 

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::buffer::or_abort;
 use crate::error::Result;
 use crate::fft::frame::Frame;
 use crate::fft::length::smooth_length;
-use crate::fft::single::{SingleProduct, SingleWorkspace};
+use crate::fft::single::{SingleProduct, SingleScratch};
 use crate::fft::symbol::Symbol;
 use crate::influence::Kernel;
 use crate::layout::Layout;
 use crate::operator::Operator;
+use crate::scratch::Scratch;
 use crate::share::Share;
 
 /// Cells between a grid and its images around the torus. Without them cells at opposite edges are neighbours, and conjugate
@@ -65,8 +65,6 @@ impl<const N: usize> CirculantInverse<N> {
 }
 
 impl<const N: usize> Operator<N> for CirculantInverse<N> {
-    type Workspace = SingleWorkspace<N>;
-
     fn cells(&self) -> usize {
         self.product.cells()
     }
@@ -75,16 +73,12 @@ impl<const N: usize> Operator<N> for CirculantInverse<N> {
         self.product.layout()
     }
 
-    fn workspace(&self) -> SingleWorkspace<N> {
-        or_abort(self.try_workspace())
+    fn scratch(&self) -> Result<Scratch> {
+        Ok(Scratch::new(self.product.buffers()?))
     }
 
-    fn try_workspace(&self) -> Result<SingleWorkspace<N>> {
-        self.product.workspace()
-    }
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut SingleWorkspace<N>) {
-        let SingleWorkspace { tiles, scratch } = workspace;
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        let SingleScratch { tiles, scratch } = scratch.expect();
         self.product.apply(x, out, tiles, scratch);
     }
 }

@@ -30,9 +30,8 @@ mod superposition;
 mod symbol;
 mod tiles;
 
+pub use convolution::Convolution;
 pub(crate) use convolution::samples;
-pub use convolution::{Convolution, ConvolutionWorkspace};
 pub use inverse::CirculantInverse;
 pub(crate) use length::smooth_length;
-pub use single::SingleWorkspace;
 pub(crate) use superposition::{Kernels, Superposition, Torus};

@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
+use rustfft::Fft;
 
 use crate::error::Result;
 use crate::fft::columns::ColumnScratch;
@@ -45,24 +45,24 @@ impl<T: Real> fmt::Debug for Plan<T> {
     }
 }
 
-/// What the tasks of transforms of N fields work in.
+/// Buffers for the tasks of transforms of N fields.
 #[derive(Debug, Clone)]
-pub(super) struct Scratch<T, const N: usize> {
+pub(super) struct TaskScratch<T, const N: usize> {
     pub(super) rows: Pool<RowScratch<T>>,
     pub(super) columns: Pool<ColumnScratch<T, N>>,
 }
 
 impl<T: Real> Plan<T> {
     pub(super) fn new(frame: Frame) -> Self {
-        let [mx, my] = frame.torus;
-        let mut planner = FftPlanner::new();
+        let [row, column] = T::transforms(frame.torus);
+        let ([row_forward, row_inverse], [column_forward, column_inverse]) = (row, column);
         Self {
             tile_rows: tile_rows(&frame),
             frame,
-            row_forward: planner.plan_fft_forward(mx),
-            row_inverse: planner.plan_fft_inverse(mx),
-            column_forward: planner.plan_fft_forward(my),
-            column_inverse: planner.plan_fft_inverse(my),
+            row_forward,
+            row_inverse,
+            column_forward,
+            column_inverse,
         }
     }
 
@@ -170,13 +170,13 @@ impl<T: Real> Plan<T> {
 
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    pub(super) fn scratch<const N: usize>(&self) -> Result<Scratch<T, N>> {
+    pub(super) fn scratch<const N: usize>(&self) -> Result<TaskScratch<T, N>> {
         let tasks = if self.is_short() {
             1
         } else {
             parallel::threads()
         };
-        Ok(Scratch {
+        Ok(TaskScratch {
             rows: Pool::of(tasks, || self.row_scratch())?,
             columns: Pool::of(tasks, || self.column_scratch())?,
         })
@@ -191,7 +191,7 @@ impl<T: Real> Plan<T> {
         out: [&mut [f64]; N],
         scales: [f64; 2],
         tiles: &mut Tiles<N>,
-        scratch: &Scratch<T, N>,
+        scratch: &TaskScratch<T, N>,
     ) {
         parallel::enter_with(self.cells(), || {
             self.convolve_here(symbol, x, out, scales, tiles, scratch);
@@ -205,7 +205,7 @@ impl<T: Real> Plan<T> {
         out: [&mut [f64]; N],
         scales: [f64; 2],
         tiles: &mut Tiles<N>,
-        scratch: &Scratch<T, N>,
+        scratch: &TaskScratch<T, N>,
     ) {
         assert!(
             x.iter().all(|x| x.len() == self.cells())

@@ -1,8 +1,10 @@
 //! The two precisions of a transform.
 
+use std::sync::Arc;
+
 use bytemuck::Pod;
 use num_complex::Complex;
-use rustfft::FftNum;
+use rustfft::{Fft, FftDirection, FftNum, FftPlanner};
 
 /// `f64`, or `f32` where an iteration needs no more.
 pub(super) trait Real: FftNum + Pod {
@@ -14,6 +16,19 @@ pub(super) trait Real: FftNum + Pod {
 
     /// The same number in double precision.
     fn double(self) -> f64;
+
+    /// Plans the forward and the inverse transform of both lengths.
+    ///
+    /// The implementations are not generic. The transforms are therefore compiled in this crate alone, and not again in
+    /// each program that uses a generic item of it.
+    fn transforms(lengths: [usize; 2]) -> [[Arc<dyn Fft<Self>>; 2]; 2];
+}
+
+fn planned<T: FftNum>(lengths: [usize; 2]) -> [[Arc<dyn Fft<T>>; 2]; 2] {
+    let mut planner = FftPlanner::new();
+    lengths.map(|length| {
+        [FftDirection::Forward, FftDirection::Inverse].map(|way| planner.plan_fft(length, way))
+    })
 }
 
 impl Real for f64 {
@@ -23,6 +38,10 @@ impl Real for f64 {
 
     fn double(self) -> f64 {
         self
+    }
+
+    fn transforms(lengths: [usize; 2]) -> [[Arc<dyn Fft<Self>>; 2]; 2] {
+        planned(lengths)
     }
 }
 
@@ -34,5 +53,9 @@ impl Real for f32 {
 
     fn double(self) -> f64 {
         f64::from(self)
+    }
+
+    fn transforms(lengths: [usize; 2]) -> [[Arc<dyn Fft<Self>>; 2]; 2] {
+        planned(lengths)
     }
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::error::Result;
 use crate::fft::frame::Frame;
-use crate::fft::plan::{Plan, Scratch};
+use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
 use crate::layout::Layout;
@@ -19,9 +19,9 @@ pub(super) struct SingleProduct<const N: usize> {
 
 /// Buffers of products in single precision alone, for each component 4 bytes per cell of a preconditioner.
 #[derive(Debug, Clone)]
-pub struct SingleWorkspace<const N: usize = 1> {
+pub(super) struct SingleScratch<const N: usize> {
     pub(super) tiles: Tiles<N>,
-    pub(super) scratch: Scratch<f32, N>,
+    pub(super) scratch: TaskScratch<f32, N>,
 }
 
 impl<const N: usize> SingleProduct<N> {
@@ -44,14 +44,14 @@ impl<const N: usize> SingleProduct<N> {
         self.plan.layout()
     }
 
-    pub(super) fn workspace(&self) -> Result<SingleWorkspace<N>> {
-        Ok(SingleWorkspace {
+    pub(super) fn buffers(&self) -> Result<SingleScratch<N>> {
+        Ok(SingleScratch {
             tiles: self.plan.tiles_of_products()?,
             scratch: self.scratch()?,
         })
     }
 
-    pub(super) fn scratch(&self) -> Result<Scratch<f32, N>> {
+    pub(super) fn scratch(&self) -> Result<TaskScratch<f32, N>> {
         self.plan.scratch()
     }
 
@@ -62,7 +62,7 @@ impl<const N: usize> SingleProduct<N> {
         x: [&[f64]; N],
         out: [&mut [f64]; N],
         tiles: &mut Tiles<N>,
-        scratch: &Scratch<f32, N>,
+        scratch: &TaskScratch<f32, N>,
     ) {
         let layout = self.layout();
         let largest = largest_magnitude(&layout, x);

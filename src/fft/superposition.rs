@@ -8,7 +8,7 @@ use crate::buffer::{self, or_abort};
 use crate::error::{Result, memory};
 use crate::fft::frame::Frame;
 use crate::fft::length::torus;
-use crate::fft::plan::{Plan, Scratch};
+use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::spectrum::{Lines, of_samples};
 use crate::fft::symbol::Parity;
 use crate::fft::tiles::{Tile, Tiles, exchange};
@@ -24,7 +24,7 @@ pub(crate) struct Superposition {
     plan: Plan<f64>,
     sources: Tiles<3>,
     results: Tiles<3>,
-    scratch: Scratch<f64, 3>,
+    scratch: TaskScratch<f64, 3>,
     /// The nine kernels of a column of waves, one for each task.
     columns: Pool<Vec<f64>>,
     /// Whether the sources lie in bands of columns.

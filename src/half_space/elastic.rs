@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::buffer::or_abort;
 use crate::error::{Result, positive};
-use crate::fft::{CirculantInverse, Convolution, ConvolutionWorkspace, SingleWorkspace};
-use crate::kernel::{Part, PartWorkspace};
+use crate::fft::{CirculantInverse, Convolution};
+use crate::kernel::Part;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::EigenvalueBound;
+use crate::scratch::Scratch;
 
 /// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
 /// Obtained from [`HalfSpace::operator`](crate::HalfSpace::operator) and
@@ -21,16 +21,6 @@ pub struct ElasticOperator<const N: usize = 1>(Kind<N>);
 enum Kind<const N: usize> {
     Convolution(Arc<Convolution<N>>),
     User(Arc<Part<N>>),
-}
-
-/// Buffers of the products of an [`ElasticOperator`]: of a convolution 16 bytes per cell for each component.
-#[derive(Debug, Clone)]
-pub struct ElasticWorkspace<const N: usize = 1>(Buffers<N>);
-
-#[derive(Debug, Clone)]
-enum Buffers<const N: usize> {
-    Convolution(ConvolutionWorkspace<N>),
-    User(PartWorkspace),
 }
 
 impl<const N: usize> ElasticOperator<N> {
@@ -92,8 +82,6 @@ impl<const N: usize> From<Part<N>> for ElasticOperator<N> {
 }
 
 impl<const N: usize> Operator<N> for ElasticOperator<N> {
-    type Workspace = ElasticWorkspace<N>;
-
     fn cells(&self) -> usize {
         match &self.0 {
             Kind::Convolution(convolution) => convolution.cells(),
@@ -108,32 +96,24 @@ impl<const N: usize> Operator<N> for ElasticOperator<N> {
         }
     }
 
-    fn workspace(&self) -> ElasticWorkspace<N> {
-        or_abort(self.try_workspace())
-    }
-
-    fn try_workspace(&self) -> Result<ElasticWorkspace<N>> {
-        Ok(ElasticWorkspace(match &self.0 {
-            Kind::Convolution(convolution) => Buffers::Convolution(convolution.try_workspace()?),
-            Kind::User(part) => Buffers::User(part.try_workspace()?),
-        }))
-    }
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ElasticWorkspace<N>) {
-        match (&self.0, &mut workspace.0) {
-            (Kind::Convolution(own), Buffers::Convolution(buffers)) => own.apply(x, out, buffers),
-            (Kind::User(own), Buffers::User(buffers)) => own.apply(x, out, buffers),
-            _ => panic!("{FOREIGN}"),
+    fn scratch(&self) -> Result<Scratch> {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.scratch(),
+            Kind::User(part) => part.scratch(),
         }
     }
 
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut ElasticWorkspace<N>) {
-        match (&self.0, &mut workspace.0) {
-            (Kind::Convolution(own), Buffers::Convolution(buffers)) => {
-                own.apply_f32(x, out, buffers);
-            }
-            (Kind::User(own), Buffers::User(buffers)) => own.apply_f32(x, out, buffers),
-            _ => panic!("{FOREIGN}"),
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.apply(x, out, scratch),
+            Kind::User(part) => part.apply(x, out, scratch),
+        }
+    }
+
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.apply_f32(x, out, scratch),
+            Kind::User(part) => part.apply_f32(x, out, scratch),
         }
     }
 
@@ -159,8 +139,6 @@ impl<const N: usize> Operator<N> for ElasticOperator<N> {
     }
 }
 
-const FOREIGN: &str = "the workspace is that of another operator";
-
 /// Approximate inverse of an [`ElasticOperator`], symmetric and positive definite. Obtained from
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner) and
 /// [`HalfSpace::tensor_preconditioner`](crate::HalfSpace::tensor_preconditioner); a clone is another
@@ -176,8 +154,6 @@ impl<const N: usize> ElasticPreconditioner<N> {
 }
 
 impl<const N: usize> Operator<N> for ElasticPreconditioner<N> {
-    type Workspace = SingleWorkspace<N>;
-
     fn cells(&self) -> usize {
         self.0.cells()
     }
@@ -186,15 +162,11 @@ impl<const N: usize> Operator<N> for ElasticPreconditioner<N> {
         self.0.layout()
     }
 
-    fn workspace(&self) -> SingleWorkspace<N> {
-        self.0.workspace()
+    fn scratch(&self) -> Result<Scratch> {
+        self.0.scratch()
     }
 
-    fn try_workspace(&self) -> Result<SingleWorkspace<N>> {
-        self.0.try_workspace()
-    }
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut SingleWorkspace<N>) {
-        self.0.apply(x, out, workspace);
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.0.apply(x, out, scratch);
     }
 }

@@ -29,7 +29,7 @@ use crate::window::Window;
 use cache::Cache;
 pub(crate) use compliance::Compliance;
 use compliance::tensor;
-pub use elastic::{ElasticOperator, ElasticPreconditioner, ElasticWorkspace};
+pub use elastic::{ElasticOperator, ElasticPreconditioner};
 use kernels::Kernels;
 pub(crate) use region::Region;
 
@@ -277,12 +277,12 @@ impl HalfSpace {
     /// let compliance = bodies.tensor_operator([X, Y, Z])?;
     ///
     /// // The displacement along z by a force along x equals that along x by a force along z.
-    /// let mut workspace = compliance.workspace();
+    /// let mut scratch = compliance.scratch()?;
     /// let mut moved = |cell: usize, pulled: usize, seen: usize, at: usize| {
     ///     let (mut t, mut u) = ([[0.0; 35]; 3], [[0.0; 35]; 3]);
     ///     t[pulled][cell] = 1.0;
     ///     let out = u.each_mut().map(|u| &mut u[..]);
-    ///     compliance.apply(t.each_ref().map(|t| &t[..]), out, &mut workspace);
+    ///     compliance.apply(t.each_ref().map(|t| &t[..]), out, &mut scratch);
     ///     u[seen][at]
     /// };
     /// let (there, back) = (moved(8, 0, 2, 26), moved(26, 2, 0, 8));
@@ -444,14 +444,14 @@ mod tests {
                     .tensor_operator([Direction::X, Direction::Y])
                     .unwrap();
                 let (mut exact, mut rough) = (vec![0.0; 2 * cells], vec![0.0; 2 * cells]);
-                let mut workspace = operator.workspace();
+                let mut scratch = operator.scratch().unwrap();
                 let both = || traction.split_at(cells).into();
-                operator.apply(both(), exact.split_at_mut(cells).into(), &mut workspace);
-                operator.apply_f32(both(), rough.split_at_mut(cells).into(), &mut workspace);
+                operator.apply(both(), exact.split_at_mut(cells).into(), &mut scratch);
+                operator.apply_f32(both(), rough.split_at_mut(cells).into(), &mut scratch);
                 let alone = |component: Component, q: &[f64]| {
                     let operator = bodies.operator(component).unwrap();
                     let mut u = vec![0.0; cells];
-                    operator.apply([q], [&mut u], &mut operator.workspace());
+                    operator.apply([q], [&mut u], &mut operator.scratch().unwrap());
                     u
                 };
                 let (x, y) = traction.split_at(cells);

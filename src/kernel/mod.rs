@@ -77,7 +77,7 @@ mod user_operator;
 
 pub use operators::Operators;
 pub use table::CoefficientTable;
-pub(crate) use user_operator::{Part, PartWorkspace};
+pub(crate) use user_operator::Part;
 
 use std::fmt;
 use std::sync::Arc;
@@ -109,7 +109,7 @@ use check::{check_mirrored, checked, checked_far, checked_tensor, ratio, stronge
 /// let [built_in, given] = [HalfSpace::new(grid, coated)?, HalfSpace::new(grid, &kernel)?];
 /// let sag = |bodies: &HalfSpace| -> stickslip::Result<f64> {
 ///     let (operator, mut u) = (bodies.operator(ZZ)?, vec![0.0; grid.cells()]);
-///     operator.apply([&vec![1.0; grid.cells()]], [&mut u], &mut operator.workspace());
+///     operator.apply([&vec![1.0; grid.cells()]], [&mut u], &mut operator.scratch()?);
 ///     Ok(u[8 * 16 + 8])
 /// };
 /// assert!((sag(&given)? / sag(&built_in)? - 1.0).abs() < 1e-12);

@@ -25,10 +25,8 @@ use crate::operator::Operator;
 /// /// A bed of springs: each cell yields by so much under a unit of pressure or traction.
 /// struct Bed(usize, f64);
 /// impl<const N: usize> Operator<N> for Bed {
-///     type Workspace = ();
 ///     fn cells(&self) -> usize { self.0 }
-///     fn workspace(&self) {}
-///     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], (): &mut ()) {
+///     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], _: &mut Scratch) {
 ///         for (out, x) in out.into_iter().zip(x) {
 ///             out.iter_mut().zip(x).for_each(|(out, x)| *out = self.1 * x);
 ///         }
@@ -75,7 +73,6 @@ impl Operators {
     pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
     where
         T: Operator<N> + Send + 'static,
-        T::Workspace: 'static,
     {
         const { assert!(N > 0, "an operator has a direction") }
         self.given.push(UserOperator::new(directions, operator));

@@ -1,28 +1,21 @@
-//! An operator of a user, of whatever type, with whatever workspace.
+//! A user-defined operator of any type.
 
-use std::any::Any;
 use std::fmt;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use crate::buffer::{or_abort, zeros};
+use crate::buffer::zeros;
 use crate::error::{Result, memory};
 use crate::influence::{Component, Direction};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::EigenvalueBound;
-use crate::shown::shown;
+use crate::scratch::Scratch;
 
 /// An operator without its type: as many slices as it has components.
 trait Erased: Send + Sync {
     fn cells(&self) -> usize;
-    fn try_workspace(&self) -> Result<Box<dyn Any + Send>>;
-    fn apply(
-        &self,
-        is_single: bool,
-        x: &[&[f64]],
-        out: &mut [&mut [f64]],
-        workspace: &mut (dyn Any + Send),
-    );
+    fn scratch(&self) -> Result<Scratch>;
+    fn apply(&self, is_single: bool, x: &[&[f64]], out: &mut [&mut [f64]], scratch: &mut Scratch);
     fn lower_bound(&self) -> f64;
     fn eigenvalue_bound(&self) -> EigenvalueBound;
     fn self_compliance(&self) -> f64;
@@ -31,36 +24,23 @@ trait Erased: Send + Sync {
 
 struct Typed<T, const N: usize>(T);
 
-impl<T, const N: usize> Erased for Typed<T, N>
-where
-    T: Operator<N> + Send,
-    T::Workspace: 'static,
-{
+impl<T: Operator<N> + Send, const N: usize> Erased for Typed<T, N> {
     fn cells(&self) -> usize {
         self.0.cells()
     }
 
-    fn try_workspace(&self) -> Result<Box<dyn Any + Send>> {
-        Ok(Box::new(self.0.try_workspace()?))
+    fn scratch(&self) -> Result<Scratch> {
+        self.0.scratch()
     }
 
-    fn apply(
-        &self,
-        is_single: bool,
-        x: &[&[f64]],
-        out: &mut [&mut [f64]],
-        workspace: &mut (dyn Any + Send),
-    ) {
-        let Some(workspace) = workspace.downcast_mut() else {
-            panic!("the workspace is that of another operator")
-        };
+    fn apply(&self, is_single: bool, x: &[&[f64]], out: &mut [&mut [f64]], scratch: &mut Scratch) {
         let mut out = out.iter_mut();
         let x = std::array::from_fn(|n| x[n]);
         let out = std::array::from_fn(|_| out.next().map_or(&mut [][..], |out| &mut **out));
         if is_single {
-            self.0.apply_f32(x, out, workspace);
+            self.0.apply_f32(x, out, scratch);
         } else {
-            self.0.apply(x, out, workspace);
+            self.0.apply(x, out, scratch);
         }
     }
 
@@ -92,7 +72,6 @@ impl UserOperator {
     pub(super) fn new<T, const N: usize>(directions: [Direction; N], operator: T) -> Self
     where
         T: Operator<N> + Send + 'static,
-        T::Workspace: 'static,
     {
         Self {
             directions: Arc::new(directions),
@@ -119,10 +98,10 @@ impl UserOperator {
     /// A product of all components, one behind the other.
     pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
         let (cells, mut out) = (self.cells(), zeros(x.len())?);
-        let mut workspace = self.operator.try_workspace()?;
+        let mut scratch = self.operator.scratch()?;
         let x: Vec<&[f64]> = x.chunks(cells).collect();
         let mut parts: Vec<&mut [f64]> = out.chunks_mut(cells).collect();
-        self.operator.apply(false, &x, &mut parts, &mut *workspace);
+        self.operator.apply(false, &x, &mut parts, &mut scratch);
         Ok(out)
     }
 
@@ -191,11 +170,9 @@ impl<const N: usize> Part<N> {
         is_single: bool,
         x: [&[f64]; N],
         out: [&mut [f64]; N],
-        buffers: &mut PartWorkspace,
+        scratch: &mut Scratch,
     ) {
-        let PartWorkspace {
-            own, zeros, rest, ..
-        } = buffers;
+        let PartScratch { own, zeros, rest } = scratch.expect();
         let all = self.given.directions.len();
         let mut columns = [&zeros[..]; DIRECTIONS];
         for (x, column) in x.into_iter().zip(self.columns) {
@@ -208,47 +185,22 @@ impl<const N: usize> Part<N> {
         let mut rest = rest.chunks_mut(self.given.cells());
         let mut rows = rows.map(|row| row.or_else(|| rest.next()).unwrap_or_default());
         let operator = &self.given.operator;
-        let own = own.get_mut().unwrap_or_else(PoisonError::into_inner);
-        operator.apply(is_single, &columns[..all], &mut rows[..all], &mut **own);
+        operator.apply(is_single, &columns[..all], &mut rows[..all], own);
     }
 }
 
 /// Directions that an operator has at most.
 const DIRECTIONS: usize = 3;
 
-/// Buffers of products: those of the user, and those of the components that are not asked for.
-pub(crate) struct PartWorkspace {
-    of: Arc<dyn Erased>,
-    /// Never locked: it makes of what can be sent what can be shared.
-    own: Mutex<Box<dyn Any + Send>>,
+/// Buffers of products: the scratch of the user, and those of the components that are not needed.
+#[derive(Clone)]
+struct PartScratch {
+    own: Scratch,
     zeros: Vec<f64>,
     rest: Vec<f64>,
 }
 
-impl PartWorkspace {
-    fn new(of: &Arc<dyn Erased>, lengths: [usize; 2]) -> Result<Self> {
-        let [nothing, rest] = lengths;
-        Ok(Self {
-            own: Mutex::new(of.try_workspace()?),
-            of: Arc::clone(of),
-            zeros: zeros(nothing)?,
-            rest: zeros(rest)?,
-        })
-    }
-}
-
-shown!(PartWorkspace: own);
-
-/// Buffers hold nothing between products: others are as good.
-impl Clone for PartWorkspace {
-    fn clone(&self) -> Self {
-        or_abort(Self::new(&self.of, [self.zeros.len(), self.rest.len()]))
-    }
-}
-
 impl<const N: usize> Operator<N> for Part<N> {
-    type Workspace = PartWorkspace;
-
     fn cells(&self) -> usize {
         self.given.cells()
     }
@@ -257,24 +209,21 @@ impl<const N: usize> Operator<N> for Part<N> {
         Layout::of(self.size)
     }
 
-    fn workspace(&self) -> PartWorkspace {
-        or_abort(self.try_workspace())
-    }
-
-    fn try_workspace(&self) -> Result<PartWorkspace> {
+    fn scratch(&self) -> Result<Scratch> {
         let (cells, others) = (self.cells(), self.given.directions.len() - N);
-        PartWorkspace::new(
-            &self.given.operator,
-            [if others > 0 { cells } else { 0 }, others * cells],
-        )
+        Ok(Scratch::new(PartScratch {
+            own: self.given.operator.scratch()?,
+            zeros: zeros(if others > 0 { cells } else { 0 })?,
+            rest: zeros(others * cells)?,
+        }))
     }
 
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut PartWorkspace) {
-        self.product(false, x, out, workspace);
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.product(false, x, out, scratch);
     }
 
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], workspace: &mut PartWorkspace) {
-        self.product(true, x, out, workspace);
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.product(true, x, out, scratch);
     }
 
     /// That of all directions bounds those of some.

@@ -4,13 +4,14 @@ use crate::buffer::{self, TryClone};
 use crate::cgm::{self, Interval, Iterate, Known};
 use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_iterate};
 use crate::error::Result;
-use crate::half_space::{Compliance, ElasticOperator, ElasticWorkspace, HalfSpace, Region};
+use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::nested::PressureScene;
 use crate::operator::Operator;
 use crate::parallel::{self, Blocks};
 use crate::pool::Lease;
 use crate::report::EigenvalueBound;
+use crate::scratch::Scratch;
 use crate::watch::Observer;
 use crate::window::Window;
 use std::borrow::Cow;
@@ -44,7 +45,7 @@ struct PartFields {
     limits: Vec<f64>,
     /// Of the whole grid.
     displacement: Vec<f64>,
-    workspace: ElasticWorkspace<1>,
+    scratch: Scratch,
 }
 
 impl Part {
@@ -57,7 +58,7 @@ impl Part {
                 pressure: buffer::zeros(cells)?,
                 limits: Vec::new(),
                 displacement: buffer::zeros(operator.cells())?,
-                workspace: operator.try_workspace()?,
+                scratch: operator.scratch()?,
             })
         })
     }
@@ -214,10 +215,10 @@ impl Engine {
         let operator = part.operator.clone();
         let PartFields {
             displacement,
-            workspace,
+            scratch,
             ..
         } = part.fields(self.region.cells())?;
-        operator.apply([pressure], [displacement], workspace);
+        operator.apply([pressure], [displacement], scratch);
         let iterate = Iterate {
             layout: &operator.layout(),
             x: [pressure],

@@ -315,7 +315,7 @@ impl NormalSolution {
         operator.apply(
             [self.pressure.as_slice()],
             [displacement.as_mut_slice()],
-            &mut operator.try_workspace()?,
+            &mut operator.scratch()?,
         );
         bodies.joint(Ok(displacement))
     }

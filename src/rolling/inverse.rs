@@ -1,12 +1,12 @@
 //! The approximate inverse of what a traction contributes to the slip.
 
-use crate::buffer::{or_abort, try_each, zeros};
+use crate::buffer::vector;
 use crate::cgm::vector::slices;
 use crate::error::Result;
-use crate::fft::SingleWorkspace;
 use crate::half_space::ElasticPreconditioner;
 use crate::history::Passage;
 use crate::operator::Operator;
+use crate::scratch::Scratch;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 #[derive(Debug, Clone)]
@@ -21,31 +21,26 @@ impl SteadyInverse {
     }
 }
 
-/// The buffers: those of the inverse, and the sums.
-pub(super) type SteadyInverseWorkspace = (SingleWorkspace<2>, [Vec<f64>; 2]);
+/// The scratch of the inverse, and the sums.
+type Buffers = (Scratch, [Vec<f64>; 2]);
 
 impl Operator<2> for SteadyInverse {
-    type Workspace = SteadyInverseWorkspace;
-
     fn cells(&self) -> usize {
         self.inverse.cells()
     }
 
-    fn workspace(&self) -> Self::Workspace {
-        or_abort(self.try_workspace())
+    fn scratch(&self) -> Result<Scratch> {
+        let buffers: Buffers = (self.inverse.scratch()?, vector(self.cells())?);
+        Ok(Scratch::new(buffers))
     }
 
-    fn try_workspace(&self) -> Result<Self::Workspace> {
-        let sums = try_each(|_| zeros(self.cells()))?;
-        Ok((self.inverse.try_workspace()?, sums))
-    }
-
-    fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], (workspace, sums): &mut Self::Workspace) {
+    fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], scratch: &mut Scratch) {
+        let (scratch, sums): &mut Buffers = scratch.expect();
         for (sum, x) in sums.iter_mut().zip(x) {
             sum.copy_from_slice(x);
             self.step.sum(sum);
         }
-        self.inverse.apply_f32(slices(sums), out, workspace);
+        self.inverse.apply_f32(slices(sums), out, scratch);
     }
 
     fn is_symmetric(&self) -> bool {

@@ -1,11 +1,11 @@
 //! What a traction that does not change contributes to the slip of a step.
 
-use crate::buffer::or_abort;
 use crate::error::Result;
-use crate::half_space::{ElasticOperator, ElasticWorkspace};
+use crate::half_space::ElasticOperator;
 use crate::history::Passage;
 use crate::operator::Operator;
 use crate::report::EigenvalueBound;
+use crate::scratch::Scratch;
 
 /// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]
@@ -38,24 +38,18 @@ impl SteadyOperator {
 }
 
 impl Operator<2> for SteadyOperator {
-    type Workspace = ElasticWorkspace<2>;
-
     fn cells(&self) -> usize {
         self.compliance.cells()
     }
 
-    fn workspace(&self) -> Self::Workspace {
-        or_abort(self.try_workspace())
-    }
-
-    fn try_workspace(&self) -> Result<Self::Workspace> {
-        self.compliance.try_workspace()
+    fn scratch(&self) -> Result<Scratch> {
+        self.compliance.scratch()
     }
 
     /// In double precision alone: the difference over a step would leave few digits of single precision.
-    fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], workspace: &mut Self::Workspace) {
+    fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], scratch: &mut Scratch) {
         let displacement = out.each_mut().map(|part| &mut **part);
-        self.compliance.apply(x, displacement, workspace);
+        self.compliance.apply(x, displacement, scratch);
         for out in out {
             self.step.difference(out);
         }

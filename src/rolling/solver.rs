@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::buffer::{TryClone, filled, or_abort, try_each, zeros};
 use crate::cgm::vector::{at, minus, plus, slices};
 use crate::cgm::{
-    self, Disc, Magnitude, Own, Problem, Settings, Total, WorkspaceOf, solver_settings,
+    self, Disc, Magnitude, Own, Problem, Settings, Total, Workspace, solver_settings,
 };
 use crate::contact::{Conditions, has_iterate, with_counts_of, with_memory};
 use crate::error::{Error, Result};
@@ -54,7 +54,7 @@ pub struct RollingSolver {
     pub(super) problem: RollingProblem,
     pub(super) operator: Arc<SteadyOperator>,
     pub(super) inverse: Arc<SteadyInverse>,
-    pub(super) workspace: WorkspaceOf<Arc<SteadyOperator>, Arc<SteadyInverse>, Disc, 2>,
+    pub(super) workspace: Workspace<Disc, 2>,
     /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
     /// of numbers.
     unit: f64,
@@ -91,7 +91,7 @@ impl RollingSolver {
             unit: 1.0,
             workspace: Problem::new(Arc::clone(&operator), [&[]; 2], Magnitude(&[]))
                 .preconditioner(Arc::clone(&inverse))
-                .try_workspace()?,
+                .workspace()?,
             traction: try_each(|_| zeros(cells))?,
             linear: try_each(|_| zeros(cells))?,
             own_mean: zeros(cells)?,
@@ -404,7 +404,7 @@ fn self_compliance(compliance: &impl Operator<2>, step: Passage) -> Result<f64> 
     compliance.apply(
         unit.each_ref().map(Vec::as_slice),
         image.each_mut().map(Vec::as_mut_slice),
-        &mut compliance.try_workspace()?,
+        &mut compliance.scratch()?,
     );
     step.difference(&mut image[0]);
     Ok(image[0][last])

@@ -15,8 +15,6 @@ use crate::operator::Operator;
 use crate::reduce;
 use crate::report::{Iteration, Report};
 use crate::rolling::RollingSolver;
-use crate::rolling::inverse::SteadyInverse;
-use crate::rolling::operator::SteadyOperator;
 use crate::tangential::centre;
 use crate::watch::{Observer, unwatched};
 
@@ -25,12 +23,7 @@ const TOLERANCE: f64 = 1e-10;
 
 /// The linear problem of a step at fixed zones, and its unknowns.
 pub(super) struct Follow {
-    linear: LinearWorkspace<
-        <SteadyOperator as Operator<2>>::Workspace,
-        <SteadyInverse as Operator<2>>::Workspace,
-        <Disc as Linearised<2>>::Motion,
-        2,
-    >,
+    linear: LinearWorkspace<<Disc as Linearised<2>>::Motion, 2>,
     layout: Layout,
     right: Vec<[f64; 2]>,
     unknowns: Vec<[f64; 2]>,

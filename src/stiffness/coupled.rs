@@ -8,7 +8,7 @@ use crate::cgm::{Held, Own, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
 use crate::field::Field;
-use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace, Region};
+use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::Hardness;
 use crate::operator::Operator;
@@ -56,7 +56,7 @@ pub(super) struct Joint {
     compliance: Compliance<N>,
     /// How far a unit tangential traction displaces its own cell.
     self_compliance: f64,
-    workspace: ConeWorkspace<ElasticOperator<N>, ElasticPreconditioner<N>>,
+    workspace: ConeWorkspace,
     /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
     cells: [Vec<f64>; 7],
     right: Vec<[f64; N]>,

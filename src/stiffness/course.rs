@@ -6,7 +6,6 @@ use crate::cgm::{Held, LinearWorkspace, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::layout::Layout;
-use crate::operator::Operator;
 use crate::report::{EigenvalueBound, Iteration, Report, Status};
 use crate::watch::Observer;
 
@@ -21,12 +20,12 @@ pub(super) struct Course<'a> {
 
 impl Course<'_> {
     /// Finds the unknowns that answer a right side, to the tolerance or to where round-off leaves them.
-    pub(super) fn respond<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize>(
+    pub(super) fn respond<R: Row<N>, const N: usize>(
         &mut self,
-        held: &Held<'_, C, P>,
+        held: &Held<'_, N>,
         right: &[[f64; N]],
         unknowns: &mut Vec<[f64; N]>,
-        workspace: &mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+        workspace: &mut LinearWorkspace<R, N>,
     ) -> Result<()> {
         let mut observer = with_counts_of(self.report, &mut *self.observer);
         let outcome = held.respond(right, unknowns, workspace, self.tolerance, &mut observer);

@@ -19,8 +19,7 @@ use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, plus, slices, slices_mut};
 use crate::cgm::{Held, LinearWorkspace, Own, Row, reduce};
 use crate::error::{Result, finite};
-use crate::fft::SingleWorkspace;
-use crate::half_space::{Compliance, ElasticWorkspace, HalfSpace};
+use crate::half_space::{Compliance, HalfSpace};
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::Status;
@@ -41,7 +40,7 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
-    linear: LinearWorkspace<ElasticWorkspace<N>, SingleWorkspace<N>, R, N>,
+    linear: LinearWorkspace<R, N>,
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     own: Vec<f64>,
     columns: [Column<N>; 3],

@@ -2,9 +2,10 @@
 
 use crate::buffer;
 use crate::error::Result;
-use crate::half_space::{ElasticOperator, ElasticWorkspace, HalfSpace};
+use crate::half_space::{ElasticOperator, HalfSpace};
 use crate::influence::{Component, Direction};
 use crate::operator::Operator;
+use crate::scratch::Scratch;
 use crate::tangential::Axis;
 use crate::tangential::engine::PlaneVector;
 
@@ -21,7 +22,7 @@ pub(crate) struct Drawing {
 struct Part {
     axis: Axis,
     operator: ElasticOperator<1>,
-    workspace: ElasticWorkspace<1>,
+    scratch: Scratch,
 }
 
 impl Drawing {
@@ -29,11 +30,11 @@ impl Drawing {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
             let operator = bodies.operator_of([[component]], size)?;
-            let workspace = operator.try_workspace()?;
+            let scratch = operator.scratch()?;
             Ok(Part {
                 axis,
                 operator,
-                workspace,
+                scratch,
             })
         };
         let cells = bodies.layout(size).cells();
@@ -68,7 +69,7 @@ impl Drawing {
         }
         for part in &mut self.parts {
             let (pressure, out) = ([&self.pressure[..]], [&mut self.displacement[..]]);
-            part.operator.apply(pressure, out, &mut part.workspace);
+            part.operator.apply(pressure, out, &mut part.scratch);
             show(part.axis, &self.displacement);
         }
     }

@@ -137,14 +137,14 @@ pub(crate) fn displacement(
         operator.apply(
             [traction[axis].as_slice()],
             [displacement[axis].as_mut_slice()],
-            &mut operator.try_workspace()?,
+            &mut operator.scratch()?,
         );
     } else {
         let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
         operator.apply(
             traction.map(Field::as_slice),
             displacement.each_mut().map(Field::as_mut_slice),
-            &mut operator.try_workspace()?,
+            &mut operator.scratch()?,
         );
     }
     bodies.joint(Ok(displacement))

@@ -17,7 +17,7 @@ fn held(size: usize, grid: Grid, boundary: Boundary) -> f64 {
             let pair = unit_pair(0.3);
             let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank)).unwrap();
             let operator = bodies.operator(Component::ZZ).unwrap();
-            let mut workspace = operator.workspace();
+            let mut workspace = operator.scratch().unwrap();
             let pressure = Field::from_fn(bodies.grid(), |x, y| x.cos() + y.sin());
             let mut out = Field::zeros(bodies.grid());
             let x = [pressure.as_slice()];

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use kit::{l2_difference, max_abs, max_difference, press, rough, shear, unit_bodies, unit_pair};
 use proptest::prelude::*;
+use stickslip::Scratch;
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
@@ -348,7 +349,7 @@ mod against_the_direct_answer {
             let mean = x.iter().sum::<f64>() / x.len() as f64;
             let x: Vec<f64> = x.iter().map(|x| x - mean).collect();
             let mut product = vec![0.0; x.len()];
-            matrix.apply([&x], [&mut product], &mut ());
+            matrix.apply([&x], [&mut product], &mut Scratch::none());
             x.iter().zip(&product).map(|(x, u)| x * u).sum::<f64>()
         };
         let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();

@@ -37,7 +37,7 @@ impl Oracle {
     fn new(bodies: &HalfSpace) -> Self {
         let (grid, cells) = (bodies.grid(), bodies.grid().cells());
         let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
-        let mut workspace = tensor.workspace();
+        let mut workspace = tensor.scratch().unwrap();
         let mut matrix = vec![vec![[[0.0; 3]; 3]; cells]; cells];
         for cell in 0..cells {
             for c in 0..3 {

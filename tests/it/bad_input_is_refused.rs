@@ -5,7 +5,8 @@ use kit::refusal::assert_checked;
 use stickslip::cgm::{self, Bounds, Magnitude, Method, NonNegative, Problem, Settings, Total};
 use stickslip::influence::Rectangle;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, Operator, surface,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Identity, Material, Operator, Scratch,
+    surface,
 };
 
 const NOT_POSITIVE: [f64; 5] = [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -204,7 +205,9 @@ fn engine() {
         Err(Error::Length { .. })
     ));
     let problem = Problem::new(Identity::new(2), [&linear], NonNegative);
-    let mut small = Problem::new(Identity::new(1), [&linear[..1]], NonNegative).workspace();
+    let mut small = Problem::new(Identity::new(1), [&linear[..1]], NonNegative)
+        .workspace()
+        .unwrap();
     let outcome = cgm::minimise_with(&problem, &settings, [&mut x], &mut small, &mut |_| {
         std::ops::ControlFlow::Continue(())
     });
@@ -230,15 +233,11 @@ fn engine() {
 struct Turning;
 
 impl Operator for Turning {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         2
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], _: &mut Scratch) {
         (u[0], u[1]) = (x[0] + x[1], x[1] - x[0]);
     }
 

@@ -210,7 +210,7 @@ fn independent_answer(bodies: &HalfSpace, limits: &[f64], shift: [f64; 2]) -> Ve
         let (x, y) = q.split_at(cells);
         let apply = |k: usize, v: &[f64]| {
             let mut u = vec![0.0; cells];
-            operators[k].apply([v], [&mut u], &mut operators[k].workspace());
+            operators[k].apply([v], [&mut u], &mut operators[k].scratch().unwrap());
             u
         };
         let sum =
@@ -311,7 +311,7 @@ proptest! {
             let part = |(component, a, b, copies): (Component, usize, usize, f64)| -> f64 {
                 let operator = bodies.operator(component).unwrap();
                 let mut u = vec![0.0; grid.cells()];
-                operator.apply([q[b]], [&mut u], &mut operator.workspace());
+                operator.apply([q[b]], [&mut u], &mut operator.scratch().unwrap());
                 copies * u.iter().zip(q[a]).map(|(u, q)| u * q).sum::<f64>()
             };
             parts.into_iter().map(part).sum::<f64>().max(0.0)

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::influence::Direction::{self, X, Y, Z};
-use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, Operator};
+use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, Operator, Scratch};
 
 /// Odd and even, square and not, one row, one column, one cell.
 fn grid() -> impl Strategy<Value = Grid> {
@@ -89,14 +89,15 @@ impl<const N: usize> Tensor<N> {
     /// By the operator in double and in single precision, and by the matrix.
     fn products(&self, x: &Vectors<N>) -> [Vectors<N>; 3] {
         let fast = self.bodies.tensor_operator(self.directions).unwrap();
-        let mut workspace = fast.workspace();
+        let mut workspace = fast.scratch().unwrap();
         let zeros = || x.each_ref().map(|x| vec![0.0; x.len()]);
         let (mut double, mut single) = (zeros(), zeros());
         let x = x.each_ref().map(|x| &x[..]);
         fast.apply(x, double.each_mut().map(|u| &mut u[..]), &mut workspace);
         fast.apply_f32(x, single.each_mut().map(|u| &mut u[..]), &mut workspace);
         let mut direct = vec![0.0; N * self.cells];
-        self.matrix.apply([&x.concat()], [&mut direct], &mut ());
+        self.matrix
+            .apply([&x.concat()], [&mut direct], &mut Scratch::none());
         let direct = std::array::from_fn(|n| direct[n * self.cells..][..self.cells].to_vec());
         [double, single, direct]
     }
@@ -155,7 +156,7 @@ impl<const N: usize> Tensor<N> {
         let mut solved = x.each_ref().map(|x| vec![0.0; x.len()]);
         let fields = x.each_ref().map(|x| &x[..]);
         let out = solved.each_mut().map(|u| &mut u[..]);
-        inverse.apply(fields, out, &mut inverse.workspace());
+        inverse.apply(fields, out, &mut inverse.scratch().unwrap());
         let [back, ..] = self.products(&solved);
         let magnitude = max_abs(&x.concat());
         let error = max_difference(&back.concat(), &x.concat()) / magnitude;
@@ -190,8 +191,8 @@ proptest! {
             let fast = bodies.operator(component).unwrap();
             let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
             let (mut u, mut expected) = (vec![0.0; grid.cells()], vec![0.0; grid.cells()]);
-            fast.apply([&traction], [&mut u], &mut fast.workspace());
-            dense.apply([&traction], [&mut expected], &mut ());
+            fast.apply([&traction], [&mut u], &mut fast.scratch().unwrap());
+            dense.apply([&traction], [&mut expected], &mut Scratch::none());
             // The scale of a product, not of its cancelled remainder: row sum times traction.
             let row_sum = (0..grid.cells())
                 .map(|i| (0..grid.cells()).map(|j| dense.get(i, j).unwrap().abs()).sum::<f64>())
@@ -265,8 +266,8 @@ fn a_larger_grid_equals_the_direct_sum_too() {
         let fast = bodies.operator(component).unwrap();
         let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
         let (mut u, mut expected) = (vec![0.0; grid.cells()], vec![0.0; grid.cells()]);
-        fast.apply([&traction], [&mut u], &mut fast.workspace());
-        dense.apply([&traction], [&mut expected], &mut ());
+        fast.apply([&traction], [&mut u], &mut fast.scratch().unwrap());
+        dense.apply([&traction], [&mut expected], &mut Scratch::none());
         let error = max_difference(&u, &expected) / max_abs(&expected);
         assert!(error <= 1e-13, "{component:?}: {error:e}");
     }

@@ -274,7 +274,7 @@ fn halves_lie_within_their_bounds() {
         let product = |x: [&[f64]; 3]| {
             let mut out = [(); 3].map(|()| vec![0.0; grid.cells()]);
             let slices = out.each_mut().map(Vec::as_mut_slice);
-            tensor.apply(x, slices, &mut tensor.workspace());
+            tensor.apply(x, slices, &mut tensor.scratch().unwrap());
             out
         };
         let (p, [x, y]) = (found.normal().pressure(), found.tangential().traction());
@@ -326,7 +326,7 @@ fn errors(bodies: &HalfSpace, loose: &CoupledSolution, exact: &CoupledSolution) 
     let norm = |x: [&[f64]; 3]| {
         let mut out = [(); 3].map(|()| vec![0.0; grid.cells()]);
         let slices = out.each_mut().map(Vec::as_mut_slice);
-        tensor.apply(x, slices, &mut tensor.workspace());
+        tensor.apply(x, slices, &mut tensor.scratch().unwrap());
         let products = x.iter().zip(&out).map(|(x, u)| {
             let pairs = x.iter().zip(u);
             pairs.map(|(x, u)| x * u).sum::<f64>()

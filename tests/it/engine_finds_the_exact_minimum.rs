@@ -4,7 +4,7 @@ use kit::Random;
 use stickslip::cgm::{self, Bounds, Magnitude, Method, Minimum, NonNegative, Problem, Settings};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
-use stickslip::{Error, Field, Grid, HalfSpace, Operator, Result};
+use stickslip::{Error, Field, Grid, HalfSpace, Operator, Result, Scratch};
 
 /// A random small scene: cells, bodies, gap.
 struct Scene {
@@ -47,7 +47,7 @@ fn both_methods() -> [Settings; 2] {
 fn energy_error(matrix: &DenseOperator, x: &[f64], exact: &[f64]) -> f64 {
     let norm = |v: &[f64]| {
         let mut product = vec![0.0; v.len()];
-        matrix.apply([v], [&mut product], &mut ());
+        matrix.apply([v], [&mut product], &mut Scratch::none());
         v.iter()
             .zip(&product)
             .map(|(a, b)| a * b)
@@ -259,16 +259,12 @@ fn stopped(outcome: Result<Minimum>) -> cgm::Report {
 struct WithoutBound<'a>(&'a DenseOperator);
 
 impl Operator for WithoutBound<'_> {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.0.cells()
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
-        self.0.apply([x], [out], &mut ());
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
+        self.0.apply([x], [out], &mut Scratch::none());
     }
 }
 
@@ -297,16 +293,12 @@ struct Broken {
 }
 
 impl Operator for Broken {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.matrix.cells()
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
-        self.matrix.apply([x], [&mut *out], &mut ());
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
+        self.matrix.apply([x], [&mut *out], &mut Scratch::none());
         let count = self
             .products
             .fetch_add(1, std::sync::atomic::Ordering::Relaxed);

@@ -5,7 +5,7 @@ use kit::Random;
 use stickslip::cgm::{
     self, Bounds, Constraint, Disc, Interval, NonNegative, Problem, Settings, Total,
 };
-use stickslip::{Error, Operator};
+use stickslip::{Error, Operator, Scratch};
 
 /// A positive definite matrix over all components of all cells, of which the least eigenvalue may be known.
 struct Matrix {
@@ -51,15 +51,11 @@ impl Matrix {
 }
 
 impl<const N: usize> Operator<N> for Matrix {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.cells
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, x: [&[f64]; N], u: [&mut [f64]; N], (): &mut ()) {
+    fn apply(&self, x: [&[f64]; N], u: [&mut [f64]; N], _: &mut Scratch) {
         for (c, u) in u.into_iter().enumerate() {
             for (i, u) in u.iter_mut().enumerate() {
                 let row = self.rows[c * self.cells + i].chunks_exact(self.cells);
@@ -171,7 +167,7 @@ fn two_unknowns_a_cell() {
         sums_are_kept(totals, [&x, &y], found.multiplier);
 
         let (mut ux, mut uy) = (vec![0.0; cells], vec![0.0; cells]);
-        matrix.apply([&x, &y], [&mut ux, &mut uy], &mut ());
+        matrix.apply([&x, &y], [&mut ux, &mut uy], &mut Scratch::none());
         let scale = scale(totals, [&ux, &uy], [&x, &y]);
         for i in 0..cells {
             let size = x[i].hypot(y[i]);
@@ -227,7 +223,7 @@ fn one_unknown_a_cell() {
         sums_are_kept(totals, [&x], found.multiplier);
 
         let mut u = vec![0.0; cells];
-        matrix.apply([&x], [&mut u], &mut ());
+        matrix.apply([&x], [&mut u], &mut Scratch::none());
         let scale = scale(totals, [&u], [&x]);
         for i in 0..cells {
             let g = u[i] + linear[i] - found.multiplier[0];
@@ -264,7 +260,7 @@ fn certificates_hold_without_symmetry() {
         let (gap, rough) = solved(0.3);
         let product = |v: &[Vec<f64>; 2]| {
             let (mut ux, mut uy) = (vec![0.0; cells], vec![0.0; cells]);
-            matrix.apply([&v[0], &v[1]], [&mut ux, &mut uy], &mut ());
+            matrix.apply([&v[0], &v[1]], [&mut ux, &mut uy], &mut Scratch::none());
             let along = |v: &[f64], u: &[f64]| v.iter().zip(u).map(|(v, u)| v * u).sum::<f64>();
             along(&v[0], &ux) + along(&v[1], &uy)
         };
@@ -287,7 +283,7 @@ fn a_workspace_of_another_size_is_refused() {
         let linear: &[f64] = &linear[..cells];
         Problem::new(matrix, [linear, linear], Discs(vec![0.1; cells]))
     };
-    let mut workspace = of(&small, 3).workspace();
+    let mut workspace = of(&small, 3).workspace().unwrap();
     let (mut x, mut y) = ([0.0; 5], [0.0; 5]);
     let refused = cgm::minimise_with(
         &of(&large, 5),
@@ -352,17 +348,13 @@ struct Breaks {
 }
 
 impl Operator for Breaks {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.matrix.cells
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         use std::sync::atomic::Ordering::Relaxed;
-        self.matrix.apply(x, [&mut *out], &mut ());
+        self.matrix.apply(x, [&mut *out], &mut Scratch::none());
         let left = self.products_left.load(Relaxed);
         self.products_left.store(left.saturating_sub(1), Relaxed);
         if left == 0 {
@@ -403,15 +395,11 @@ fn a_broken_operator_leaves_a_feasible_iterate() {
 struct Diagonal(Vec<f64>);
 
 impl Operator for Diagonal {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.0.len()
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [u]: [&mut [f64]; 1], _: &mut Scratch) {
         for ((u, x), entry) in u.iter_mut().zip(x).zip(&self.0) {
             *u = entry * x;
         }

@@ -250,7 +250,7 @@ fn stable_cycles_are_stable() {
     operator.apply(
         [board.as_slice()],
         [image.as_mut_slice()],
-        &mut operator.workspace(),
+        &mut operator.scratch().unwrap(),
     );
     let rayleigh = image.get(16, 16).unwrap() * board.get(16, 16).unwrap();
     assert!(cycles <= 2.0 * rayleigh * (1.0 + 1e-2) && cycles > 1.5 * rayleigh);

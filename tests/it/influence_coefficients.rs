@@ -219,7 +219,11 @@ fn a_periodic_grid_has_those_of_a_free_one_near_a_local_traction() {
         ]
         .map(|operator| {
             let mut out = vec![0.0; grid.cells()];
-            operator.apply([traction.as_slice()], [&mut out], &mut operator.workspace());
+            operator.apply(
+                [traction.as_slice()],
+                [&mut out],
+                &mut operator.scratch().unwrap(),
+            );
             out
         });
         let error = l2_difference(&displacements[1], &displacements[0]);

@@ -76,7 +76,7 @@ fn three(grid: Grid, second: bool) -> [HalfSpace; 3] {
 fn product(bodies: &HalfSpace, component: Component, load: &[f64]) -> Vec<f64> {
     let operator = bodies.operator(component).unwrap();
     let mut u = vec![0.0; load.len()];
-    operator.apply([load], [&mut u], &mut operator.workspace());
+    operator.apply([load], [&mut u], &mut operator.scratch().unwrap());
     u
 }
 

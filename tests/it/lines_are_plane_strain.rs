@@ -26,7 +26,7 @@ fn column(bodies: &HalfSpace, component: Component) -> Vec<f64> {
     let mut displacement = traction.clone();
     traction[0] = 1.0;
     let (t, u) = ([&traction[..]], [&mut displacement[..]]);
-    operator.apply(t, u, &mut operator.workspace());
+    operator.apply(t, u, &mut operator.scratch().unwrap());
     displacement
 }
 
@@ -308,7 +308,7 @@ proptest! {
         let operator = bodies.operator(Component::ZZ).unwrap();
         let product = |traction: &[f64]| {
             let mut u = vec![0.0; nx * ny];
-            operator.apply([traction], [&mut u], &mut operator.workspace());
+            operator.apply([traction], [&mut u], &mut operator.scratch().unwrap());
             u
         };
         let (one, other) = (turned(&product(&traction)), product(&turned(&traction)));

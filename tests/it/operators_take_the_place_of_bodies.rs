@@ -17,7 +17,7 @@ use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, EigenvalueBound, ElasticPair, Error, Field, Friction,
     Grid, HalfSpace, History, Kernel, LoadStep, Material, NormalControl, NormalProblem,
-    NormalSolution, Operator, Status, TangentialControl, TangentialLoad, TangentialModel,
+    NormalSolution, Operator, Scratch, Status, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, surface,
 };
 
@@ -30,19 +30,17 @@ struct Other<const N: usize> {
 }
 
 impl<const N: usize> Operator<N> for Other<N> {
-    type Workspace = <stickslip::ElasticOperator<N> as Operator<N>>::Workspace;
-
     fn cells(&self) -> usize {
         self.of.cells()
     }
 
-    fn workspace(&self) -> Self::Workspace {
-        self.of.workspace()
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        self.of.scratch()
     }
 
-    fn apply(&self, x: [&[f64]; N], mut out: [&mut [f64]; N], workspace: &mut Self::Workspace) {
+    fn apply(&self, x: [&[f64]; N], mut out: [&mut [f64]; N], scratch: &mut Scratch) {
         self.of
-            .apply(x, out.each_mut().map(|out| &mut **out), workspace);
+            .apply(x, out.each_mut().map(|out| &mut **out), scratch);
         for (out, x) in out.into_iter().zip(x) {
             for ((out, x), spring) in out.iter_mut().zip(x).zip(&self.springs) {
                 *out += spring * x;
@@ -79,18 +77,16 @@ fn spoiled<F: Fn(&[f64], &mut [f64])>(of: Other<1>, spoil: F, bound: f64) -> Spo
 }
 
 impl<F: Fn(&[f64], &mut [f64]) + Sync> Operator for Spoiled<F> {
-    type Workspace = <Other<1> as Operator>::Workspace;
-
     fn cells(&self) -> usize {
         self.of.cells()
     }
 
-    fn workspace(&self) -> Self::Workspace {
-        self.of.workspace()
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        self.of.scratch()
     }
 
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
-        self.of.apply([x], [&mut *out], workspace);
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], scratch: &mut Scratch) {
+        self.of.apply([x], [&mut *out], scratch);
         (self.spoil)(x, out);
     }
 
@@ -333,7 +329,7 @@ fn bodies_that_differ_from_place_to_place_have_the_answer_of_a_dense_matrix() {
             // The duality gap bounds the error in any case.
             let product = |p: &[f64]| {
                 let (operator, mut u) = (soft.operator(Component::ZZ).unwrap(), vec![0.0; cells]);
-                operator.apply([p], [&mut u], &mut operator.workspace());
+                operator.apply([p], [&mut u], &mut operator.scratch().unwrap());
                 p.iter().zip(u).map(|(p, u)| p * u).sum::<f64>()
             };
             let difference: Vec<f64> = found

@@ -169,7 +169,7 @@ fn the_surface_has_its_tractions_and_displacements() {
             operator.apply(
                 [1, 2, 0].map(|k: usize| fields[k].as_slice()),
                 expected.each_mut().map(|u| &mut u[..]),
-                &mut operator.workspace(),
+                &mut operator.scratch().unwrap(),
             );
             let largest = expected
                 .iter()

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use kit::smooth::{Smooth, l1_difference};
 use kit::{boundaries, max_abs, max_difference, unit_pair};
+use stickslip::Scratch;
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 #[cfg(feature = "dense")]
 use stickslip::dense::DenseOperator;
@@ -47,7 +48,11 @@ fn second_difference(field: &Field, repeats_y: bool) -> Field {
 fn product(bodies: &HalfSpace, component: Component, traction: &Field) -> Vec<f64> {
     let operator = bodies.operator(component).unwrap();
     let mut out = vec![0.0; traction.as_slice().len()];
-    operator.apply([traction.as_slice()], [&mut out], &mut operator.workspace());
+    operator.apply(
+        [traction.as_slice()],
+        [&mut out],
+        &mut operator.scratch().unwrap(),
+    );
     out
 }
 
@@ -117,7 +122,7 @@ fn fast_products_equal_direct_sums() {
             for component in Component::ALL {
                 let twin = DenseOperator::of_half_space(&bodies, component).unwrap();
                 let mut direct = vec![0.0; grid.cells()];
-                twin.apply([traction.as_slice()], [&mut direct], &mut ());
+                twin.apply([traction.as_slice()], [&mut direct], &mut Scratch::none());
                 let fast = product(&bodies, component, &traction);
                 let scale = max_abs(&direct) + 1e-3;
                 assert!(
@@ -189,13 +194,13 @@ fn preconditioners_belong_to_the_operators() {
     operator.apply(
         fields.each_ref().map(Field::as_slice),
         out,
-        &mut operator.workspace(),
+        &mut operator.scratch().unwrap(),
     );
     let out = found.each_mut().map(|t| &mut t[..]);
     inverse.apply(
         images.each_ref().map(|u| &u[..]),
         out,
-        &mut inverse.workspace(),
+        &mut inverse.scratch().unwrap(),
     );
     // Away from the edges, where the circulant wraps: the short waves, a quarter of which the stencil scales.
     let mut errors = [0.0; 2];

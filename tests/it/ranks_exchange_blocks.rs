@@ -164,7 +164,7 @@ fn a_product_takes_two_exchanges() {
         let traction = Field::from_fn(bodies.grid(), |x, y| (3.0 * x).sin() + (5.0 * y).cos());
         let mut out = Field::zeros(bodies.grid());
         let (x, u) = ([traction.as_slice()], [out.as_mut_slice()]);
-        operator.apply(x, u, &mut operator.workspace());
+        operator.apply(x, u, &mut operator.scratch().unwrap());
         out.into_vec()
     };
     let alone = product(&HalfSpace::new(grid, pair()).unwrap());

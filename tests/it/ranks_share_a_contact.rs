@@ -80,7 +80,7 @@ proptest! {
                 if y < end { 0.0 } else { (3.0 * x).sin() + (5.0 * y).cos() }
             });
             let operator = bodies.operator(Component::ZZ).unwrap();
-            let mut workspace = operator.workspace();
+            let mut workspace = operator.scratch().unwrap();
             let mut found = Vec::new();
             for _ in 0..2 {
                 let mut exact = Field::zeros(grid);
@@ -381,9 +381,9 @@ fn bytes_are_those_of_the_formula() {
                 let before = bodies.traffic().bytes;
                 let (x, u) = ([traction.as_slice()], [out.as_mut_slice()]);
                 if is_single {
-                    operator.apply_f32(x, u, &mut operator.workspace());
+                    operator.apply_f32(x, u, &mut operator.scratch().unwrap());
                 } else {
-                    operator.apply(x, u, &mut operator.workspace());
+                    operator.apply(x, u, &mut operator.scratch().unwrap());
                 }
                 (slab.rows(), bodies.traffic().bytes - before)
             });

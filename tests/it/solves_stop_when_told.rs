@@ -10,8 +10,9 @@ use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, S
 use stickslip::influence::Component;
 use stickslip::{
     Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    NormalControl, NormalProblem, NormalSolution, Operator, Report, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
+    NormalControl, NormalProblem, NormalSolution, Operator, Report, Scratch, Status,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    surface,
 };
 
 /// An operator that counts its products.
@@ -34,24 +35,22 @@ impl Counting {
 }
 
 impl Operator for Counting {
-    type Workspace = <ElasticOperator as Operator>::Workspace;
-
     fn cells(&self) -> usize {
         self.inner.cells()
     }
 
-    fn workspace(&self) -> Self::Workspace {
-        self.inner.workspace()
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        self.inner.scratch()
     }
 
-    fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+    fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], scratch: &mut Scratch) {
         self.products.fetch_add(1, Ordering::Relaxed);
-        self.inner.apply(x, out, workspace);
+        self.inner.apply(x, out, scratch);
     }
 
-    fn apply_f32(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], workspace: &mut Self::Workspace) {
+    fn apply_f32(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], scratch: &mut Scratch) {
         self.products.fetch_add(1, Ordering::Relaxed);
-        self.inner.apply_f32(x, out, workspace);
+        self.inner.apply_f32(x, out, scratch);
     }
 
     fn lower_bound(&self) -> f64 {
@@ -101,7 +100,7 @@ fn the_engine_asks_before_every_product() {
                     &problem,
                     settings,
                     [x],
-                    &mut problem.workspace(),
+                    &mut problem.workspace().unwrap(),
                     &mut |iteration| observer(iteration, operator.count()),
                 );
                 assert!(x.iter().all(|p| *p >= 0.0));
@@ -116,7 +115,7 @@ fn the_engine_asks_before_every_product() {
                     &problem,
                     settings,
                     [x],
-                    &mut problem.workspace(),
+                    &mut problem.workspace().unwrap(),
                     &mut |iteration| observer(iteration, operator.count()),
                 );
                 assert!(x.iter().zip(&limits).all(|(q, m)| q.abs() <= *m));

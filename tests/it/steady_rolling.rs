@@ -221,7 +221,7 @@ fn check_laws(
     operator.apply(
         [x.as_slice(), y.as_slice(), normal.pressure().as_slice()],
         moved.each_mut().map(|part| &mut part[..]),
-        &mut operator.workspace(),
+        &mut operator.scratch().unwrap(),
     );
     let (dx, [xi, eta]) = (grid.dx(), rolling.creepage());
     let most = xi.hypot(eta) * dx + moved[0].iter().fold(0.0, |a: f64, u| a.max(u.abs())) * 0.1;
@@ -268,7 +268,7 @@ fn energies(
         operator.apply(
             q.each_ref().map(|part| &part[..]),
             moved.each_mut().map(|part| &mut part[..]),
-            &mut operator.workspace(),
+            &mut operator.scratch().unwrap(),
         );
         let before = |u: &[f64], i: usize| {
             if (i + 1) % grid.nx() == 0 {

@@ -143,7 +143,7 @@ fn planes_begin_at_the_surface() {
             operator.apply(
                 tractions.each_ref().map(Field::as_slice),
                 moved.each_mut().map(Field::as_mut_slice),
-                &mut operator.workspace(),
+                &mut operator.scratch().unwrap(),
             );
             let [x, y, z] = [0, 1, 2].map(|n| {
                 let [one, two] = [&one, &two].map(|plane| plane.displacement().unwrap()[n]);

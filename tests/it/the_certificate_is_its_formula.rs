@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use approx::assert_relative_eq;
 use kit::{Random, max_abs};
 use stickslip::cgm::{self, Bounds, Method, NonNegative, Problem, Report, Settings};
-use stickslip::{Error, Operator};
+use stickslip::{Error, Operator, Scratch};
 
 /// Springs in a ring, each coupled to the next: 2 on the diagonal, beside it the coupling. Of -1 it maps
 /// constants to zero.
@@ -16,15 +16,11 @@ struct Chain {
 }
 
 impl Operator for Chain {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.len
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         for (i, out) in out.iter_mut().enumerate() {
             let beside = x[(i + self.len - 1) % self.len] + x[(i + 1) % self.len];
             *out = 2.0 * x[i] + self.coupling * beside;
@@ -39,7 +35,7 @@ impl Operator for Chain {
 /// Cancelled when it was examined, before anything has moved.
 fn examined(chain: &Chain, linear: &[f64], interval: &Bounds<'_>, x: &mut [f64]) -> Report {
     let problem = Problem::new(chain, [linear], interval.clone());
-    let mut workspace = problem.workspace();
+    let mut workspace = problem.workspace().unwrap();
     let (start, mut calls) = (x.to_vec(), 0);
     let cancel = &mut |_: &_| {
         calls += 1;
@@ -96,7 +92,7 @@ fn of_an_iterate_that_nothing_has_moved() {
             let report = examined(&chain, &linear, &interval, &mut x);
 
             let mut product = vec![0.0; len];
-            chain.apply([&x], [&mut product], &mut ());
+            chain.apply([&x], [&mut product], &mut Scratch::none());
             let (mut moving, mut forbidden) = (vec![0.0], vec![0.0]);
             let (mut dual, mut square, mut largest) = (0.0, 0.0, 0.0_f64);
             for i in (0..len).filter(|&i| lower[i] < upper[i]) {

@@ -8,7 +8,7 @@ use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::{
     Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
+    Material, NormalControl, NormalProblem, NormalSolution, Operator, Scratch, TangentialControl,
     TangentialLoad, TangentialModel, analytical, history::TouchRule, surface,
 };
 
@@ -124,7 +124,7 @@ fn the_certificate_holds_on_random_scenes() {
         let exact = matrix.minimise(gap.as_slice(), &bounds, total).unwrap();
         let norm = |x: &[f64]| {
             let mut product = vec![0.0; x.len()];
-            matrix.apply([x], [&mut product], &mut ());
+            matrix.apply([x], [&mut product], &mut Scratch::none());
             let energy: f64 = x.iter().zip(&product).map(|(x, u)| x * u).sum();
             energy.sqrt()
         };

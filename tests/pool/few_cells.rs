@@ -65,9 +65,9 @@ pub(crate) fn operators(grid: Grid, watch: Watch<'_>) {
     });
     watch("convolution", &mut || {
         let normal = Convolution::new(grid, &pair(0.3), Component::ZZ)?;
-        product(&|x, u| normal.apply([x], [u], &mut normal.workspace()));
+        product(&|x, u| normal.apply([x], [u], &mut normal.scratch().unwrap()));
         let periodic = Convolution::periodic(grid, &pair(0.3), Component::ZZ);
-        product(&|x, u| periodic.apply([x], [u], &mut periodic.workspace()));
+        product(&|x, u| periodic.apply([x], [u], &mut periodic.scratch().unwrap()));
         Ok(())
     });
     let datum = 10.0 * grid.dx() * grid.nx() as f64;
@@ -79,15 +79,15 @@ pub(crate) fn operators(grid: Grid, watch: Watch<'_>) {
         let bodies = HalfSpace::with_boundary(grid, pair(0.3), boundary).unwrap();
         watch("operators", &mut || {
             let normal = bodies.operator(Component::ZZ)?;
-            product(&|x, u| normal.apply([x], [u], &mut normal.workspace()));
+            product(&|x, u| normal.apply([x], [u], &mut normal.scratch().unwrap()));
             if let Some(inverse) = bodies.preconditioner(Component::ZZ)? {
-                product(&|x, u| inverse.apply([x], [u], &mut inverse.workspace()));
+                product(&|x, u| inverse.apply([x], [u], &mut inverse.scratch().unwrap()));
             }
             let directions = [Direction::X, Direction::Y, Direction::Z];
             let all = bodies.tensor_operator(directions)?;
             let (x, mut u) = (vec![1.0; cells], [(); 3].map(|()| vec![0.0; cells]));
             let out = u.each_mut().map(|u| &mut u[..]);
-            all.apply([&x, &x, &x], out, &mut all.workspace());
+            all.apply([&x, &x, &x], out, &mut all.scratch().unwrap());
             bodies
                 .tensor_preconditioner([Direction::X, Direction::Y])
                 .map(drop)

@@ -21,7 +21,7 @@ pub(crate) fn judge(
         return Err(format!("fields of {} and {} cells", found.len(), truth.len()).into());
     }
     let operator = bodies.operator(component)?;
-    let mut workspace = operator.workspace();
+    let mut workspace = operator.scratch().unwrap();
     let mut product = vec![0.0; cells];
     let mut energy = |x: &[f64]| -> f64 {
         operator.apply([x], [&mut product], &mut workspace);

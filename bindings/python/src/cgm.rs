@@ -225,7 +225,7 @@ fn minimum<P: Operator>(
     x: &mut [f64],
     mut stop: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
 ) -> stickslip::Result<(f64, stickslip::Report)> {
-    let mut workspace = problem.workspace();
+    let mut workspace = problem.workspace()?;
     cgm::minimise_with(problem, settings, [x], &mut workspace, &mut stop)?;
     Ok((workspace.multiplier()[0], workspace.report().clone()))
 }

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use stickslip::Operator;
+use stickslip::Scratch;
 
 use crate::kernel::tell;
 use crate::operator::numbers;
@@ -75,16 +76,12 @@ impl Function {
 }
 
 impl Operator for Function {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         self.shape.iter().product()
     }
 
-    fn workspace(&self) {}
-
     /// Where it raises an exception the product is no number, with which nothing converges.
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         Python::attach(|py| {
             let Err(exception) = self.product(py, x, out) else {
                 return;

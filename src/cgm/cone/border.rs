@@ -8,7 +8,6 @@ use crate::cgm::motion::Row;
 use crate::cgm::totals::sums_of;
 use crate::cgm::vector::{dot, norm, slices};
 use crate::cgm::{Total, reduce};
-use crate::operator::Operator;
 use crate::parallel;
 
 /// Part of the mobility along an axis below which cells that all slip cannot carry a change along it.
@@ -38,7 +37,7 @@ fn slip_against(law: Law, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64>
     }
 }
 
-impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+impl<F: Cone> ConeRun<'_, '_, F> {
     /// Finds how changes of the multipliers spread; the totals that no cell can change have no part in it.
     pub(super) fn border(&mut self) -> Border<N> {
         let (totals, mut border) = (self.problem.totals, Border::NONE);

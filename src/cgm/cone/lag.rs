@@ -7,13 +7,12 @@ use crate::cgm::cone::law::{Kind, Lag, Law};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
 use crate::cgm::vector::{at, plus, slices, update_cells};
-use crate::operator::Operator;
 use crate::parallel;
 
 /// Part of the largest pressure that stands for a smaller one in `kappa g / p`.
 const LEAST: f64 = 1e-9;
 
-impl<C, P, F: Cone> ConeProblem<'_, C, P, F> {
+impl<F: Cone> ConeProblem<'_, F> {
     /// $`\kappa g`$ of a cell.
     pub(super) fn closing_of(&self, cell: usize) -> f64 {
         self.closing.map_or(0.0, |closing| closing[cell])
@@ -29,7 +28,7 @@ impl<C, P, F: Cone> ConeProblem<'_, C, P, F> {
     }
 }
 
-impl<C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'_, '_, C, P, F> {
+impl<F: Cone> ConeRun<'_, '_, F> {
     /// Finds what the cells have of their own at the present pressure, and adds the lag to the product.
     pub(super) fn refresh_lag(&mut self) {
         let problem = self.problem;

@@ -54,10 +54,10 @@ pub(crate) trait Cone: Sync {
 }
 
 /// What to solve: pressures and tractions, z first, from the displacements of `operator`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ConeProblem<'a, C, P, F> {
-    pub(crate) operator: C,
-    pub(crate) preconditioner: P,
+#[derive(Clone, Copy)]
+pub(crate) struct ConeProblem<'a, F> {
+    pub(crate) operator: &'a dyn Operator<N>,
+    pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
     /// The gap before loading, and minus what the cells are asked to follow along x and y.
     pub(crate) linear: [&'a [f64]; N],
@@ -117,11 +117,11 @@ impl Opening {
 }
 
 /// One solve under way.
-pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
-    problem: &'a ConeProblem<'b, C, P, F>,
+pub(crate) struct ConeRun<'a, 'b, F> {
+    problem: &'a ConeProblem<'b, F>,
     monitor: Monitor<'a>,
     x: [&'a mut [f64]; N],
-    workspace: &'a mut ConeWorkspace<C, P>,
+    workspace: &'a mut ConeWorkspace,
     /// Whether the product is that of the tractions, in double precision.
     is_fresh: bool,
     /// Times that all cells slipped the same way.
@@ -137,12 +137,12 @@ pub(crate) struct ConeRun<'a, 'b, C: Operator<N>, P: Operator<N>, F> {
 ///
 /// # Errors
 /// [`Error::Memory`](crate::Error::Memory).
-pub(crate) fn solve<C: Operator<N>, P: Operator<N>, F: Cone>(
-    problem: &ConeProblem<'_, C, P, F>,
+pub(crate) fn solve<F: Cone>(
+    problem: &ConeProblem<'_, F>,
     settings: &Settings,
     opening: Opening,
     x: [&mut [f64]; N],
-    workspace: &mut ConeWorkspace<C, P>,
+    workspace: &mut ConeWorkspace,
     observer: Observer<'_>,
 ) -> Result<(Option<Status>, ConeFindings)> {
     let mut run = ConeRun {

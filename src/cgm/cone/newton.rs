@@ -13,7 +13,6 @@ use crate::cgm::run::Precision;
 use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, Own, reduce};
 use crate::layout::Layout;
-use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
@@ -57,7 +56,7 @@ impl Course {
     };
 }
 
-impl<C: Operator<N>, P: Operator<N>, F: Cone> NewtonSteps for ConeRun<'_, '_, C, P, F> {
+impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
     fn begin(&mut self) -> ControlFlow<Status> {
         self.set_laws();
         ControlFlow::Continue(())
@@ -140,7 +139,7 @@ impl<C: Operator<N>, P: Operator<N>, F: Cone> NewtonSteps for ConeRun<'_, '_, C,
     }
 }
 
-impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
+impl<'a, F: Cone> ConeRun<'a, '_, F> {
     /// Brings the tractions within their cones, and finds how the cells move there.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
@@ -261,12 +260,12 @@ impl<'a, C: Operator<N>, P: Operator<N>, F: Cone> ConeRun<'a, '_, C, P, F> {
     }
 
     /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
-    pub(super) fn linear(&mut self) -> Linear<'_, 'a, C, P, Law, N> {
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, Law, N> {
         self.parts().0
     }
 
     /// The same, and the iterate that its solution moves.
-    fn parts(&mut self) -> (Linear<'_, 'a, C, P, Law, N>, Moved<'_, 'a, N>) {
+    fn parts(&mut self) -> (Linear<'_, 'a, Law, N>, Moved<'_, 'a, N>) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let linear = Linear {
             operator: &problem.operator,

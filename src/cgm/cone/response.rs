@@ -7,7 +7,6 @@ use crate::cgm::linear::LinearWorkspace;
 use crate::cgm::reduce;
 use crate::cgm::vector::at;
 use crate::error::Result;
-use crate::operator::Operator;
 
 /// Where the cells stand: tractions, slip of the last step, and compliance of their own, of no cells where none has one.
 #[derive(Debug, Clone, Copy)]
@@ -19,16 +18,16 @@ pub(crate) struct Stand<'a> {
     pub(crate) slips: bool,
 }
 
-impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
+impl ConeWorkspace {
     /// The linear problem of the cells at this state, whose laws are held.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn hold(
         &mut self,
-        problem: &ConeProblem<'_, impl Sync, impl Sync, impl Cone>,
+        problem: &ConeProblem<'_, impl Cone>,
         stand: Stand<'_>,
-    ) -> Result<&mut LinearWorkspace<C::Workspace, P::Workspace, Law, N>> {
+    ) -> Result<&mut LinearWorkspace<Law, N>> {
         let Stand {
             x,
             slip,

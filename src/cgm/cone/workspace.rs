@@ -11,18 +11,21 @@ use crate::report::Report;
 
 /// Everything a solve writes to besides its tractions; made once, reused by every solve of one size.
 #[derive(Debug, Clone)]
-pub(crate) struct ConeWorkspace<C: Operator<N>, P: Operator<N>> {
+pub(crate) struct ConeWorkspace {
     /// Its rows are the laws of the cells.
-    pub(super) linear: LinearWorkspace<C::Workspace, P::Workspace, Law, N>,
+    pub(super) linear: LinearWorkspace<Law, N>,
     pub(super) product: [Vec<f64>; N],
     /// The friction limit of every cell.
     pub(super) limits: Vec<f64>,
     pub(super) multiplier: [f64; N],
 }
 
-impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
+impl ConeWorkspace {
     /// Buffers for an operator and its preconditioner.
-    pub(crate) fn new(operator: &C, preconditioner: &P) -> Result<Self> {
+    pub(crate) fn new(
+        operator: &dyn Operator<N>,
+        preconditioner: &dyn Operator<N>,
+    ) -> Result<Self> {
         let cells = operator.cells();
         Ok(Self {
             linear: LinearWorkspace::new(operator, preconditioner)?,
@@ -40,7 +43,12 @@ impl<C: Operator<N>, P: Operator<N>> ConeWorkspace<C, P> {
     }
 
     /// Writes `C x` to `out`; the answer stays.
-    pub(crate) fn apply(&mut self, operator: &C, x: [&[f64]; N], out: [&mut [f64]; N]) {
+    pub(crate) fn apply(
+        &mut self,
+        operator: &dyn Operator<N>,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+    ) {
         operator.apply(x, out, &mut self.linear.operator);
     }
 

@@ -7,7 +7,6 @@ use crate::cgm::run::{Precision, Run};
 use crate::cgm::totals::TotalsSystem;
 use crate::cgm::vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
-use crate::operator::Operator;
 use crate::report::Status;
 
 /// Steps before the sets are looked at again.
@@ -44,7 +43,7 @@ struct Correction<const N: usize> {
     overlap: f64,
 }
 
-impl<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Run<'_, '_, C, K, P, N> {
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
     ///
     /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,

@@ -9,7 +9,6 @@ use crate::cgm::linear::{Border, Linear};
 use crate::cgm::motion::Row;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{at, chunks, dot, norm, put, slices, within};
-use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
@@ -20,19 +19,19 @@ const BASIS_REDUCTION: f64 = 1e-5;
 const AT_ONCE: usize = 4;
 
 /// What the unknowns leave of their equations, and what takes their corrections.
-pub(in crate::cgm) trait Equations<C: Operator<N>, P: Operator<N>, R, const N: usize> {
+pub(in crate::cgm) trait Equations<R, const N: usize> {
     /// Writes what is left to the residual.
-    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status>;
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status>;
 
     /// Takes the correction, with changes of the multipliers.
     fn advance(
         &mut self,
-        linear: &mut Linear<'_, '_, C, P, R, N>,
+        linear: &mut Linear<'_, '_, R, N>,
         change: [f64; N],
     ) -> ControlFlow<Status>;
 }
 
-impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C, P, R, N> {
+impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     /// Adds what is missing of the totals and solves until the residual has fallen by this factor, by so many bases at most;
     /// returns the part that is left.
     pub(in crate::cgm) fn solve(
@@ -40,7 +39,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C
         border: &Border<N>,
         missing: [f64; N],
         (bases, reduction): (usize, f64),
-        equations: &mut impl Equations<C, P, R, N>,
+        equations: &mut impl Equations<R, N>,
     ) -> ControlFlow<Status, f64> {
         if norm(missing) != 0.0 {
             let change = border.balance(missing, [0.0; N]);

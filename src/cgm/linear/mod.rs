@@ -33,6 +33,7 @@ use crate::error::Result;
 use crate::layout::Layout;
 use crate::operator::Operator;
 use crate::report::{Report, Status};
+use crate::scratch::Scratch;
 
 use krylov::RESTART;
 pub(in crate::cgm) use moved::Moved;
@@ -43,10 +44,10 @@ pub(in crate::cgm) const BASES: usize = 2;
 
 /// The buffers of the linear problem.
 #[derive(Debug, Clone)]
-pub(crate) struct LinearWorkspace<C, P, R, const N: usize> {
+pub(crate) struct LinearWorkspace<R, const N: usize> {
     /// Of the operator, and of the preconditioner.
-    pub(in crate::cgm) operator: C,
-    pub(in crate::cgm) preconditioner: P,
+    pub(in crate::cgm) operator: Scratch,
+    pub(in crate::cgm) preconditioner: Scratch,
     pub(in crate::cgm) direction: [Vec<f64>; N],
     pub(in crate::cgm) image: [Vec<f64>; N],
     /// How each cell moves; of [steady](Row::IS_STEADY) ones only those that move, in the order of their list.
@@ -63,16 +64,16 @@ pub(crate) struct LinearWorkspace<C, P, R, const N: usize> {
     pub(in crate::cgm) report: Report,
 }
 
-impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
+impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// For an operator and its preconditioner; the vectors of the cells that move have no cells yet.
     pub(crate) fn new(
-        operator: &impl Operator<N, Workspace = C>,
-        preconditioner: &impl Operator<N, Workspace = P>,
+        operator: &dyn Operator<N>,
+        preconditioner: &dyn Operator<N>,
     ) -> Result<Self> {
         let cells = operator.cells();
         Ok(Self {
-            operator: operator.try_workspace()?,
-            preconditioner: preconditioner.try_workspace()?,
+            operator: operator.scratch()?,
+            preconditioner: preconditioner.scratch()?,
             direction: buffer::vector(cells)?,
             image: buffer::vector(cells)?,
             rows: buffer::filled(R::FIXED, cells)?,
@@ -131,9 +132,9 @@ impl<const N: usize> Border<N> {
 }
 
 /// The linear problem of the cells as they may move now.
-pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usize> {
-    pub(in crate::cgm) operator: &'a C,
-    pub(in crate::cgm) preconditioner: &'a P,
+pub(crate) struct Linear<'a, 'm, R, const N: usize> {
+    pub(in crate::cgm) operator: &'a dyn Operator<N>,
+    pub(in crate::cgm) preconditioner: &'a dyn Operator<N>,
     pub(in crate::cgm) layout: &'a Layout,
     /// Compliance that cells have of their own beside the operator.
     pub(in crate::cgm) own: Own<'a>,
@@ -144,10 +145,10 @@ pub(crate) struct Linear<'a, 'm, C: Operator<N>, P: Operator<N>, R, const N: usi
     /// Restraint beside which the inverse of the operator alone is of no use.
     pub(in crate::cgm) stiff: f64,
     pub(in crate::cgm) monitor: &'a mut Monitor<'m>,
-    pub(in crate::cgm) workspace: &'a mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+    pub(in crate::cgm) workspace: &'a mut LinearWorkspace<R, N>,
 }
 
-impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Linear<'_, '_, C, P, R, N> {
+impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     /// Asks whether to take another step.
     fn proceed(&mut self) -> ControlFlow<Status> {
         self.monitor.proceed(&self.workspace.report)

@@ -7,7 +7,6 @@ use crate::cgm::linear::gmres::Equations;
 use crate::cgm::motion::Row;
 use crate::cgm::run::Precision;
 use crate::cgm::vector::{at, minus, plus, slices};
-use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Status;
 
@@ -20,10 +19,8 @@ pub(in crate::cgm) struct Moved<'a, 'x, const N: usize> {
     pub(in crate::cgm) multiplier: &'a mut [f64; N],
 }
 
-impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
-    for Moved<'_, '_, N>
-{
-    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status> {
+impl<R: Row<N>, const N: usize> Equations<R, N> for Moved<'_, '_, N> {
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
         let (x, u, gap) = (slices(self.x), slices(self.displacement), self.gap);
         let multiplier = *self.multiplier;
         let w = &mut *linear.workspace;
@@ -44,7 +41,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, 
 
     fn advance(
         &mut self,
-        linear: &mut Linear<'_, '_, C, P, R, N>,
+        linear: &mut Linear<'_, '_, R, N>,
         change: [f64; N],
     ) -> ControlFlow<Status> {
         linear.proceed()?;

@@ -29,10 +29,8 @@ struct Response<'a, const N: usize> {
     last: f64,
 }
 
-impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, R, N>
-    for Response<'_, N>
-{
-    fn set_residual(&mut self, linear: &mut Linear<'_, '_, C, P, R, N>) -> ControlFlow<Status> {
+impl<R: Row<N>, const N: usize> Equations<R, N> for Response<'_, N> {
+    fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
         linear.proceed()?;
         linear.workspace.correction.copy_from_slice(self.unknowns);
         linear.apply_to_correction(Precision::Double);
@@ -67,11 +65,7 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, 
         }
     }
 
-    fn advance(
-        &mut self,
-        linear: &mut Linear<'_, '_, C, P, R, N>,
-        _: [f64; N],
-    ) -> ControlFlow<Status> {
+    fn advance(&mut self, linear: &mut Linear<'_, '_, R, N>, _: [f64; N]) -> ControlFlow<Status> {
         for (whole, part) in self.unknowns.iter_mut().zip(&linear.workspace.correction) {
             *whole = std::array::from_fn(|c| whole[c] + part[c]);
         }
@@ -80,34 +74,30 @@ impl<C: Operator<N>, P: Operator<N>, R: Row<N>, const N: usize> Equations<C, P, 
 }
 
 /// Operator and preconditioner of cells whose way to move is held.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Held<'a, C, P> {
-    pub(crate) operator: &'a C,
-    pub(crate) preconditioner: &'a P,
+#[derive(Clone, Copy)]
+pub(crate) struct Held<'a, const N: usize> {
+    pub(crate) operator: &'a dyn Operator<N>,
+    pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
     /// Compliance that cells have of their own beside the operator.
     pub(crate) own: Own<'a>,
 }
 
-impl<C, P> Held<'_, C, P> {
+impl<const N: usize> Held<'_, N> {
     /// Finds the unknowns that answer a right side, in double precision, to a relative residual; where a basis does not halve
     /// it they are left as they are, and the report says [`Status::Stalled`]. The residual is then in
     /// [`LinearWorkspace::left`], the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Memory`].
-    pub(crate) fn respond<R: Row<N>, const N: usize>(
+    pub(crate) fn respond<R: Row<N>>(
         &self,
         right: &[[f64; N]],
         unknowns: &mut Vec<[f64; N]>,
-        workspace: &mut LinearWorkspace<C::Workspace, P::Workspace, R, N>,
+        workspace: &mut LinearWorkspace<R, N>,
         tolerance: f64,
         observer: Observer<'_>,
-    ) -> Result<()>
-    where
-        C: Operator<N>,
-        P: Operator<N>,
-    {
+    ) -> Result<()> {
         unknowns.clear();
         buffer::resize(unknowns, right.len(), [0.0; N])?;
         let settings = Settings::default().max_iterations(usize::MAX);
@@ -154,7 +144,7 @@ impl<C, P> Held<'_, C, P> {
     }
 }
 
-impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
+impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// Takes how each cell may move, and makes room for the unknowns of those that do.
     ///
     /// # Errors
@@ -206,7 +196,7 @@ impl<C, P, R: Row<N>, const N: usize> LinearWorkspace<C, P, R, N> {
     /// `C x` of any tractions.
     pub(crate) fn displace(
         &mut self,
-        operator: &impl Operator<N, Workspace = C>,
+        operator: &dyn Operator<N>,
         x: [&[f64]; N],
         out: [&mut [f64]; N],
     ) {

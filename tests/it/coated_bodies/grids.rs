@@ -7,7 +7,7 @@ use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::{
     Boundary, CellValue, EigenvalueBound, ElasticPair, Field, Grid, HalfSpace, Material,
-    NormalControl, NormalProblem, Operator, surface,
+    NormalControl, NormalProblem, Operator, Scratch, surface,
 };
 
 use super::{layer, on_rigid, stack};
@@ -55,7 +55,7 @@ fn rows_that_repeat_add_up_their_images() {
                 operator.apply(
                     [field.as_slice()],
                     [out.as_mut_slice()],
-                    &mut operator.workspace(),
+                    &mut operator.scratch().unwrap(),
                 );
                 out
             };
@@ -216,8 +216,8 @@ fn the_fast_product_is_the_direct_sum() {
                 let slow = DenseOperator::of_half_space(&bodies, component).unwrap();
                 let fast = bodies.operator(component).unwrap();
                 let (mut a, mut b) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
-                slow.apply([&traction], [&mut a], &mut ());
-                fast.apply([&traction], [&mut b], &mut fast.workspace());
+                slow.apply([&traction], [&mut a], &mut Scratch::none());
+                fast.apply([&traction], [&mut b], &mut fast.scratch().unwrap());
                 let unit = max_abs(&a).max(0.1);
                 assert!(
                     max_difference(&a, &b) < 1e-13 * unit,
@@ -246,7 +246,7 @@ fn lines_are_plane_strain() {
             let mut load = vec![0.0; 20_000];
             load[0] = 1.0;
             let mut u = vec![0.0; 20_000];
-            operator.apply([&load], [&mut u], &mut operator.workspace());
+            operator.apply([&load], [&mut u], &mut operator.scratch().unwrap());
             u
         };
         let (layered, plain) = (moved(&layered), moved(&plain));

@@ -32,7 +32,7 @@ fn product(times: usize) -> stickslip::Result<()> {
     let operator = bodies.operator(Component::ZZ)?;
     let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
     let mut out = vec![0.0; operator.cells()];
-    let mut workspace = operator.workspace();
+    let mut workspace = operator.scratch()?;
     for _ in 0..times {
         let pressure = black_box(pressure.as_slice());
         operator.apply([pressure], [&mut out], &mut workspace);

@@ -178,7 +178,7 @@ pub fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
 /// `|a - b|_C / |b|_C` by the operator of a component.
 pub fn energy_difference(bodies: &HalfSpace, component: Component, a: &Field, b: &Field) -> f64 {
     let operator = bodies.operator(component).unwrap();
-    let mut workspace = operator.workspace();
+    let mut workspace = operator.scratch().unwrap();
     let mut norm = |v: &[f64]| {
         let mut product = vec![0.0; v.len()];
         operator.apply([v], [&mut product], &mut workspace);

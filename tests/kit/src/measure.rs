@@ -48,7 +48,7 @@ pub fn energy_error(
     truth: &Field,
 ) -> Result<f64> {
     let operator = bodies.operator(component)?;
-    let mut workspace = operator.workspace();
+    let mut workspace = operator.scratch().unwrap();
     let mut product = vec![0.0; operator.cells()];
     let mut energy = |x: &[f64]| -> f64 {
         operator.apply([x], [&mut product], &mut workspace);

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use numpy::PyArrayMethods;
 use pyo3::prelude::*;
 use stickslip::influence::{Component, Direction};
-use stickslip::{Operator, fft};
+use stickslip::{Operator, Scratch, fft};
 
 use crate::array::Array;
 use crate::choice::Choice;
@@ -49,11 +49,8 @@ impl HalfSpace {
         let cells = self.0.grid().cells();
         let directions = [Direction::X, Direction::Y, Direction::Z];
         let operator = unobserved(py, cells, || self.0.tensor_operator(directions))?;
-        let workspace = Mutex::new(operator.workspace());
-        Ok(TensorOperator {
-            operator,
-            workspace,
-        })
+        let scratch = Mutex::new(operator.scratch().expect("memory for a product"));
+        Ok(TensorOperator { operator, scratch })
     }
 }
 
@@ -64,7 +61,7 @@ type Three = stickslip::ElasticOperator<3>;
 #[pyclass(frozen, module = "stickslip.cgm")]
 pub(crate) struct TensorOperator {
     operator: Three,
-    workspace: Mutex<<Three as Operator<3>>::Workspace>,
+    scratch: Mutex<Scratch>,
 }
 
 #[pymethods]
@@ -94,10 +91,10 @@ impl TensorOperator {
             let [mut u, mut v, mut w] = to.each_ref().map(PyArrayMethods::readwrite);
             let from = [x.as_slice()?, y.as_slice()?, z.as_slice()?];
             let into = [u.as_slice_mut()?, v.as_slice_mut()?, w.as_slice_mut()?];
-            let mut workspace = lock(&self.workspace, "operator")?;
-            let workspace = &mut *workspace;
+            let mut scratch = lock(&self.scratch, "operator")?;
+            let scratch = &mut *scratch;
             unobserved(py, cells, || {
-                self.operator.apply(from, into, workspace);
+                self.operator.apply(from, into, scratch);
                 Ok(())
             })?;
         }

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use stickslip::{EigenvalueBound, Operator};
+use stickslip::{EigenvalueBound, Operator, Scratch};
 
 use crate::array::Array;
 use crate::choice::Choice;
@@ -33,37 +33,35 @@ pub(crate) trait Product: Send + Sync {
     fn apply_f32(&self, x: &[f64], out: &mut [f64]);
 }
 
-/// An operator of the crate, with workspaces for as many products as run at once.
+/// An operator of the crate, with scratches for as many products as run at once.
 struct Kept<O: Operator> {
     operator: O,
-    workspaces: Mutex<Vec<O::Workspace>>,
+    scratches: Mutex<Vec<Scratch>>,
 }
 
 impl<O: Operator> Kept<O> {
     fn new(operator: O) -> Arc<Self> {
         Arc::new(Self {
             operator,
-            workspaces: Mutex::new(Vec::new()),
+            scratches: Mutex::new(Vec::new()),
         })
     }
 
-    fn with_workspace(&self, work: impl FnOnce(&mut O::Workspace)) {
+    fn with_scratch(&self, work: impl FnOnce(&mut Scratch)) {
         let kept = || {
-            self.workspaces
+            self.scratches
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };
         let free = kept().pop();
-        let mut workspace = free.unwrap_or_else(|| self.operator.workspace());
-        work(&mut workspace);
-        kept().push(workspace);
+        let mut scratch =
+            free.unwrap_or_else(|| self.operator.scratch().expect("memory for a product"));
+        work(&mut scratch);
+        kept().push(scratch);
     }
 }
 
-impl<O: Operator + Send> Product for Kept<O>
-where
-    O::Workspace: Send,
-{
+impl<O: Operator + Send> Product for Kept<O> {
     fn cells(&self) -> usize {
         self.operator.cells()
     }
@@ -77,11 +75,11 @@ where
     }
 
     fn apply(&self, x: &[f64], out: &mut [f64]) {
-        self.with_workspace(|workspace| self.operator.apply([x], [out], workspace));
+        self.with_scratch(|scratch| self.operator.apply([x], [out], scratch));
     }
 
     fn apply_f32(&self, x: &[f64], out: &mut [f64]) {
-        self.with_workspace(|workspace| self.operator.apply_f32([x], [out], workspace));
+        self.with_scratch(|scratch| self.operator.apply_f32([x], [out], scratch));
     }
 }
 
@@ -99,7 +97,6 @@ impl LinearOperator {
     pub(crate) fn of<O>(kind: &'static str, operator: O) -> Self
     where
         O: Operator + Send + 'static,
-        O::Workspace: Send,
     {
         let product = Kept::new(operator);
         Self { product, kind }
@@ -127,18 +124,21 @@ pub(crate) fn product_of(
 #[derive(Clone)]
 pub(crate) struct Shared(pub(crate) Arc<dyn Product>);
 
+/// All components of the tractions, and of the displacements; they have their lengths from the first product on.
+type Buffers = [Vec<f64>; 2];
+
 impl Shared {
-    /// A product by way of `buffers`, or where the numbers lie if there is one component.
+    /// A product by way of buffers, or where the numbers lie if there is one component.
     fn product<const N: usize>(
         x: [&[f64]; N],
         mut out: [&mut [f64]; N],
-        buffers: &mut [Vec<f64>; 2],
+        scratch: &mut Scratch,
         apply: impl FnOnce(&[f64], &mut [f64]),
     ) {
         if let ([x], [out]) = (&x[..], &mut out[..]) {
             return apply(x, out);
         }
-        let [from, to] = buffers;
+        let [from, to]: &mut Buffers = scratch.get_mut().expect("the scratch of this operator");
         from.clear();
         for x in x {
             from.extend_from_slice(x);
@@ -155,23 +155,20 @@ impl Shared {
 }
 
 impl<const N: usize> Operator<N> for Shared {
-    /// All components of the tractions, and of the displacements; they have their lengths from the first product on.
-    type Workspace = [Vec<f64>; 2];
-
     fn cells(&self) -> usize {
         self.0.cells() / N
     }
 
-    fn workspace(&self) -> [Vec<f64>; 2] {
-        [const { Vec::new() }; 2]
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        Ok(Scratch::new(Buffers::default()))
     }
 
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], buffers: &mut [Vec<f64>; 2]) {
-        Self::product(x, out, buffers, |x, out| self.0.apply(x, out));
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        Self::product(x, out, scratch, |x, out| self.0.apply(x, out));
     }
 
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], buffers: &mut [Vec<f64>; 2]) {
-        Self::product(x, out, buffers, |x, out| self.0.apply_f32(x, out));
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        Self::product(x, out, scratch, |x, out| self.0.apply_f32(x, out));
     }
 
     fn lower_bound(&self) -> f64 {

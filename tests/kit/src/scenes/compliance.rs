@@ -74,7 +74,7 @@ impl Compliance {
         let mut part = vec![0.0; self.cells];
         for (row, column, operator) in &self.parts {
             let traction = &x[column * self.cells..][..self.cells];
-            operator.apply([traction], [&mut part], &mut operator.workspace());
+            operator.apply([traction], [&mut part], &mut operator.scratch().unwrap());
             for (sum, part) in sum[row * self.cells..].iter_mut().zip(&part) {
                 *sum += part;
             }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use stickslip::cgm::{self, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
-use stickslip::{Error, NormalControl, Operator, Result};
+use stickslip::{Error, NormalControl, Operator, Result, Scratch};
 
 use super::super::compliance::Compliance;
 use super::super::oracle::matrix;
@@ -52,7 +52,7 @@ pub(crate) fn starts() -> Result<Vec<Row>> {
             NonNegative,
         );
         let problem = problem.total(total);
-        let mut workspace = problem.workspace();
+        let mut workspace = problem.workspace().unwrap();
         let outcome = cgm::minimise_with(
             &problem,
             &Settings::default(),
@@ -96,15 +96,11 @@ pub(crate) fn broken_operators() -> Vec<Row> {
 struct Diagonal(f64);
 
 impl Operator for Diagonal {
-    type Workspace = ();
-
     fn cells(&self) -> usize {
         20
     }
 
-    fn workspace(&self) {}
-
-    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], (): &mut ()) {
+    fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         for (out, x) in out.iter_mut().zip(x) {
             *out = self.0 * x;
         }
