@@ -205,10 +205,10 @@
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
-//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 16 | 50 s | 33 s |
-//! | `parallel` (default) | 22 | 71 s | 42 s |
-//! | `parallel`, `dense` | 63 | 169 s | 120 s |
-//! | all but `mpi` | 71 | 182 s | 127 s |
+//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 17 | 50 s | 33 s |
+//! | `parallel` (default) | 23 | 71 s | 42 s |
+//! | `parallel`, `dense` | 64 | 169 s | 120 s |
+//! | all but `mpi` | 72 | 182 s | 127 s |
 //!
 //! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep
 //! their bits. In human-readable formats such as JSON, non-finite numbers are words: `"NaN"` (a missing height),
@@ -289,7 +289,6 @@ pub mod ranks;
 mod reduce;
 mod report;
 pub mod rolling;
-mod scratch;
 #[cfg(feature = "serde")]
 mod serial;
 mod share;
@@ -318,10 +317,9 @@ pub use kernel::Kernel;
 pub use layout::Layout;
 pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
-pub use operator::{Identity, Operator};
+pub use operator::{Identity, Operator, Scratch};
 pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
-pub use scratch::Scratch;
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,

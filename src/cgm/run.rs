@@ -12,9 +12,8 @@ use crate::cgm::totals::{Total, TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Settings, Workspace, reduce};
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::{Report, Status};
-use crate::scratch::Scratch;
 use crate::watch::Observer;
 
 /// Error of a product in single precision, over the largest displacement.

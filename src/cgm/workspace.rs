@@ -4,9 +4,8 @@ use crate::buffer;
 use crate::cgm::Admissible;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::Report;
-use crate::scratch::Scratch;
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///

@@ -19,8 +19,7 @@ use crate::error::{Error, Result, all_finite, length};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::{Added, Component, Samples};
-use crate::operator::Operator;
-use crate::scratch::Scratch;
+use crate::operator::{Operator, Scratch};
 use crate::shown::shown;
 
 /// Largest number of unknowns accepted: a matrix of 128 MiB.

@@ -17,11 +17,10 @@ use crate::influence::{Added, Component, Kernel, Samples, Symbols};
 use crate::kernel;
 use crate::layout::Layout;
 use crate::material::ElasticPair;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::parallel;
 use crate::ranks::Team;
 use crate::report::EigenvalueBound;
-use crate::scratch::Scratch;
 use crate::share::Share;
 use crate::shown::shown;
 

@@ -9,8 +9,7 @@ use crate::fft::single::{SingleProduct, SingleScratch};
 use crate::fft::symbol::Symbol;
 use crate::influence::Kernel;
 use crate::layout::Layout;
-use crate::operator::Operator;
-use crate::scratch::Scratch;
+use crate::operator::{Operator, Scratch};
 use crate::share::Share;
 
 /// Cells between a grid and its images around the torus. Without them cells at opposite edges are neighbours, and conjugate

@@ -36,11 +36,8 @@ impl HalfSpace {
         self.joint(Ok(()))?;
         // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
         let grid = self.grid();
-        if let Some(eigenvalue) = operator.least_eigenvalue()
-            && N < 3
-            && operator.lower_bound() <= 0.0
-            && grid.whole().cells() > 1
-        {
+        let is_unbounded = N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1;
+        if let Some(eigenvalue) = operator.least_eigenvalue().filter(|_| is_unbounded) {
             let sides = [grid.dx(), grid.dy()];
             return Err(if !self.pair().is_homogeneous() && eigenvalue <= 0.0 {
                 Error::NotDefinite { eigenvalue, sides }

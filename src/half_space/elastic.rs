@@ -6,9 +6,8 @@ use crate::error::{Result, positive};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::kernel::Part;
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::EigenvalueBound;
-use crate::scratch::Scratch;
 
 /// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
 /// Obtained from [`HalfSpace::operator`](crate::HalfSpace::operator) and

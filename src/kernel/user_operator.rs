@@ -7,9 +7,8 @@ use crate::buffer::zeros;
 use crate::error::{Result, memory};
 use crate::influence::{Component, Direction};
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::EigenvalueBound;
-use crate::scratch::Scratch;
 
 /// An operator without its type: as many slices as it has components.
 trait Erased: Send + Sync {

@@ -5,8 +5,7 @@ use crate::cgm::vector::slices;
 use crate::error::Result;
 use crate::half_space::ElasticPreconditioner;
 use crate::history::Passage;
-use crate::operator::Operator;
-use crate::scratch::Scratch;
+use crate::operator::{Operator, Scratch};
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 #[derive(Debug, Clone)]

@@ -3,9 +3,8 @@
 use crate::error::Result;
 use crate::half_space::ElasticOperator;
 use crate::history::Passage;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::EigenvalueBound;
-use crate::scratch::Scratch;
 
 /// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]

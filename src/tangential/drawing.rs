@@ -4,8 +4,7 @@ use crate::buffer;
 use crate::error::Result;
 use crate::half_space::{ElasticOperator, HalfSpace};
 use crate::influence::{Component, Direction};
-use crate::operator::Operator;
-use crate::scratch::Scratch;
+use crate::operator::{Operator, Scratch};
 use crate::tangential::Axis;
 use crate::tangential::engine::PlaneVector;
 

@@ -31,9 +31,8 @@ use crate::cgm::turn::Weight;
 use crate::cgm::vector::{at, chunks, held, plus, put, slices, slices_mut, update_cells, within};
 use crate::error::Result;
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{Operator, Scratch};
 use crate::report::{Report, Status};
-use crate::scratch::Scratch;
 
 use krylov::RESTART;
 pub(in crate::cgm) use moved::Moved;
