@@ -978,7 +978,7 @@ fn scenes_are_as_they_were() {
     }
     std::fs::write(concat!(env!("CARGO_TARGET_TMPDIR"), "/frozen_bits"), hashes).unwrap();
     if is_writing && HAS_ALL_SCENES {
-        std::fs::write(file, text).unwrap();
+        std::fs::write(file, &text).unwrap();
     }
     assert!(
         faults.is_empty(),
