@@ -189,7 +189,8 @@ fn superposition_is_exact_without_lateral_contraction() {
 #[test]
 fn displacement_control_inverts_force_control() {
     let friction = Friction::coulomb(0.5).unwrap();
-    for (cells, pressure) in SCENES {
+    let most = kit::thorough(101, 128);
+    for (cells, pressure) in SCENES.into_iter().filter(|scene| scene.0 <= most) {
         let (bodies, gap, load) = rough_scene(cells, pressure);
         for method in METHODS {
             let normal = press(&bodies, &gap, load, 1e-10, method);

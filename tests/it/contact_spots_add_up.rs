@@ -13,7 +13,7 @@ use stickslip::{
 };
 
 use crate::files_of_slabs_are_never_half::Leaving;
-use crate::ranks_share_a_contact::{PATIENCE, RANKS};
+use crate::ranks_share_a_contact::{PATIENCE, ranks};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
@@ -140,7 +140,7 @@ fn across_the_edges_of_a_grid_that_repeats() {
 /// and the labels of its cells.
 #[test]
 fn of_a_contact_that_ranks_share() {
-    let grid = Grid::new(96, 350, 0.5, 0.5).unwrap();
+    let grid = Grid::new(96, kit::thorough(310, 350), 0.5, 0.5).unwrap();
     for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
         let made = |bodies: &HalfSpace| {
             let heights = SelfAffine::with_rms_height(3.0).generate_on(bodies);
@@ -171,7 +171,7 @@ fn of_a_contact_that_ranks_share() {
         };
         let alone = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
         let expected = made(&alone);
-        for size in RANKS {
+        for &size in ranks() {
             let slabs = Threads::run(size, PATIENCE, |rank| {
                 let (pair, rank) = (kit::unit_pair(0.3), Arc::new(rank) as Arc<dyn Ranks>);
                 made(&HalfSpace::distributed(grid, pair, boundary, rank).unwrap())

@@ -297,8 +297,9 @@ fn growing_contacts_follow_their_part_of_the_motion() {
             }
             history.shift()[0]
         };
-        let exact = leg(TouchRule::Growth, 64);
-        assert!((leg(TouchRule::WholeStep, 64) / exact - 1.0).abs() < 5e-3);
+        let many = kit::thorough(32, 64);
+        let exact = leg(TouchRule::Growth, many);
+        assert!((leg(TouchRule::WholeStep, many) / exact - 1.0).abs() < 5e-3);
         for (steps, bound) in [1, 4].into_iter().zip(bounds) {
             let growth = (leg(TouchRule::Growth, steps) / exact - 1.0).abs();
             assert!(growth < bound, "{steps}: {growth}");

@@ -529,7 +529,11 @@ fn operators_without_a_bound_solve_what_needs_none() {
 /// Traction under a given pressure that moves the surfaces too, and the stiffness in buffers that other bodies had before.
 #[test]
 fn one_way_coupling_is_that_of_the_bodies() {
-    let bodies = HalfSpace::new(Grid::square(28, 3.0).unwrap(), pair(true)).unwrap();
+    let bodies = HalfSpace::new(
+        Grid::square(kit::thorough(18, 28), 3.0).unwrap(),
+        pair(true),
+    )
+    .unwrap();
     let mut workspace = StiffnessWorkspace::new();
     let mut solved = |bodies: &HalfSpace| {
         let history = History::builder(bodies, gap(bodies), Friction::coulomb(0.4).unwrap());

@@ -37,8 +37,8 @@ fn slabs_that_do_not_belong_together_are_refused() {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
         State::of_slabs(&alone, slabs).map(drop).unwrap_err()
     };
-    // 250 rows of 128 cells are eight chunks, of which the third rank has those from the sixth on.
-    let row = 160;
+    // A chunk is 32 rows. The third rank has those from the third of four on, and from the sixth of eight in the campaign.
+    let row = kit::thorough(64, 160);
     let other = Error::Ranks(RankFailure::OtherState { row });
     assert_eq!(refused(&slabs), other);
     let missing = Error::Ranks(RankFailure::NoSlab { row });
@@ -260,7 +260,9 @@ fn a_step_is_taken_wholly_or_not_at_all() {
         let whole = step_until(last, coupling, is_adaptive);
         let (all, mut refused) = (whole[1].3, 0);
         // The last calls of a step are those on the way into the state.
-        let moments = (0..all).step_by(all / 6).chain(all - 24..all);
+        let [parts, stride] = kit::thorough([2, 8], [6, 1]);
+        let moments = (0..all).step_by(all / parts);
+        let moments = moments.chain((all - 24..all).step_by(stride));
         for calls in moments {
             let parts = step_until(calls, coupling, is_adaptive);
             for rank in [0, 2] {
@@ -275,7 +277,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
                 }
             }
         }
-        assert!(refused > 40, "{refused}");
+        assert!(refused > kit::thorough(8, 40), "{refused}");
     }
 }
 
@@ -336,7 +338,7 @@ fn changes_are_made_wholly_or_not_at_all() {
         let whole = change_until(change, last);
         let all = whole[1].3;
         assert!(all > 0 && whole[0].0 != whole[0].1, "change {number}");
-        for calls in 0..all {
+        for calls in (0..all).step_by(kit::thorough(5, 1)) {
             let parts = change_until(change, calls);
             let mut refused = 0;
             for rank in [0, 2] {
