@@ -294,7 +294,7 @@ fn moved(field: &Field, [dx, dy]: [usize; 2]) -> Field {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
     /// No place on a torus is special.
     #[test]
@@ -358,7 +358,7 @@ mod against_the_direct_answer {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(48))]
+        #![proptest_config(ProptestConfig::with_cases(kit::thorough(16, 48)))]
 
         #[test]
         fn the_error_is_within_its_certificate(

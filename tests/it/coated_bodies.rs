@@ -201,8 +201,9 @@ fn thin_and_thick_layers_are_their_limits() {
     let coated = |thickness| on_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
     assert_same(&on_rigid(soft), &coated(1e-7), grid, 1e-5);
     assert_same(&on_rigid(hard), &coated(1e6), grid, 1e-5);
-    let thinner = coated(1e-9);
-    assert_same(&on_rigid(soft), &thinner, grid, 1e-7);
+    if kit::thorough(false, true) {
+        assert_same(&on_rigid(soft), &coated(1e-9), grid, 1e-7);
+    }
 }
 
 /// A bed that is thin beside the contact is a row of springs, of the oedometric modulus.

@@ -140,7 +140,7 @@ fn across_the_edges_of_a_grid_that_repeats() {
 /// and the labels of its cells.
 #[test]
 fn of_a_contact_that_ranks_share() {
-    let grid = Grid::new(96, kit::thorough(310, 350), 0.5, 0.5).unwrap();
+    let grid = Grid::new(96, 350, 0.5, 0.5).unwrap();
     for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
         let made = |bodies: &HalfSpace| {
             let heights = SelfAffine::with_rms_height(3.0).generate_on(bodies);

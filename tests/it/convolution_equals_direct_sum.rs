@@ -174,7 +174,7 @@ fn small_grid() -> impl Strategy<Value = Grid> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(50, 256)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(24, 256)))]
 
     #[test]
     fn all_nine_components(

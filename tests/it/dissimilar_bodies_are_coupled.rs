@@ -89,7 +89,7 @@ fn stick_radii_converge() {
         let grid = Grid::square(cells, 2.4).unwrap();
         let bodies = HalfSpace::new(grid, on_rigid(0.5)).unwrap();
         let errors = STICK_RADII.into_iter().zip(FRICTION[0].1).skip(1);
-        let errors = errors.step_by(kit::thorough(2, 1));
+        let errors = errors.step_by(kit::thorough(3, 1));
         let errors: Vec<f64> = errors
             .map(|(radius, coefficient)| {
                 let force = NormalControl::Force(1.0);
@@ -107,7 +107,7 @@ fn stick_radii_converge() {
 /// (Borodich & Keer, Proc. R. Soc. A 460 (2004) 507). The singular rim slips however large friction is.
 #[test]
 fn sticking_makes_a_punch_stiffer() {
-    for &poisson_ratio in kit::thorough(&[0.0, 0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4]) {
+    for &poisson_ratio in kit::thorough(&[0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4]) {
         let nu: f64 = poisson_ratio;
         let exact = (1.0 - nu) * (3.0 - 4.0 * nu).ln() / (1.0 - 2.0 * nu);
         let body = Material::new(1.0, nu).unwrap();

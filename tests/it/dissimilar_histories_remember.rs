@@ -274,7 +274,8 @@ fn wear_goes_on_after_a_restart() {
 /// Pressed and sheared at once along a straight leg: one step does what whole steps need many for, at any coupling.
 #[test]
 fn growing_contacts_follow_their_part_of_the_motion() {
-    for (poisson_ratio, bounds) in [(0.45, [0.003, 0.002]), (0.3, [0.02, 0.005])] {
+    let scenes = [(0.3, [0.02, 0.005]), (0.45, [0.003, 0.002])];
+    for (poisson_ratio, bounds) in scenes.into_iter().take(kit::thorough(1, 2)) {
         let grid = Grid::square(41, 2.6).unwrap();
         let bodies = HalfSpace::new(grid, on_rigid(poisson_ratio)).unwrap();
         let gap = surface::sphere(grid, 10.0).unwrap();

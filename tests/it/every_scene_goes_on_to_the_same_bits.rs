@@ -28,6 +28,13 @@ fn usual(scene: &Scene) -> Scene {
     }
 }
 
+/// The scene, solved to what is usual, and outside the campaign without its last steps.
+fn shortened(scene: &Scene) -> Scene {
+    let mut scene = usual(scene);
+    scene.path.truncate(kit::thorough(5, usize::MAX));
+    scene
+}
+
 /// Whether both are the same; `what` is what differs otherwise.
 fn same<T: PartialEq + ?Sized>(found: &T, expected: &T, what: impl FnOnce() -> String) -> Law {
     if found == expected {
@@ -55,7 +62,7 @@ fn lead_astray(history: &mut History, scene: &Scene) {
 #[test]
 fn saved_copied_or_returned_to() {
     every(scenes(), |scene| {
-        let scene = usual(scene);
+        let scene = shortened(scene);
         let bodies = scene.half_space(&POSE);
         let mut history = scene.history(&bodies, &POSE);
         let other = Scene {
@@ -72,7 +79,9 @@ fn saved_copied_or_returned_to() {
                 format!("bytes of step {number}")
             })?;
             let read = State::from_bytes(&saved).unwrap();
-            lead_astray(&mut returned, &scene);
+            if number % kit::thorough(3, 1) == 0 {
+                lead_astray(&mut returned, &scene);
+            }
             returned.set_state(&state).unwrap();
             same(&returned.to_bytes(), &saved, || {
                 format!("return to step {number}")
@@ -135,7 +144,7 @@ fn refused(history: &History) -> Vec<LoadStep> {
 #[test]
 fn after_steps_that_were_refused_cancelled_or_interrupted() {
     every(scenes(), |scene| {
-        let scene = usual(scene);
+        let scene = shortened(scene);
         let mut history = scene.history(&scene.half_space(&POSE), &POSE);
         let mut twin = history.clone();
         let mut stopped = 0;
@@ -202,7 +211,7 @@ fn unworn() -> Vec<Scene> {
     let mut scenes: Vec<_> = scenes().iter().map(usual).collect();
     scenes.retain(|scene| scene.wear == 0.0);
     for scene in &mut scenes {
-        scene.path.truncate(kit::thorough(4, 5));
+        scene.path.truncate(kit::thorough(3, 5));
     }
     scenes
 }
@@ -321,7 +330,7 @@ fn some_scenes() -> Vec<Scene> {
         "plane, one way",
         "plane, repeating",
         "coupled, permanent set",
-        "coupled, shrinking",
+        "shrinking",
     ];
     let mut some = scenes();
     if kit::thorough(true, false) {

@@ -95,7 +95,7 @@ fn assert_nothing_half(
     let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
     for lost in 0..3 {
         // The ranks are lost before different calls.
-        let [first, stride] = kit::thorough([2 * lost, 5], [0, 1]);
+        let [first, stride] = kit::thorough([2 * lost, 7], [0, 1]);
         let mut calls = first;
         loop {
             drop(fs::remove_dir_all(folder));

@@ -111,7 +111,7 @@ fn npy_files_have_the_same_bytes() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(6, 12)))]
 
     #[test]
     fn npy_files_of_any_size_have_the_same_bytes(nx in 1_usize..150, ny in 1_usize..400) {

@@ -66,13 +66,13 @@ fn slices(plane: &Plane) -> [&[f64]; 9] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(12, 40)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 40)))]
 
     /// To 1e-13 of the largest component that tractions of these sizes cause, whose resultants may be next to nothing: on the
     /// surface and below it, in both bodies, also without shear.
     #[test]
     fn planes_are_sums_over_cells(
-        nx in 1..12_usize, ny in 1..12_usize, aspect in 0.3..3.0_f64,
+        nx in 1..kit::thorough(8, 12_usize), ny in 1..kit::thorough(8, 12_usize), aspect in 0.3..3.0_f64,
         depth in prop_oneof![Just(0.0), 1e-3..60.0_f64], nu in -0.4..0.5_f64, seed in 0..1000_usize,
     ) {
         let grid = Grid::new(nx, ny, 1.0, aspect).unwrap();
@@ -119,7 +119,7 @@ fn planes_of_rows_are_sums_over_images() {
             let mut planes = Planes::new(&bodies, &[depth]).unwrap().with_displacements();
             let plane = planes.solve(0, Body::One, of(&fields)).unwrap();
             let period = 0.8 * ny as f64;
-            for away in [0.0, -3.0 * period] {
+            for &away in kit::thorough(&[-3.0 * period][..], &[0.0, -3.0 * period]) {
                 let points: Vec<_> = (0..grid.cells())
                     .map(|i| [grid.x(i % nx), grid.y(i / nx) + away, depth])
                     .collect();
@@ -598,7 +598,7 @@ fn a_sliding_ball_tears_at_its_trailing_edge() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(12, 48)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 48)))]
 
     /// Where the grid repeats along both axes, every plane carries the load whatever the tractions: the sums of the
     /// stresses on it are those of the tractions.

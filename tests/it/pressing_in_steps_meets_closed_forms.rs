@@ -59,7 +59,7 @@ fn spheres_stick_as_spence_says() {
 /// Without slip a sphere is stiffer: the load over that of Hertz at the same approach, extrapolated from 16 and 32 steps.
 #[test]
 fn sticking_makes_a_sphere_stiffer() {
-    kit::thorough(&[0.0, 0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4])
+    kit::thorough(&[0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4])
         .into_par_iter()
         .for_each(|&poisson_ratio| {
             let ratios = [16, 32].map(|steps| {

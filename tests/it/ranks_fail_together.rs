@@ -252,11 +252,12 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             (before, history.to_bytes(), outcome.ok(), used)
         })
     };
-    for (coupling, is_adaptive) in [
-        (Coupling::OneWay, false),
-        (Coupling::OneWay, true),
+    let kinds = [
         (Coupling::Full, false),
-    ] {
+        (Coupling::OneWay, true),
+        (Coupling::OneWay, false),
+    ];
+    for (coupling, is_adaptive) in kinds.into_iter().take(kit::thorough(2, 3)) {
         let whole = step_until(last, coupling, is_adaptive);
         let (all, mut refused) = (whole[1].3, 0);
         // The last calls of a step are those on the way into the state.
@@ -293,7 +294,7 @@ type Change = fn(&mut History, &mut Cycle, &State) -> Result<()>;
 /// A rank may be lost at any moment of a change too, or while a cycle is added up.
 #[test]
 fn changes_are_made_wholly_or_not_at_all() {
-    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
+    let grid = Grid::new(96, kit::thorough(90, 180), 0.1, 0.08).unwrap();
     let last = usize::MAX;
     // What a rank sees before and after the change, its outcome, and the calls it has made.
     let change_until = |change: Change, calls: usize| {
@@ -338,7 +339,7 @@ fn changes_are_made_wholly_or_not_at_all() {
         let whole = change_until(change, last);
         let all = whole[1].3;
         assert!(all > 0 && whole[0].0 != whole[0].1, "change {number}");
-        for calls in (0..all).step_by(kit::thorough(5, 1)) {
+        for calls in (0..all).step_by(kit::thorough(7, 1)) {
             let parts = change_until(change, calls);
             let mut refused = 0;
             for rank in [0, 2] {

@@ -68,7 +68,7 @@ proptest! {
     #[test]
     fn products_have_the_same_bits(
         nx in 1_usize..130,
-        ny in 1_usize..330,
+        ny in 1_usize..kit::thorough(200, 330),
         of in 0_usize..3,
         size in 2_usize..8,
         last in 0.0_f64..1.0,
@@ -189,7 +189,8 @@ fn rough_surfaces_have_the_same_bits() {
 #[test]
 fn every_rank_knows_the_whole_contact() {
     let rough = SelfAffine::with_rms_slope(0.3).seed(5);
-    for boundary in boundaries(Grid::new(60, 130, 0.5, 0.5).unwrap()) {
+    let boundaries = boundaries(Grid::new(60, 130, 0.5, 0.5).unwrap());
+    for &boundary in &boundaries[..kit::thorough(2, 3)] {
         let count = |bodies: &HalfSpace| {
             let gap = rough.generate_on(bodies).unwrap().map(|z| -z);
             let force = NormalControl::Force(0.03 * bodies.grid().whole().area());
@@ -258,7 +259,7 @@ fn a_rank_that_is_lost_ends_all() {
 fn the_first_rank_decides_for_all() {
     let in_time = Settings::default();
     let late = in_time.time_limit(Duration::ZERO);
-    for cells in [128, 600] {
+    for cells in [128, kit::thorough(520, 600)] {
         let grid = Grid::square(cells, 8.0).unwrap();
         let alone = HalfSpace::new(grid, pair()).unwrap();
         let expected = watched(&alone, in_time, usize::MAX).unwrap();

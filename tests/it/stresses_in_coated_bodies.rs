@@ -88,7 +88,7 @@ fn a_layer_of_the_material_below_changes_nothing() {
                 (Body::One, [coated, body(1.0, 0.2)]),
                 (Body::Two, [body(1.0, 0.2), coated]),
             ] {
-                for sides in [[0.3, 0.4], [3.0, 2.0]] {
+                for &sides in kit::thorough(&[[0.3, 0.4]][..], &[[0.3, 0.4], [3.0, 2.0]]) {
                     let depths = kit::thorough(
                         &[0.0, 0.8, 1.0, 1.5][..],
                         &[0.0, 0.1, 0.79, 0.8, 1.0, 1.1, 1.5, 20.0],
