@@ -323,7 +323,6 @@ fn on_any_number_of_threads() {
 /// Scenes that together have every boundary, model, coupling and memory, and all scenes in the campaign.
 fn some_scenes() -> Vec<Scene> {
     let chosen = [
-        "wear",
         "rows",
         "strained line",
         "plane, friction of each cell",

@@ -80,6 +80,11 @@ fn turned_and_mirrored() {
             signs,
             ..Pose::IN_PLACE
         };
+        // A mirror that exchanges the axes and reverses both.
+        let diagonal = pose(true, [-1.0, -1.0]);
+        if scene.can_turn() && kit::thorough(true, false) {
+            return posed(scene, &[diagonal], ROUND_OFF);
+        }
         let mirrors = [pose(false, [1.0, -1.0]), pose(false, [-1.0, 1.0])];
         let count = kit::thorough(1, 2);
         posed(scene, &mirrors[..count], ROUND_OFF)?;
@@ -88,7 +93,7 @@ fn turned_and_mirrored() {
         }
         let quarter_turn = pose(true, [-1.0, 1.0]);
         let axes = pose(true, [1.0, 1.0]);
-        posed(scene, &[quarter_turn, axes][..count], ROUND_OFF)
+        posed(scene, &[quarter_turn, axes, diagonal], ROUND_OFF)
     });
 }
 
