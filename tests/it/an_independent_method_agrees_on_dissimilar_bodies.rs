@@ -225,7 +225,7 @@ fn scene_agrees(scene: u64, coating: Option<Layer>) {
 
 #[test]
 fn histories_are_those_of_projections() {
-    (0..kit::thorough(12, 100))
+    (0..kit::thorough(8, 100))
         .into_par_iter()
         .for_each(|scene| scene_agrees(scene, None));
 }

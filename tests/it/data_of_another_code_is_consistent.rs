@@ -136,7 +136,7 @@ fn assert_consistent(text: &str, steps: usize, cells: usize) {
     assert_eq!(case.steps.len(), steps);
     let displacements = Displacements::of(&case);
     let mut before: &[Cell] = &[];
-    for step in case.steps.iter().take(kit::thorough(3, steps)) {
+    for step in case.steps.iter().take(kit::thorough(2, steps)) {
         assert_eq!(step.cells.len(), cells);
         assert_normal_contact(&case, step, &displacements);
         let from = if step.continues { before } else { &[] };

@@ -296,7 +296,7 @@ fn long_steps_err_far_less_than_whole_ones() {
         let scene = Scene::new(0.3, roughness, TangentialModel::Vector);
         for (number, legs) in paths.iter().enumerate() {
             let mut many = scene.history(TouchRule::Growth);
-            follow(&mut many, legs, kit::thorough(16, 40), shifted);
+            follow(&mut many, legs, kit::thorough(12, 40), shifted);
             for steps in [1, 4] {
                 let [with, without] = [TouchRule::Growth, TouchRule::WholeStep].map(|rule| {
                     let mut few = scene.history(rule);

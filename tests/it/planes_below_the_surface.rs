@@ -66,7 +66,7 @@ fn slices(plane: &Plane) -> [&[f64]; 9] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 40)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(6, 40)))]
 
     /// To 1e-13 of the largest component that tractions of these sizes cause, whose resultants may be next to nothing: on the
     /// surface and below it, in both bodies, also without shear.
@@ -668,7 +668,7 @@ proptest! {
 
 #[test]
 fn solving_depth_by_depth_gives_the_same_bits() {
-    let [nx, ny] = kit::thorough([22, 20], [70, 66]);
+    let [nx, ny] = kit::thorough([14, 12], [70, 66]);
     let grid = Grid::new(nx, ny, 1.0, 0.7).unwrap();
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();

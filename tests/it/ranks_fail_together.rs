@@ -339,7 +339,7 @@ fn changes_are_made_wholly_or_not_at_all() {
         let whole = change_until(change, last);
         let all = whole[1].3;
         assert!(all > 0 && whole[0].0 != whole[0].1, "change {number}");
-        for calls in (0..all).step_by(kit::thorough(7, 1)) {
+        for calls in (0..all).step_by(kit::thorough(11, 1)) {
             let parts = change_until(change, calls);
             let mut refused = 0;
             for rank in [0, 2] {

@@ -151,7 +151,7 @@ fn stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Option<f64>)
     let (outcome, count) = solve(&mut x, &mut watch, settings);
     outcome.unwrap();
     assert!(count <= last + 1 && calls > 20);
-    for stop in (0..calls).step_by(kit::thorough(11, 3)) {
+    for stop in (0..calls).step_by(kit::thorough(17, 3)) {
         let (mut left, mut at_stop) = (stop, 0);
         let mut cancel = |_: &Iteration, count: usize| {
             if left == 0 {
