@@ -84,7 +84,7 @@ fn check(gap: &Field, load: f64, lateral: TangentialModel) {
 
 #[test]
 fn on_a_sphere_and_on_a_rough_surface() {
-    let grid = Grid::square(96, 100.0).unwrap();
+    let grid = Grid::square(kit::thorough(48, 96), 100.0).unwrap();
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         check(&surface::sphere(grid, 300.0).unwrap(), 20.0, lateral);
         check(&rough(grid, 4), 30.0, lateral);
@@ -177,7 +177,7 @@ fn while_contacts_grow_within_a_cycle() {
 /// To and fro between sizes of which one is at least twice the other: the buffers of both are kept.
 #[test]
 fn while_contacts_shrink_and_grow_again() {
-    let grid = Grid::square(96, 96.0).unwrap();
+    let grid = Grid::square(kit::thorough(64, 96), 96.0).unwrap();
     let gap = surface::sphere(grid, 1000.0).unwrap();
     let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
     let unlike = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();

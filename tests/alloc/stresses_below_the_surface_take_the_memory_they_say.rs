@@ -31,7 +31,7 @@ fn a_plane_that_is_there_is_solved_without_allocation() {
         Boundary::Periodic,
         Boundary::PeriodicAlongY { datum: 2.0 },
     ] {
-        let (bodies, pressure) = bodies(96, boundary);
+        let (bodies, pressure) = bodies(kit::thorough(40, 96), boundary);
         let shear = pressure.scaled(0.1);
         let tractions = Tractions::new(&pressure).with_traction([&shear, &shear]);
         let mut planes = Planes::new(&bodies, &[0.1, 0.2])
@@ -55,7 +55,7 @@ fn a_plane_that_is_there_is_solved_without_allocation() {
 /// The kernels of a depth take 112 bytes per cell, 170 while they are made, and those of a slab no more.
 #[test]
 fn the_memory_of_a_slab_does_not_grow_with_its_depths() {
-    let (bodies, pressure) = bodies(256, Boundary::NonPeriodic);
+    let (bodies, pressure) = bodies(kit::thorough(128, 256), Boundary::NonPeriodic);
     let cells = bodies.grid().cells() as u64;
     let of = |count: u32| {
         let depths: Vec<f64> = (1..=count).map(|k| 0.1 * f64::from(k)).collect();

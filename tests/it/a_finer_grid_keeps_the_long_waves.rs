@@ -24,11 +24,15 @@ fn sampled(found: &[Wave], grid: Grid) -> Field {
 
 #[test]
 fn a_finer_grid_samples_the_same_surface() {
-    for (coarse, fine) in [
-        ([32, 32], [64, 64]),
-        ([32, 24], [64, 48]),
-        ([31, 24], [57, 90]),
-    ] {
+    let sizes = kit::thorough(
+        &[([20, 18], [40, 36]), ([21, 18], [39, 56])][..],
+        &[
+            ([32, 32], [64, 64]),
+            ([32, 24], [64, 48]),
+            ([31, 24], [57, 90]),
+        ],
+    );
+    for &(coarse, fine) in sizes {
         let grid =
             |[nx, ny]: [usize; 2]| Grid::new(nx, ny, 2.0 / nx as f64, 1.5 / ny as f64).unwrap();
         for amplitudes in [Amplitudes::Exact, Amplitudes::Gaussian] {

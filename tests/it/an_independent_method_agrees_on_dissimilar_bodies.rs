@@ -225,7 +225,7 @@ fn scene_agrees(scene: u64, coating: Option<Layer>) {
 
 #[test]
 fn histories_are_those_of_projections() {
-    (0..100)
+    (0..kit::thorough(8, 100))
         .into_par_iter()
         .for_each(|scene| scene_agrees(scene, None));
 }
@@ -233,10 +233,12 @@ fn histories_are_those_of_projections() {
 /// Coatings softer and stiffer than what is below, thinner and thicker than the cells.
 #[test]
 fn coated_histories_are_those_of_projections() {
-    (0..16_u8).into_par_iter().for_each(|scene| {
-        let (modulus, thickness) = ([0.1, 0.5, 3.0, 10.0], [0.2, 0.6, 2.0]);
-        let (n, m) = (usize::from(scene) % 4, usize::from(scene) % 3);
-        let coating = Layer::new(modulus[n], 0.1 * f64::from(scene % 5), thickness[m]).unwrap();
-        scene_agrees(u64::from(scene), Some(coating));
-    });
+    (0..kit::thorough(6_u8, 16))
+        .into_par_iter()
+        .for_each(|scene| {
+            let (modulus, thickness) = ([0.1, 0.5, 3.0, 10.0], [0.2, 0.6, 2.0]);
+            let (n, m) = (usize::from(scene) % 4, usize::from(scene) % 3);
+            let coating = Layer::new(modulus[n], 0.1 * f64::from(scene % 5), thickness[m]).unwrap();
+            scene_agrees(u64::from(scene), Some(coating));
+        });
 }

@@ -265,7 +265,7 @@ fn independent_answer(bodies: &HalfSpace, limits: &[f64], shift: [f64; 2]) -> Ve
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(6, 12)))]
 
     #[test]
     fn the_answer_is_that_of_another_method(
@@ -285,7 +285,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(16, 48)))]
 
     /// Every scene converges, within its certificate of the answer to a far smaller tolerance.
     #[test]

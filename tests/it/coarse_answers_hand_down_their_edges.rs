@@ -33,7 +33,7 @@ fn iterations(n: usize, seed: u64) -> usize {
 /// Measured: 32, 30 and 30; 44, 39 and 42 where sums that coarse answers missed were spread over slipping cells too.
 #[test]
 fn in_the_plane_on_rough_surfaces() {
-    for seed in [0, 4, 5] {
+    for &seed in kit::thorough(&[0][..], &[0, 4, 5]) {
         let iterations = iterations(512, seed);
         assert!(iterations <= 36, "seed {seed}: {iterations}");
     }

@@ -196,12 +196,14 @@ fn a_layer_of_its_substrate_is_no_layer() {
 #[test]
 fn thin_and_thick_layers_are_their_limits() {
     let [soft, hard] = [1.0, 5.0].map(|g| Material::from_shear_modulus(g, 0.3).unwrap());
-    let grid = Grid::new(12, 9, 0.2, 0.35).unwrap();
+    let [nx, ny] = kit::thorough([7, 5], [12, 9]);
+    let grid = Grid::new(nx, ny, 0.2, 0.35).unwrap();
     let coated = |thickness| on_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
     assert_same(&on_rigid(soft), &coated(1e-7), grid, 1e-5);
     assert_same(&on_rigid(hard), &coated(1e6), grid, 1e-5);
-    let thinner = coated(1e-9);
-    assert_same(&on_rigid(soft), &thinner, grid, 1e-7);
+    if kit::thorough(false, true) {
+        assert_same(&on_rigid(soft), &coated(1e-9), grid, 1e-7);
+    }
 }
 
 /// A bed that is thin beside the contact is a row of springs, of the oedometric modulus.

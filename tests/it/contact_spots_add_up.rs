@@ -13,7 +13,7 @@ use stickslip::{
 };
 
 use crate::files_of_slabs_are_never_half::Leaving;
-use crate::ranks_share_a_contact::{PATIENCE, RANKS};
+use crate::ranks_share_a_contact::{PATIENCE, ranks};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
@@ -171,7 +171,7 @@ fn of_a_contact_that_ranks_share() {
         };
         let alone = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
         let expected = made(&alone);
-        for size in RANKS {
+        for &size in ranks() {
             let slabs = Threads::run(size, PATIENCE, |rank| {
                 let (pair, rank) = (kit::unit_pair(0.3), Arc::new(rank) as Arc<dyn Ranks>);
                 made(&HalfSpace::distributed(grid, pair, boundary, rank).unwrap())
@@ -214,7 +214,7 @@ fn of_ranks_that_lose_each_other() {
         })
     };
     let whole = found_until(usize::MAX);
-    for calls in 0..whole[1].1 {
+    for calls in (0..whole[1].1).step_by(kit::thorough(3, 1)) {
         let found = found_until(calls);
         assert_eq!(found[1].0, None);
         for rank in [0, 2] {

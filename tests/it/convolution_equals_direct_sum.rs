@@ -175,6 +175,8 @@ fn small_grid() -> impl Strategy<Value = Grid> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(24, 256)))]
+
     #[test]
     fn all_nine_components(
         (grid, pair, boundary, seed) in (grid(), pair(), 0..3_usize, any::<u64>())

@@ -133,7 +133,8 @@ fn everything_is_the_sum_over_the_steps() {
 /// tractions at the end of the steps is that of Mindlin and Deresiewicz.
 #[test]
 fn the_area_of_the_loop_is_dissipated() {
-    let gap = surface::sphere(Grid::square(128, 10.0).unwrap(), 20.0).unwrap();
+    let grid = Grid::square(kit::thorough(80, 128), 10.0).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
     let mut history = pressed(&gap, LOAD, TangentialModel::Scalar, 1e-9);
     let mut cycle = Cycle::new(&history);
     let hertz = HertzSphere::new(&unit_pair(0.3), 20.0, LOAD).unwrap();
@@ -160,7 +161,8 @@ fn the_area_of_the_loop_is_dissipated() {
 /// On a sphere the energy ratio is 1/5 where sliding begins, whatever the materials, and grows to one.
 #[test]
 fn the_energy_ratio_tells_partial_from_gross_slip() {
-    let gap = surface::sphere(Grid::square(96, 10.0).unwrap(), 20.0).unwrap();
+    let grid = Grid::square(kit::thorough(64, 96), 10.0).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
     let mut history = pressed(&gap, LOAD, TangentialModel::Scalar, 1e-7);
     let mut cycle = Cycle::new(&history);
     let mut ratio_at = |amplitude: f64| {

@@ -192,7 +192,7 @@ fn edges_of_another_kind_are_refused() {
     }
 }
 
-/// A periodic rough contact of waves that the cells barely resolve, against five times finer ones: counting reads high.
+/// A periodic rough contact of waves that the cells barely resolve, against cells that are three times finer, and five times in the campaign: counting reads high.
 #[test]
 fn areas_of_rough_contacts_are_right_where_most_fits_are_refused() {
     let area = |cells: usize| -> (f64, f64, Edges) {
@@ -220,7 +220,7 @@ fn areas_of_rough_contacts_are_right_where_most_fits_are_refused() {
         let edges = contact.edges().unwrap();
         (contact.contact_area(), edges.area(), edges)
     };
-    let ((raw, found, edges), (_, fine, _)) = (area(64), area(320));
+    let ((raw, found, edges), (_, fine, _)) = (area(64), area(kit::thorough(192, 320)));
     assert!(edges.refused_share() > 0.3, "{}", edges.refused_share());
     assert!((found / fine - 1.0).abs() < 0.02, "{found} {fine}");
     assert!((raw / fine - 1.0).abs() > 0.04, "{raw} {fine}");

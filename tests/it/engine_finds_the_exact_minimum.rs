@@ -74,7 +74,7 @@ fn assert_certified(found: &Minimum, error: f64, scene: u64) {
 
 #[test]
 fn normal_contact_under_a_force() {
-    for seed in 0..200 {
+    for seed in 0..kit::thorough(60, 200) {
         let mut scene = Scene::new(seed);
         let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
         let total = 10_f64.powf(scene.random.uniform(-4.0, 1.0)) * scene.gap.grid().nx() as f64;
@@ -111,7 +111,7 @@ fn normal_contact_under_a_force() {
 
 #[test]
 fn tangential_contact_under_a_force() {
-    for seed in 0..200 {
+    for seed in 0..kit::thorough(60, 200) {
         let mut scene = Scene::new(1000 + seed);
         let matrix = DenseOperator::of_half_space(&scene.bodies, Component::XX).unwrap();
         let cells = scene.gap.grid().cells();
@@ -156,7 +156,7 @@ fn tangential_contact_under_a_force() {
 
 #[test]
 fn without_a_total() {
-    for seed in 0..100 {
+    for seed in 0..kit::thorough(40, 100) {
         let mut scene = Scene::new(2000 + seed);
         let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
         let span = scene.gap.max() - scene.gap.min();
@@ -189,7 +189,7 @@ fn without_a_total() {
 #[test]
 fn the_certificate_bounds_the_error_of_unfinished_iterates() {
     let mut tightness = Vec::new();
-    for seed in 0..200 {
+    for seed in 0..kit::thorough(80, 200) {
         let mut scene = Scene::new(3000 + seed);
         let matrix = DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap();
         let cells = scene.gap.grid().cells();

@@ -28,6 +28,13 @@ fn usual(scene: &Scene) -> Scene {
     }
 }
 
+/// The scene, solved to what is usual, and outside the campaign without its last steps.
+fn shortened(scene: &Scene) -> Scene {
+    let mut scene = usual(scene);
+    scene.path.truncate(kit::thorough(5, usize::MAX));
+    scene
+}
+
 /// Whether both are the same; `what` is what differs otherwise.
 fn same<T: PartialEq + ?Sized>(found: &T, expected: &T, what: impl FnOnce() -> String) -> Law {
     if found == expected {
@@ -55,7 +62,7 @@ fn lead_astray(history: &mut History, scene: &Scene) {
 #[test]
 fn saved_copied_or_returned_to() {
     every(scenes(), |scene| {
-        let scene = usual(scene);
+        let scene = shortened(scene);
         let bodies = scene.half_space(&POSE);
         let mut history = scene.history(&bodies, &POSE);
         let other = Scene {
@@ -72,7 +79,9 @@ fn saved_copied_or_returned_to() {
                 format!("bytes of step {number}")
             })?;
             let read = State::from_bytes(&saved).unwrap();
-            lead_astray(&mut returned, &scene);
+            if number % kit::thorough(3, 1) == 0 {
+                lead_astray(&mut returned, &scene);
+            }
             returned.set_state(&state).unwrap();
             same(&returned.to_bytes(), &saved, || {
                 format!("return to step {number}")
@@ -86,6 +95,11 @@ fn saved_copied_or_returned_to() {
             if number == scene.path.len() / 2 {
                 copies = fresh.clone();
                 copies.push(("copied", history.clone()));
+            }
+            // The others have the bytes that are compared above, and are left out in turn.
+            if kit::thorough(true, false) {
+                fresh.swap(0, number % 3);
+                fresh.truncate(1);
             }
             scene.take(&mut history, step, &POSE);
             scene.take(&mut returned, step, &POSE);
@@ -130,7 +144,7 @@ fn refused(history: &History) -> Vec<LoadStep> {
 #[test]
 fn after_steps_that_were_refused_cancelled_or_interrupted() {
     every(scenes(), |scene| {
-        let scene = usual(scene);
+        let scene = shortened(scene);
         let mut history = scene.history(&scene.half_space(&POSE), &POSE);
         let mut twin = history.clone();
         let mut stopped = 0;
@@ -197,7 +211,7 @@ fn unworn() -> Vec<Scene> {
     let mut scenes: Vec<_> = scenes().iter().map(usual).collect();
     scenes.retain(|scene| scene.wear == 0.0);
     for scene in &mut scenes {
-        scene.path.truncate(5);
+        scene.path.truncate(kit::thorough(3, 5));
     }
     scenes
 }
@@ -255,7 +269,7 @@ fn many_in_one_call_or_one_pool() {
 
     let scenes = unworn();
     let expected = alone(&scenes);
-    for threads in [1, 3] {
+    for &threads in kit::thorough(&[3][..], &[1, 3]) {
         let mut histories: Vec<_> = scenes
             .iter()
             .map(|scene| scene.history(&scene.half_space(&POSE), &POSE))
@@ -279,26 +293,26 @@ fn many_in_one_call_or_one_pool() {
     }
 }
 
-/// Enough cells that threads and ranks have some each, in two steps.
-fn shared(scene: &Scene) -> Scene {
+/// Enough cells that threads and ranks have some each, so many times in x and y, in two steps.
+fn shared(scene: &Scene, times: usize) -> Scene {
     let mut scene = Scene {
         tolerance: 1e-3,
         ..scene.clone()
     };
     if scene.size[0] > 40 {
         scene.path.truncate(2);
-        return scene.finer([2, 3]);
+        return scene.finer([2, times / 2]);
     }
     scene.path.drain(..1);
     scene.path.truncate(2);
-    scene.finer([6, 6])
+    scene.finer([times, times])
 }
 
 #[cfg(feature = "parallel")]
 #[test]
 fn on_any_number_of_threads() {
-    every(scenes(), |scene| {
-        let scene = [shared(scene)];
+    every(some_scenes(), |scene| {
+        let scene = [shared(scene, kit::thorough(5, 6))];
         let one = pool(1).install(|| alone(&scene));
         same(&pool(3).install(|| alone(&scene)), &one, || {
             "three threads".to_owned()
@@ -306,9 +320,30 @@ fn on_any_number_of_threads() {
     });
 }
 
+/// Scenes that together have every boundary, model, coupling and memory, and all scenes in the campaign.
+fn some_scenes() -> Vec<Scene> {
+    let chosen = [
+        "rows",
+        "strained line",
+        "plane, friction of each cell",
+        "plane, one way",
+        "plane, repeating",
+        "coupled, permanent set",
+        "shrinking",
+    ];
+    let mut some = scenes();
+    if kit::thorough(true, false) {
+        some.retain(|scene| chosen.contains(&scene.name));
+        assert_eq!(some.len(), chosen.len());
+    }
+    some
+}
+
 /// The scenes that ranks share.
 pub(crate) fn shared_scenes() -> Vec<Scene> {
-    scenes().iter().map(shared).collect()
+    let times = kit::thorough(4, 6);
+    let scenes = some_scenes();
+    scenes.iter().map(|scene| shared(scene, times)).collect()
 }
 
 /// What every rank knows of a history, and what is found in its cells, as bits; with the contact spots and their labels.

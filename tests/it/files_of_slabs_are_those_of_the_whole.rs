@@ -15,7 +15,9 @@ use stickslip::*;
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Ranks of which some have few rows or none.
-pub(super) const RANKS: [usize; 5] = [1, 2, 3, 4, 7];
+pub(super) fn ranks() -> &'static [usize] {
+    kit::thorough(&[3], &[1, 2, 3, 4, 7])
+}
 
 /// Cells along x and y: oblong, one row, one column, rows longer than a chunk of a sum.
 pub(super) const SIZES: [[usize; 2]; 7] = [
@@ -79,7 +81,7 @@ pub(super) fn bits(samples: &[f64]) -> Vec<u64> {
 fn assert_same_npy(grid: Grid, folder: &Path) {
     let field = Field::from_fn(grid, height);
     let path = folder.join("field.npy");
-    for size in RANKS {
+    for &size in ranks() {
         drop(fs::remove_file(&path));
         let read = on_ranks(size, grid, |bodies, _| {
             let slab = Field::from_fn(bodies.grid(), height);
@@ -109,7 +111,7 @@ fn npy_files_have_the_same_bytes() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(6, 12)))]
 
     #[test]
     fn npy_files_of_any_size_have_the_same_bytes(nx in 1_usize..150, ny in 1_usize..400) {
@@ -154,7 +156,7 @@ fn npy_files_of_other_kinds_are_read_as_by_one_process() {
             fs::write(&path, npy_file(descr, is_fortran, [ny, nx], samples)).unwrap();
             let expected = npy::read(&path, [0.3, 0.2]).unwrap();
             assert_eq!(npy::grid(&path, [0.3, 0.2]).unwrap(), grid);
-            for size in RANKS {
+            for &size in ranks() {
                 let read = on_ranks(size, grid, |bodies, _| bodies.read_npy(&path).unwrap());
                 let read: Vec<f64> = read.into_iter().flat_map(Field::into_vec).collect();
                 assert_eq!(
@@ -175,7 +177,7 @@ fn what_cannot_be_read_or_written_is_refused_by_all() {
     let whole = npy::to_bytes(&Field::zeros(grid));
     fs::write(&cut, &whole[..whole.len() - 8]).unwrap();
     npy::write(&other, &Field::zeros(Grid::new(300, 40, 0.3, 0.2).unwrap())).unwrap();
-    for size in RANKS {
+    for &size in ranks() {
         let outcomes = on_ranks(size, grid, |bodies, _| {
             let slab = Field::zeros(bodies.grid());
             let elsewhere = Field::zeros(Grid::new(2, 2, 0.3, 0.2).unwrap());
@@ -252,7 +254,7 @@ fn images_in_pieces_show_the_whole() {
         let whole = vti::to_bytes(&[("z", &Field::zeros(grid))]).unwrap();
         let whole = String::from_utf8(whole).unwrap();
         let (place, _) = between(&whole, " Origin=", ">");
-        for size in RANKS {
+        for &size in ranks() {
             for name in names_in(&folder) {
                 fs::remove_file(folder.join(name)).unwrap();
             }

@@ -133,7 +133,7 @@ fn profiles_are_filtered_along_themselves() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
     /// What is left and what is taken off add up, holes stay holes, a datum and a unit change nothing else.
     #[test]

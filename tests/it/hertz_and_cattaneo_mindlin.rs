@@ -94,7 +94,7 @@ fn table_2_at_512_cells() {
         2.742346393547517,
     ];
     let forces = [5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 49.0];
-    for (force, shift) in forces.into_iter().zip(shifts) {
+    for (force, shift) in forces.into_iter().zip(shifts).step_by(kit::thorough(4, 1)) {
         let solution = shear(&bodies, &normal, Table2::FRICTION, force, 1e-6);
         let ratio = (1.0 - force / 50.0_f64).powf(2.0 / 3.0);
         assert!(
@@ -108,13 +108,14 @@ fn table_2_at_512_cells() {
     }
 
     // Figure 9, with the friction 0.2 its caption names: profiles under forces that stick.
-    for (f, bound) in [
+    let profiles = [
         (0.2, 2.3),
         (0.4, 0.55),
         (0.6, 0.55),
         (0.8, 0.55),
         (0.95, 0.23),
-    ] {
+    ];
+    for (f, bound) in profiles.into_iter().step_by(kit::thorough(4, 1)) {
         let force = f * 0.2 * Table2::FORCE;
         let solution = shear(&bodies, &normal, 0.2, force, 1e-6);
         let closed = exact(0.2, force);
@@ -148,7 +149,7 @@ fn law(name: &'static str, constant: f64, order: f64, error: f64) -> Law {
 fn errors_fall_by_their_laws() {
     let mut random = Random(5);
     let closed = hertz();
-    for n in [32, 64, 128, 256] {
+    for &n in kit::thorough(&[32, 64, 128][..], &[32, 64, 128, 256]) {
         for _ in 0..2 {
             let width = 2.6;
             let cell = width * closed.contact_radius() / n as f64;

@@ -69,7 +69,7 @@ fn errors(cells: usize, part: f64) -> [f64; 2] {
 
 #[test]
 fn traction_and_shift_on_the_way_back() {
-    for part in [0.4, 0.0, -0.5, -AMPLITUDE] {
+    for &part in kit::thorough(&[-0.5][..], &[0.4, 0.0, -0.5, -AMPLITUDE]) {
         let [coarse, middle, fine] = [48, 96, 192].map(|cells| errors(cells, part));
         // The shift of slip zones is of order 3/2 at least, and erratic; tractions are of order 1.
         for ([shift, traction], bounds) in [
@@ -103,7 +103,7 @@ fn energy_of_a_cycle() {
 #[test]
 fn steps_do_not_matter() {
     let mut ends: Vec<History> = Vec::new();
-    for steps in [2, 8, 32] {
+    for &steps in kit::thorough(&[2, 8][..], &[2, 8, 32]) {
         let mut history = pressed(64, 1e-9);
         shear_to(&mut history, AMPLITUDE, steps);
         let there = history.traction()[0].clone();
@@ -146,7 +146,7 @@ fn stuck(history: &History) -> usize {
 /// Forty steps a cycle cost two or three products in double precision each, and eighteen in single at most.
 #[test]
 fn a_warm_step_is_cheap() {
-    let mut history = pressed(256, 1e-6);
+    let mut history = pressed(kit::thorough(128, 256), 1e-6);
     shear_to(&mut history, AMPLITUDE, 10);
     let (mut double, mut single) = (0, 0);
     for step in 1..=40 {

@@ -307,7 +307,8 @@ fn histories_go_on_with_their_kernel_alone() {
 /// Ranks find the bits of one process.
 #[test]
 fn ranks_share_kernels() {
-    let grid = Grid::new(48, 40, 0.1, 0.1).unwrap();
+    // More than a chunk of cells, so that two ranks have some.
+    let grid = Grid::new(64, 66, 0.1, 0.1).unwrap();
     let find = |bodies: &HalfSpace| {
         let gap = surface::sphere(bodies.grid(), 5.0).unwrap();
         let load = NormalControl::Force(0.1);

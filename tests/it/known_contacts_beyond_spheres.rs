@@ -59,7 +59,7 @@ fn cones() {
     let pair = unit_pair(0.3);
     // Contact radius one.
     let cone = Cone::new(&pair, 0.02, 0.01 * PI).unwrap();
-    for n in [24, 48, 96, 192] {
+    for &n in kit::thorough(&[24, 48, 96][..], &[24, 48, 96, 192]) {
         let grid = Grid::square(n, 2.6).unwrap();
         let bodies = HalfSpace::new(grid, pair).unwrap();
         for _ in 0..4 {

@@ -91,7 +91,7 @@ impl Posed {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(22, 64)))]
 
     /// Pressure pushes, bodies do not overlap, and no cell does both.
     #[test]

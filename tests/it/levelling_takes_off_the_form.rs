@@ -222,7 +222,7 @@ fn bad_input_is_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(22, 64)))]
 
     /// What remains is orthogonal to the form, levelling it again changes nothing, and a form added
     /// before is taken off whole.

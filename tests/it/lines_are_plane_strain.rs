@@ -352,7 +352,7 @@ fn punches_of_other_materials_stick_as_spence_has_it() {
     ];
     for (beta, values) in cases {
         for (part, coefficient) in values {
-            for cells in [64, 256, 1024] {
+            for &cells in kit::thorough(&[64, 256][..], &[64, 256, 1024]) {
                 let [one_way, coupled] = punch(cells, beta, coefficient);
                 let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
                 let body = Material::new(1.0, poisson_ratio).unwrap();

@@ -48,7 +48,7 @@ fn stops<T: Debug + PartialEq>(mut call: impl FnMut(Observer<'_>) -> Result<T, E
 }
 
 fn scene() -> (HalfSpace, Field, NormalSolution, Friction) {
-    let bodies = unit_bodies(Grid::square(24, 8.0).unwrap(), 0.3);
+    let bodies = unit_bodies(Grid::square(kit::thorough(16, 24), 8.0).unwrap(), 0.3);
     let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
     let load = NormalControl::Force(0.5);
     let problem = NormalProblem::builder(&bodies, &ball, load)

@@ -278,7 +278,7 @@ fn cells_too_slender_to_couple_end_in_an_error() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(22, 64)))]
 
     /// Peaks of either body close the gap, which touches zero; it knows neither order nor datum.
     #[test]

@@ -49,7 +49,7 @@ fn assert_agreement(bodies: &HalfSpace, gap: &Field, force: f64) {
 
 #[test]
 fn on_the_sphere_of_table_2_within_their_cost() {
-    let grid = Grid::square(256, 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = Grid::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS).unwrap();
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
     let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
     assert_agreement(&bodies, &ball, Table2::FORCE);
@@ -84,7 +84,7 @@ fn on_rough_surfaces_from_few_spots_to_nearly_closed() {
 /// The bare engine on the whole grid, from a uniform start and with the circulant preconditioner alone.
 #[test]
 fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
-    let grid = Grid::square(256, 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = Grid::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS).unwrap();
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
     let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
     let settings = Settings::default().tolerance(TOLERANCE);

@@ -148,8 +148,14 @@ fn gap(bodies: &HalfSpace) -> Field {
 #[test]
 fn contacts_are_those_of_the_bodies() {
     for (grid, boundary) in [
-        (Grid::new(40, 34, 0.1, 0.12).unwrap(), Boundary::NonPeriodic),
-        (Grid::new(24, 30, 0.15, 0.12).unwrap(), Boundary::Periodic),
+        (
+            kit::thorough(Grid::new(26, 22, 0.15, 0.18), Grid::new(40, 34, 0.1, 0.12)).unwrap(),
+            Boundary::NonPeriodic,
+        ),
+        (
+            kit::thorough(Grid::new(18, 20, 0.2, 0.18), Grid::new(24, 30, 0.15, 0.12)).unwrap(),
+            Boundary::Periodic,
+        ),
         (
             Grid::new(60, 1, 0.05, 1.0).unwrap(),
             Boundary::PeriodicAlongY { datum: 40.0 },
@@ -243,7 +249,7 @@ fn dissimilar_contacts_are_those_of_the_bodies() {
 /// A history that comes back and goes on after a restart; and its stiffness.
 #[test]
 fn histories_are_those_of_the_bodies() {
-    let grid = Grid::square(36, 3.0).unwrap();
+    let grid = Grid::square(kit::thorough(26, 36), 3.0).unwrap();
     let bodies = HalfSpace::new(grid, pair(false)).unwrap();
     let friction = Friction::coulomb(0.3).unwrap();
     let step = |normal: f64, force: f64| {
@@ -525,7 +531,11 @@ fn operators_without_a_bound_solve_what_needs_none() {
 /// Traction under a given pressure that moves the surfaces too, and the stiffness in buffers that other bodies had before.
 #[test]
 fn one_way_coupling_is_that_of_the_bodies() {
-    let bodies = HalfSpace::new(Grid::square(28, 3.0).unwrap(), pair(true)).unwrap();
+    let bodies = HalfSpace::new(
+        Grid::square(kit::thorough(18, 28), 3.0).unwrap(),
+        pair(true),
+    )
+    .unwrap();
     let mut workspace = StiffnessWorkspace::new();
     let mut solved = |bodies: &HalfSpace| {
         let history = History::builder(bodies, gap(bodies), Friction::coulomb(0.4).unwrap());

@@ -66,13 +66,13 @@ fn slices(plane: &Plane) -> [&[f64]; 9] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(6, 40)))]
 
     /// To 1e-13 of the largest component that tractions of these sizes cause, whose resultants may be next to nothing: on the
     /// surface and below it, in both bodies, also without shear.
     #[test]
     fn planes_are_sums_over_cells(
-        nx in 1..12_usize, ny in 1..12_usize, aspect in 0.3..3.0_f64,
+        nx in 1..kit::thorough(8, 12_usize), ny in 1..kit::thorough(8, 12_usize), aspect in 0.3..3.0_f64,
         depth in prop_oneof![Just(0.0), 1e-3..60.0_f64], nu in -0.4..0.5_f64, seed in 0..1000_usize,
     ) {
         let grid = Grid::new(nx, ny, 1.0, aspect).unwrap();
@@ -115,11 +115,11 @@ fn planes_of_rows_are_sums_over_images() {
         let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
         let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
         let fields = scattered(grid, 4);
-        for depth in [0.0, 0.1, 2.0, 30.0] {
+        for &depth in kit::thorough(&[0.0, 2.0][..], &[0.0, 0.1, 2.0, 30.0]) {
             let mut planes = Planes::new(&bodies, &[depth]).unwrap().with_displacements();
             let plane = planes.solve(0, Body::One, of(&fields)).unwrap();
             let period = 0.8 * ny as f64;
-            for away in [0.0, -3.0 * period] {
+            for &away in kit::thorough(&[-3.0 * period][..], &[0.0, -3.0 * period]) {
                 let points: Vec<_> = (0..grid.cells())
                     .map(|i| [grid.x(i % nx), grid.y(i / nx) + away, depth])
                     .collect();
@@ -598,7 +598,7 @@ fn a_sliding_ball_tears_at_its_trailing_edge() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 48)))]
 
     /// Where the grid repeats along both axes, every plane carries the load whatever the tractions: the sums of the
     /// stresses on it are those of the tractions.
@@ -668,7 +668,8 @@ proptest! {
 
 #[test]
 fn solving_depth_by_depth_gives_the_same_bits() {
-    let grid = Grid::new(70, 66, 1.0, 0.7).unwrap();
+    let [nx, ny] = kit::thorough([14, 12], [70, 66]);
+    let grid = Grid::new(nx, ny, 1.0, 0.7).unwrap();
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, pair(0.3, 0.1), boundary).unwrap();
         let (fields, others) = (scattered(grid, 1), scattered(grid, 8));
@@ -705,8 +706,8 @@ fn solving_depth_by_depth_gives_the_same_bits() {
                 .unwrap();
             assert!(reused == solved[index]);
         }
-        assert_eq!(reused.get(3, 4), reused.stresses().nth(4 * 70 + 3));
-        assert_eq!(reused.get(70, 0), None);
+        assert_eq!(reused.get(3, 4), reused.stresses().nth(4 * nx + 3));
+        assert_eq!(reused.get(nx, 0), None);
     }
 }
 

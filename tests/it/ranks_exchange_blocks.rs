@@ -147,7 +147,9 @@ fn a_block_of_another_length_is_told() {
         "{whole:?}"
     );
     let all = whole[0].1;
-    for after in (0..all).step_by(all / 12).chain(all - 6..all) {
+    let [parts, stride] = kit::thorough([4, 2], [12, 1]);
+    let moments = (0..all).step_by(all / parts);
+    for after in moments.chain((all - 6..all).step_by(stride)) {
         let outcomes = solve(after);
         let told = Error::Ranks(RankFailure::OutOfStep { rank: 1 });
         assert_eq!(outcomes[0].0, Err(told), "{after} of {all}");

@@ -37,8 +37,8 @@ fn slabs_that_do_not_belong_together_are_refused() {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
         State::of_slabs(&alone, slabs).map(drop).unwrap_err()
     };
-    // 250 rows of 128 cells are eight chunks, of which the third rank has those from the sixth on.
-    let row = 160;
+    // A chunk is 32 rows. The third rank has those from the third of four on, and from the sixth of eight in the campaign.
+    let row = kit::thorough(64, 160);
     let other = Error::Ranks(RankFailure::OtherState { row });
     assert_eq!(refused(&slabs), other);
     let missing = Error::Ranks(RankFailure::NoSlab { row });
@@ -252,15 +252,18 @@ fn a_step_is_taken_wholly_or_not_at_all() {
             (before, history.to_bytes(), outcome.ok(), used)
         })
     };
-    for (coupling, is_adaptive) in [
-        (Coupling::OneWay, false),
-        (Coupling::OneWay, true),
+    let kinds = [
         (Coupling::Full, false),
-    ] {
+        (Coupling::OneWay, true),
+        (Coupling::OneWay, false),
+    ];
+    for (coupling, is_adaptive) in kinds.into_iter().take(kit::thorough(2, 3)) {
         let whole = step_until(last, coupling, is_adaptive);
         let (all, mut refused) = (whole[1].3, 0);
         // The last calls of a step are those on the way into the state.
-        let moments = (0..all).step_by(all / 6).chain(all - 24..all);
+        let [parts, stride] = kit::thorough([2, 8], [6, 1]);
+        let moments = (0..all).step_by(all / parts);
+        let moments = moments.chain((all - 24..all).step_by(stride));
         for calls in moments {
             let parts = step_until(calls, coupling, is_adaptive);
             for rank in [0, 2] {
@@ -275,7 +278,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
                 }
             }
         }
-        assert!(refused > 40, "{refused}");
+        assert!(refused > kit::thorough(8, 40), "{refused}");
     }
 }
 
@@ -291,7 +294,7 @@ type Change = fn(&mut History, &mut Cycle, &State) -> Result<()>;
 /// A rank may be lost at any moment of a change too, or while a cycle is added up.
 #[test]
 fn changes_are_made_wholly_or_not_at_all() {
-    let grid = Grid::new(96, 180, 0.1, 0.08).unwrap();
+    let grid = Grid::new(96, kit::thorough(90, 180), 0.1, 0.08).unwrap();
     let last = usize::MAX;
     // What a rank sees before and after the change, its outcome, and the calls it has made.
     let change_until = |change: Change, calls: usize| {
@@ -336,7 +339,7 @@ fn changes_are_made_wholly_or_not_at_all() {
         let whole = change_until(change, last);
         let all = whole[1].3;
         assert!(all > 0 && whole[0].0 != whole[0].1, "change {number}");
-        for calls in 0..all {
+        for calls in (0..all).step_by(kit::thorough(11, 1)) {
             let parts = change_until(change, calls);
             let mut refused = 0;
             for rank in [0, 2] {

@@ -14,8 +14,10 @@ use stickslip::*;
 /// Longer than any step takes, even where many tests run at once.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Ranks of which some have little or nothing to do.
-pub(crate) const RANKS: [usize; 4] = [2, 3, 4, 7];
+/// Numbers of ranks, of which some have little or nothing to do.
+pub(crate) fn ranks() -> &'static [usize] {
+    kit::thorough(&[3], &[2, 3, 4, 7])
+}
 
 pub(crate) fn pair() -> ElasticPair {
     ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
@@ -60,13 +62,13 @@ pub(crate) fn boundaries(grid: Grid) -> [Boundary; 3] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(3, 12)))]
 
     /// Transforms of rows and columns are the same wherever they are done, of any size, with rows without traction too.
     #[test]
     fn products_have_the_same_bits(
         nx in 1_usize..130,
-        ny in 1_usize..330,
+        ny in 1_usize..kit::thorough(200, 330),
         of in 0_usize..3,
         size in 2_usize..8,
         last in 0.0_f64..1.0,
@@ -110,7 +112,7 @@ pub(crate) fn assert_shared(
     find: impl Fn(&HalfSpace) -> Found + Sync,
 ) {
     let (cells, known) = find(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
-    for size in RANKS {
+    for &size in ranks() {
         let parts = Threads::run(size, PATIENCE, |rank| {
             find(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
         });
@@ -177,7 +179,7 @@ fn rough_surfaces_have_the_same_bits() {
         let grid = Grid::new(nx, ny, 0.5, 0.5).unwrap();
         let heights = |bodies: &HalfSpace| rough.generate_on(bodies).unwrap().into_vec();
         let alone = heights(&HalfSpace::new(grid, pair()).unwrap());
-        for size in RANKS {
+        for &size in ranks() {
             same(&on_ranks(size, grid, Boundary::Periodic, heights), &alone).unwrap();
         }
     }
@@ -187,7 +189,8 @@ fn rough_surfaces_have_the_same_bits() {
 #[test]
 fn every_rank_knows_the_whole_contact() {
     let rough = SelfAffine::with_rms_slope(0.3).seed(5);
-    for boundary in boundaries(Grid::new(60, 130, 0.5, 0.5).unwrap()) {
+    let boundaries = boundaries(Grid::new(60, 130, 0.5, 0.5).unwrap());
+    for &boundary in &boundaries[..kit::thorough(2, 3)] {
         let count = |bodies: &HalfSpace| {
             let gap = rough.generate_on(bodies).unwrap().map(|z| -z);
             let force = NormalControl::Force(0.03 * bodies.grid().whole().area());
@@ -199,7 +202,7 @@ fn every_rank_knows_the_whole_contact() {
         };
         let grid = Grid::new(60, 130, 0.5, 0.5).unwrap();
         let alone = count(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
-        for size in RANKS {
+        for &size in ranks() {
             let found = Threads::run(size, PATIENCE, |rank| {
                 count(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
             });
@@ -256,7 +259,7 @@ fn a_rank_that_is_lost_ends_all() {
 fn the_first_rank_decides_for_all() {
     let in_time = Settings::default();
     let late = in_time.time_limit(Duration::ZERO);
-    for cells in [128, 600] {
+    for cells in [128, kit::thorough(520, 600)] {
         let grid = Grid::square(cells, 8.0).unwrap();
         let alone = HalfSpace::new(grid, pair()).unwrap();
         let expected = watched(&alone, in_time, usize::MAX).unwrap();
@@ -337,9 +340,9 @@ fn what_one_rank_refuses_all_refuse() {
 /// Ranks that answer too late are given up.
 #[test]
 fn a_silent_rank_is_given_up() {
-    let outcomes = Threads::run(2, Duration::from_millis(50), |rank| {
+    let outcomes = Threads::run(2, Duration::from_millis(20), |rank| {
         if rank.rank() == 1 {
-            std::thread::sleep(Duration::from_millis(400));
+            std::thread::sleep(Duration::from_millis(200));
         }
         rank.swap(vec![1], 1 - rank.rank(), 1 - rank.rank())
     });

@@ -77,10 +77,10 @@ fn solvers_continue_with_the_same_bits() {
 }
 
 /// Only the observer of the first rank ends the solve: on coarse cells that every rank solves by itself, as those of the
-/// smaller grid, and on those that ranks share.
+/// smaller grid, and on those that ranks share, as those of the larger one and the grid itself.
 #[test]
 fn the_first_rank_decides_for_all() {
-    for cells in [96, 600] {
+    for &cells in kit::thorough(&[96][..], &[96, 600]) {
         the_first_rank_decides_on(Grid::square(cells, 8.0).unwrap());
     }
 }
@@ -105,7 +105,7 @@ fn the_first_rank_decides_on(grid: Grid) {
     let alone = HalfSpace::new(grid, pair()).unwrap();
     let (outcome, expected) = solve(&alone, usize::MAX);
     outcome.unwrap();
-    for (first, others) in [(usize::MAX, 3), (3, usize::MAX)] {
+    for (first, others) in [(usize::MAX, 3), (usize::MAX, 12), (3, usize::MAX)] {
         let parts = Threads::run(3, PATIENCE, |rank| {
             let own = if rank.rank() == 0 { first } else { others };
             let boundary = Boundary::NonPeriodic;

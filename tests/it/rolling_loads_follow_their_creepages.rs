@@ -213,12 +213,13 @@ fn creep_forces_are_those_of_single_solves() {
 #[test]
 fn solves_take_few_products() {
     let scene = Scene::across(64);
-    for [xi, eta, spin] in [
-        [0.3, 0.0, 0.0],
-        [1.0, 0.0, 0.0],
-        [2.0, 0.0, 0.0],
+    let points = [
         [0.5, 0.5, 0.5],
-    ] {
+        [1.0, 0.0, 0.0],
+        [0.3, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+    ];
+    for &[xi, eta, spin] in &points[..kit::thorough(2, 4)] {
         let problem = scene.at([xi, eta, spin]).tolerance(1e-8).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
         let mut rolling = solver.new_solution();
@@ -236,7 +237,7 @@ fn solves_take_few_products() {
         stiffness.unwrap();
         assert!(products <= 170, "{products}");
     }
-    for part in [0.9, 0.99, 0.999] {
+    for &part in kit::thorough(&[0.99][..], &[0.9, 0.99, 0.999]) {
         let force = RollingControl::Force(part * scene.limit);
         let problem = scene.rolling().control(Axis::X, force).build().unwrap();
         let rolling = problem.solve().unwrap();

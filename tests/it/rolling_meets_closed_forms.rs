@@ -128,12 +128,13 @@ fn kalkers_coefficients_are_those_of_small_creepages() -> Result<()> {
 fn reciprocity_comes_with_the_cells() -> Result<()> {
     let defect = |scale: f64| -> Result<f64> {
         let grids = [30.0, 31.7, 33.3, 35.1, 36.8, 38.3].map(|cells| scale * cells);
+        let grids = &grids[..kit::thorough(3, 6)];
         let mut sum = 0.0;
-        for cells in grids {
+        for &cells in grids {
             let (_, [_, _, c23, c32, _]) = solved([1.0; 2], 0.25, cells)?;
             sum += (c32 / c23 + 1.0).powi(2);
         }
-        Ok((sum / 6.0).sqrt())
+        Ok((sum / grids.len() as f64).sqrt())
     };
     let (coarse, fine) = (defect(1.0)?, defect(2.0)?);
     assert!(fine < 5e-3 && fine < 0.6 * coarse, "{fine} after {coarse}");

@@ -327,7 +327,7 @@ fn any_grid() -> impl Strategy<Value = Grid> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(11, 32)))]
 
     /// Lengths in another unit are the same lengths.
     #[test]

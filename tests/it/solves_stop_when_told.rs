@@ -80,14 +80,14 @@ fn products(report: &Report) -> usize {
 
 #[test]
 fn the_engine_asks_before_every_product() {
-    let bodies = unit_bodies(Grid::square(48, 100.0).unwrap(), 0.3);
+    let bodies = unit_bodies(Grid::square(kit::thorough(32, 48), 100.0).unwrap(), 0.3);
     let gap = rough(bodies.grid(), 3);
     let limits: Vec<f64> = gap.as_slice().iter().map(|h| (1.5 - h).max(0.0)).collect();
     let shifted = vec![-1.0; limits.len()];
     let inverse = bodies.preconditioner(Component::ZZ).unwrap().unwrap();
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = Settings::default().method(method).tolerance(1e-11);
-        for total in [None, Some(80.0)] {
+        for total in [None, Some(kit::thorough(25.0, 80.0))] {
             // From its least value, or from an approach that closes some of it.
             let datum = if total.is_some() { 0.0 } else { 1.0 };
             let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
@@ -150,7 +150,7 @@ fn stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Option<f64>)
     let (outcome, count) = solve(&mut x, &mut watch, settings);
     outcome.unwrap();
     assert!(count <= last + 1 && calls > 20);
-    for stop in (0..calls).step_by(3) {
+    for stop in (0..calls).step_by(kit::thorough(17, 3)) {
         let (mut left, mut at_stop) = (stop, 0);
         let mut cancel = |_: &Iteration, count: usize| {
             if left == 0 {
@@ -188,7 +188,7 @@ struct End {
     by_clock: bool,
 }
 
-const LIMIT: Duration = Duration::from_millis(400);
+const LIMIT: Duration = Duration::from_millis(50);
 
 impl End {
     const fn status(self) -> Status {
@@ -224,13 +224,13 @@ impl End {
 }
 
 fn ends() -> impl Iterator<Item = End> {
-    let cancelled = [1, 2, 3, 8, 13, 20, 27];
-    let timed = [1, 3, 9];
-    let end = |by_clock| move |call| End { call, by_clock };
+    let cancelled: &[usize] = kit::thorough(&[2, 8, 27], &[1, 2, 3, 8, 13, 20, 27]);
+    let timed: &[usize] = kit::thorough(&[1, 9], &[1, 3, 9]);
+    let end = |by_clock| move |&call: &usize| End { call, by_clock };
     cancelled
-        .into_iter()
+        .iter()
         .map(end(false))
-        .chain(timed.into_iter().map(end(true)))
+        .chain(timed.iter().map(end(true)))
 }
 
 #[test]

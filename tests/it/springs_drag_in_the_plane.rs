@@ -71,7 +71,10 @@ fn springs_of_all_stiffnesses() {
         (repeats, rough(grid, 6)),
     ];
     for (bodies, gap) in &scenes {
-        for stiffness in [1e-3, 0.1, STIFFNESS, 1e3, 1e7] {
+        for &stiffness in kit::thorough(
+            &[1e-3, STIFFNESS, 1e7][..],
+            &[1e-3, 0.1, STIFFNESS, 1e3, 1e7],
+        ) {
             let [mut by_spring, mut by_force, mut by_shift] =
                 [(); 3].map(|()| press(bodies, gap, TangentialModel::Vector));
             // The far end that exerts about this force on a contact that sticks.

@@ -141,7 +141,7 @@ fn rough_scenes_and_a_load_that_grows_beyond_the_window() {
     let grid = Grid::square(96, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.25);
     let friction = Friction::coulomb(0.4).unwrap();
-    for seed in 0..4 {
+    for seed in 0..kit::thorough(2, 4) {
         let gap = rough(grid, 100 + seed);
         assert_same(&bodies, &gap, NormalControl::Force(10.0), &friction, 0.9);
     }

@@ -71,7 +71,7 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(43, 128)))]
 
     #[test]
     fn a_shift_changes_the_mean_alone(heights in surface(), shift in -100.0..100.0_f64) {

@@ -292,7 +292,7 @@ fn energies(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
     /// Rough gaps, friction by cell, creepages or forces, spin, dissimilar bodies: Coulomb's law in every cell, and the
     /// certificate above the error against a tighter solve.

@@ -580,7 +580,7 @@ fn contacts_that_pressure_draws_have_the_stiffness_of_steps() {
 /// Pressure and traction found together: all loads by all motions, on a ball, a rough surface and one that repeats.
 #[test]
 fn coupled_contacts_have_the_stiffness_of_steps() {
-    for poisson_ratio in [0.45, 0.3, 0.0] {
+    for &poisson_ratio in kit::thorough(&[0.3][..], &[0.45, 0.3, 0.0]) {
         let body = Material::new(1.0, poisson_ratio).unwrap();
         let pair = ElasticPair::new(body, Material::rigid()).unwrap();
         let mut scenes = vec![Scene::ball(32, 0.3, TangentialModel::Vector)];

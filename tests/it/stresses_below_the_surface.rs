@@ -272,9 +272,10 @@ fn points_at_the_edge_of_numbers_are_finite_or_refused() {
             let rule = "must lie within 1e60 cells of the grid";
             matches!(error, Error::Sample { rule: found, .. } if found.ends_with(rule))
         };
-        let places = [[0.0, 0.0], [2.0, 3.0], [0.5, 0.0], [1.0, 0.3], [7.0, 0.0]];
+        let places = [[0.0, 0.0], [2.0, 3.0], [7.0, 0.0], [0.5, 0.0], [1.0, 0.3]];
+        let places = &places[..kit::thorough(3, 5)];
         for depth in [5e-324, 1e-310, 1e-200, 1e-162, 1e-151] {
-            for [x, y] in places {
+            for &[x, y] in places {
                 if boundary != Boundary::Periodic {
                     assert_eq!(at([x, y, depth]).unwrap(), at([x, y, 0.0]).unwrap());
                 }
@@ -283,9 +284,9 @@ fn points_at_the_edge_of_numbers_are_finite_or_refused() {
             assert!(found.stresses().eq(surface.stresses()));
             assert_eq!(found.displacement(), surface.displacement());
         }
-        for exponent in (-149..=308).step_by(7) {
+        for exponent in (-149..=308).step_by(kit::thorough(91, 7)) {
             let far = 10_f64.powi(exponent);
-            for [x, y] in places {
+            for &[x, y] in places {
                 for point in [[x, y, far], [far, y, 0.0], [x, -far, 0.1], [far, far, far]] {
                     match at(point) {
                         Ok(found) => assert!(components(&found).iter().all(|c| c.is_finite())),

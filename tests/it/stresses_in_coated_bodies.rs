@@ -88,13 +88,16 @@ fn a_layer_of_the_material_below_changes_nothing() {
                 (Body::One, [coated, body(1.0, 0.2)]),
                 (Body::Two, [body(1.0, 0.2), coated]),
             ] {
-                for sides in [[0.3, 0.4], [3.0, 2.0]] {
-                    let depths = [0.0, 0.1, 0.79, 0.8, 1.0, 1.1, 1.5, 20.0];
+                for &sides in kit::thorough(&[[0.3, 0.4]][..], &[[0.3, 0.4], [3.0, 2.0]]) {
+                    let depths = kit::thorough(
+                        &[0.0, 0.8, 1.0, 1.5][..],
+                        &[0.0, 0.1, 0.79, 0.8, 1.0, 1.1, 1.5, 20.0],
+                    );
                     let alone =
                         pair.map(|material| if material == coated { plain } else { material });
-                    let found = planes(&bodies(pair[0], pair[1], boundary, sides), which, &depths);
+                    let found = planes(&bodies(pair[0], pair[1], boundary, sides), which, depths);
                     let expected =
-                        planes(&bodies(alone[0], alone[1], boundary, sides), which, &depths);
+                        planes(&bodies(alone[0], alone[1], boundary, sides), which, depths);
                     for (found, expected) in found.iter().zip(&expected) {
                         let unit = max_abs(fields(expected)[2].as_slice()).max(1.0);
                         for (n, (found, expected)) in

@@ -5,7 +5,7 @@ use stickslip::ranks::RankFailure;
 use stickslip::surface::{self, Form, PowerSpectrum, Statistics};
 use stickslip::*;
 
-use crate::files_of_slabs_are_those_of_the_whole::{RANKS, SIZES, bits, height, on_ranks};
+use crate::files_of_slabs_are_those_of_the_whole::{SIZES, bits, height, on_ranks, ranks};
 
 /// Everything that is said of a surface, in numbers, and the levelled heights held here.
 fn told(bodies: &HalfSpace, z: impl Fn(f64, f64) -> f64) -> (Vec<f64>, Vec<f64>) {
@@ -85,7 +85,7 @@ fn surfaces_are_characterised_with_the_same_bits() {
             PowerSpectrum::of(&heights).unwrap(),
         );
         assert_eq!(bits(&known[4..]), bits(&numbers_of(&statistics, &spectrum)));
-        for size in RANKS {
+        for &size in ranks() {
             let parts = on_ranks(size, grid, |bodies, _| told(bodies, height));
             let (others, parts): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
             for other in others {

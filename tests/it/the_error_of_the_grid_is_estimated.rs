@@ -23,7 +23,8 @@ fn estimates_of_pressures_are_near_the_error() {
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = bodies(grid, cell_value);
             for shape in Smooth::all() {
-                for offset in [[0.12, 0.43], [0.31, -0.17]] {
+                let offsets = [[0.12, 0.43], [0.31, -0.17]];
+                for &offset in &offsets[..kit::thorough(1, 2)] {
                     let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
                     let exact = shape.mean_pressure(grid, offset);
                     let error = l1_difference(contact.pressure(), &exact, |_| true);

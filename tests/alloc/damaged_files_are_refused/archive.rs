@@ -349,8 +349,8 @@ fn bombs() {
 /// Each element costs its own name, not those around it: this one would take hours else.
 #[test]
 fn long_names_around_many_elements() {
-    let name = "n".repeat(2 << 20);
-    let many = "<a/>".repeat(400_000);
+    let name = "n".repeat(kit::thorough(1 << 19, 2 << 20));
+    let many = "<a/>".repeat(kit::thorough(200_000, 400_000));
     let elements = format!("<{name}>{many}</{name}>");
     refuse(&with_main(&elements), "X3P, in main.xml");
     refuse(
@@ -371,7 +371,7 @@ fn files() -> Vec<Vec<u8>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(700, 2000)))]
 
     #[test]
     fn changed_archives(which in 0..4_usize, changes in changes()) {

@@ -102,7 +102,7 @@ pub(crate) fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(1000, 3000)))]
 
     #[test]
     fn nothing_panics_or_takes_much_memory(which in any::<Index>(), changes in changes()) {

@@ -3,10 +3,15 @@
 use miniz_oxide::deflate::compress_to_vec;
 
 fn crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |sum, &byte| {
-        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+    // A table of all bytes, as some contents have megabytes.
+    let shifted = |byte: u8| {
+        (0..8).fold(u32::from(byte), |sum, _| {
             sum >> 1 ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
         })
+    };
+    let table: Vec<u32> = (0..=u8::MAX).map(shifted).collect();
+    !bytes.iter().fold(!0_u32, |sum, &byte| {
+        sum >> 8 ^ table[usize::from(sum.to_le_bytes()[0] ^ byte)]
     })
 }
 

@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use kit::scenes::{catalogue, row};
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let rows = catalogue::rows()?;
+    let rows = catalogue::rows(1)?;
     println!("{}", row::HEADER);
     for row in &rows {
         println!("{row}");

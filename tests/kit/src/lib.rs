@@ -36,6 +36,18 @@ use stickslip::{
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
 
+/// The first argument in an everyday run of the tests, the second in the campaign before a release, which sets the
+/// environment variable `STICKSLIP_CAMPAIGN`.
+///
+/// Both must test the same law to the same tolerance. The first is a small instance, because every change waits for it.
+pub fn thorough<T>(everyday: T, campaign: T) -> T {
+    if std::env::var_os("STICKSLIP_CAMPAIGN").is_some() {
+        campaign
+    } else {
+        everyday
+    }
+}
+
 /// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
 /// exponent of 0.8, root-mean-square height one, least value zero.
 pub fn rough(grid: Grid, seed: u64) -> Field {
