@@ -33,7 +33,8 @@ class Tree:
 
     def __init__(self) -> None:
         listed = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-        self.files = listed.splitlines()
+        # A file that was deleted but not staged cannot be a target.
+        self.files = [file for file in listed.splitlines() if (ROOT / file).exists()]
         paths = [pathlib.PurePosixPath(file) for file in self.files]
         self.places = {place.as_posix() for path in paths for place in (path, *path.parents)}
         self.names = {path.name for path in paths}
