@@ -192,7 +192,8 @@ fn edges_of_another_kind_are_refused() {
     }
 }
 
-/// A periodic rough contact of waves that the cells barely resolve, against cells that are three times finer, and five times in the campaign: counting reads high.
+/// A periodic rough contact of waves that the cells barely resolve, against cells that are three times finer (in the
+/// campaign five times): counting reads high.
 #[test]
 fn areas_of_rough_contacts_are_right_where_most_fits_are_refused() {
     let area = |cells: usize| -> (f64, f64, Edges) {
