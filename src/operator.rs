@@ -1,4 +1,4 @@
-//! The seam between physics and engine: a linear operator that can be applied, and what its products write to.
+//! The seam between physics and engine: a linear operator that can be applied, and the memory of its products.
 
 use std::any::Any;
 use std::fmt;

@@ -15,33 +15,33 @@ pub(crate) fn smooth_length(least: usize) -> usize {
     if least <= 1 {
         return 1;
     }
-    // A power of two lies in every octave.
-    let candidates = (least..=2 * least).filter_map(|n| cost(n).map(|cost| (n, cost)));
-    let cheaper = |best: (usize, f64), other: (usize, f64)| {
-        if other.1 < best.1 { other } else { best }
+    let most = 2 * least;
+    let multiples = |first: Option<usize>, factor: usize| {
+        let multiples = std::iter::successors(first, move |n| n.checked_mul(factor));
+        multiples.take_while(move |n| *n <= most)
     };
-    candidates.reduce(cheaper).map_or(2 * least, |(n, _)| n)
+    let odd = multiples(Some(1), 5).flat_map(|fives| multiples(Some(fives), 3));
+    let even = odd.flat_map(|odd| multiples(odd.checked_mul(2), 2));
+    let candidates = even.filter(|n| *n >= least).map(|n| (cost(n), n));
+    let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // A power of two lies in every octave.
+    cheapest.map_or(most, |(_, n)| n)
 }
 
-/// `n log n`, and what fives and a lack of twos add (measured); `None` for lengths not considered.
-fn cost(n: usize) -> Option<f64> {
-    let mut rest = n;
-    let mut power = |prime: usize| {
-        let mut power = 0;
-        while rest % prime == 0 {
-            rest /= prime;
-            power += 1;
-        }
-        power
-    };
-    let (twos, _, fives) = (power(2), power(3), power(5));
-    if rest > 1 || twos == 0 {
-        return None;
+/// Returns `n log n` times measured factors for fives and for a lack of twos. The length has no prime factors but 2, 3, 5.
+fn cost(n: usize) -> f64 {
+    let (mut fives, mut rest) = (0, n);
+    while rest % 5 == 0 {
+        (fives, rest) = (fives + 1, rest / 5);
     }
-    let for_twos = [1.25, 1.1].get(twos - 1).unwrap_or(&1.0);
+    let for_twos = match n.trailing_zeros() {
+        1 => 1.25,
+        2 => 1.1,
+        _ => 1.0,
+    };
     let for_fives = [1.0, 1.05, 1.15].get(fives).unwrap_or(&1.7);
     let n = n as f64;
-    Some(n * n.log2() * for_twos * for_fives)
+    n * n.log2() * for_twos * for_fives
 }
 
 #[cfg(test)]
@@ -59,7 +59,6 @@ mod tests {
                 length >= least && length >= last,
                 "{least}: {length} after {last}"
             );
-            assert!(length == 1 || cost(length).is_some());
             last = length;
         }
         assert_eq!(
@@ -67,5 +66,26 @@ mod tests {
             768,
             "not 750, which costs as much as 1024"
         );
+    }
+
+    #[test]
+    fn smooth_length_is_the_cheapest_of_all_even_smooth_lengths() {
+        let is_smooth = |n: &usize| {
+            let strip = |n: usize, prime: usize| {
+                std::iter::successors(Some(n), |n| (n % prime == 0).then(|| n / prime)).last()
+            };
+            let rest = [2, 3, 5].into_iter().try_fold(*n, strip);
+            n % 2 == 0 && rest == Some(1)
+        };
+        for least in 2..1000 {
+            let all = (least..=2 * least).filter(is_smooth);
+            let cheapest = all.min_by(|a, b| cost(*a).total_cmp(&cost(*b)));
+            assert_eq!(Some(smooth_length(least)), cheapest);
+        }
+    }
+
+    #[test]
+    fn smooth_length_of_two_to_the_forty_is_itself() {
+        assert_eq!(smooth_length(1 << 40), 1 << 40);
     }
 }
