@@ -45,17 +45,17 @@ fn product(criterion: &mut Criterion) {
         let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
         let pressure = pressure.as_slice();
         let mut out = vec![0.0; operator.cells()];
-        let mut workspace = operator.scratch().unwrap();
+        let mut scratch = operator.scratch().expect("memory for a product");
         let mut group = group(criterion, "convolution", side);
         group.bench_function(BenchmarkId::new("double", side), |bencher| {
-            bencher.iter(|| operator.apply([black_box(pressure)], [&mut out], &mut workspace));
+            bencher.iter(|| operator.apply([black_box(pressure)], [&mut out], &mut scratch));
         });
         group.bench_function(BenchmarkId::new("single", side), |bencher| {
-            bencher.iter(|| operator.apply_f32([black_box(pressure)], [&mut out], &mut workspace));
+            bencher.iter(|| operator.apply_f32([black_box(pressure)], [&mut out], &mut scratch));
         });
-        let mut workspace = inverse.scratch().unwrap();
+        let mut scratch = inverse.scratch().expect("memory for a product");
         group.bench_function(BenchmarkId::new("preconditioner", side), |bencher| {
-            bencher.iter(|| inverse.apply([black_box(pressure)], [&mut out], &mut workspace));
+            bencher.iter(|| inverse.apply([black_box(pressure)], [&mut out], &mut scratch));
         });
         group.finish();
     }

@@ -55,7 +55,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let (direction, image) = (slices(&w.linear.direction), slices_mut(&mut w.linear.image));
         (problem.preconditioner).apply(direction, image, &mut w.linear.preconditioner);
         let image = slices(&w.linear.image);
-        let [square, product] = reduce::sum(&problem.layout, |i| {
+        let [square, product] = reduce::sum(problem.layout, |i| {
             let v = at(&direction, i);
             [dot(v, v), dot(v, at(&image, i))]
         });

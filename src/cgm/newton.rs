@@ -323,7 +323,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         let data = (
-            chunks(&problem.layout, &mut self.x),
+            chunks(problem.layout, &mut self.x),
             w.linear.moving.motions(&mut w.linear.rows),
         );
         w.linear.moving.sweep(data, |entries, (mut x, motions)| {

@@ -198,7 +198,7 @@ impl Engine {
         }
         match &mut self.whole {
             Some(Whole { operator, scratch }) => {
-                operator.apply(slices(tractions), slices_mut(displacement), scratch)
+                operator.apply(slices(tractions), slices_mut(displacement), scratch);
             }
             None => {
                 for (whole, product) in displacement.iter_mut().zip(self.workspace.product()) {

@@ -122,11 +122,11 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let motions = &w.linear.rows;
         let data = (
             (
-                chunks(&self.problem.layout, &mut self.x),
-                chunks(&self.problem.layout, &mut w.gradient),
+                chunks(self.problem.layout, &mut self.x),
+                chunks(self.problem.layout, &mut w.gradient),
             ),
             (
-                chunks(&self.problem.layout, &mut w.linear.direction),
+                chunks(self.problem.layout, &mut w.linear.direction),
                 w.linear.moving.compressed(&mut w.linear.residual),
             ),
         );
@@ -219,7 +219,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let has_change = norm(change) != 0.0;
         let compressed = w.linear.moving.compressed(&mut w.conjugate.direction);
         let data = (
-            chunks(&self.problem.layout, &mut w.linear.direction),
+            chunks(self.problem.layout, &mut w.linear.direction),
             compressed,
         );
         w.linear
