@@ -183,10 +183,10 @@ impl<const N: usize> Operator<N> for Identity {
     }
 }
 
-/// Memory that a product of an [`Operator`](crate::Operator) writes to besides its result.
+/// Memory that a product of an [`Operator`] writes to besides its result.
 ///
-/// [`Operator::scratch`](crate::Operator::scratch) creates it, and the caller owns it. An operator stores buffers of
-/// any type in it and gets them back in [`apply`](crate::Operator::apply).
+/// [`Operator::scratch`] creates it, and the caller owns it. An operator stores buffers of any type in it and gets them
+/// back in [`Operator::apply`].
 ///
 /// ```
 /// use stickslip::{Operator, Result, Scratch};

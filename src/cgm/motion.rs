@@ -64,7 +64,7 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
 )]
 pub trait Motion<const N: usize>: Row<N> {
     /// With the stiffness in force known to the preconditioner, beside an operator of this
-    /// [compliance](Operator::self_compliance) of a cell and what the cell has of its own.
+    /// [compliance](crate::Operator::self_compliance) of a cell and what the cell has of its own.
     #[must_use]
     fn weighed(self, self_compliance: f64, diagonal: f64) -> Self;
 
@@ -131,7 +131,7 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
 
     /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
     /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the
-    /// [compliance](Operator::self_compliance) of a cell and on what the cell has of its own, `weighing`.
+    /// [compliance](crate::Operator::self_compliance) of a cell and on what the cell has of its own, `weighing`.
     fn next(
         self,
         was: Self::Motion,

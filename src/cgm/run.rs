@@ -231,7 +231,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// The same in single precision: good enough to iterate, and to test convergence only of what is [examined
-    /// elsewhere](Problem::examined_elsewhere).
+    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
         self.product_error = SINGLE;
@@ -243,7 +243,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// By how much they may miss those of what is returned: not at all, unless it is [examined
-    /// elsewhere](Problem::examined_elsewhere).
+    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
     fn accepted_error(&self) -> f64 {
         if self.problem.is_examined_elsewhere {
             ACCEPTED * self.monitor.tolerance()
