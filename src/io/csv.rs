@@ -187,8 +187,8 @@ impl Options {
     }
 }
 
-/// The error for a cell that is a name, on the first line or in the first column, which tells the option that leaves
-/// it out.
+/// The error for a cell that is a name, on the first line or in the first column. It names the option that leaves
+/// the cell out.
 fn named(
     line: usize,
     cell: &str,
@@ -210,29 +210,36 @@ fn named(
     Some(FORMAT.on_line(line, problem))
 }
 
-/// The spelling of the cells that may be labels.
+/// The spelling of the cells, by which numbers that may be labels are recognised.
 #[derive(Debug)]
 struct Spelling {
-    is_corner_empty: bool,
+    corner: Corner,
     /// Whether the cells of the first line are digits, apart from the corner.
     is_line_whole: bool,
     /// Whether the cells of the first column are digits, apart from the corner.
     is_column_whole: bool,
-    is_corner_whole: bool,
-    /// Whether all, and whether some, of the cells outside the first line and column are digits.
-    are_others_whole: bool,
-    is_other_whole: bool,
+    /// Number of cells outside the first line and column, and of those that are digits.
+    others: usize,
+    whole_others: usize,
+}
+
+/// The first cell of the first line.
+#[derive(Debug, PartialEq)]
+enum Corner {
+    Empty,
+    /// Digits.
+    Whole,
+    Other,
 }
 
 impl Default for Spelling {
     fn default() -> Self {
         Self {
-            is_corner_empty: false,
+            corner: Corner::Other,
             is_line_whole: true,
             is_column_whole: true,
-            is_corner_whole: false,
-            are_others_whole: true,
-            is_other_whole: false,
+            others: 0,
+            whole_others: 0,
         }
     }
 }
@@ -242,15 +249,14 @@ impl Spelling {
         // An empty cell becomes NaN, which does not count on.
         let is_whole = cell.bytes().all(|byte| byte.is_ascii_digit());
         match (is_first_line, column) {
-            (true, 0) => {
-                self.is_corner_empty = cell.is_empty();
-                self.is_corner_whole = is_whole && !cell.is_empty();
-            }
+            (true, 0) if cell.is_empty() => self.corner = Corner::Empty,
+            (true, 0) if is_whole => self.corner = Corner::Whole,
+            (true, 0) => self.corner = Corner::Other,
             (true, _) => self.is_line_whole &= is_whole,
             (false, 0) => self.is_column_whole &= is_whole,
-            _ => {
-                self.are_others_whole &= is_whole;
-                self.is_other_whole |= is_whole;
+            (false, _) => {
+                self.others += 1;
+                self.whole_others += usize::from(is_whole);
             }
         }
     }
@@ -258,14 +264,14 @@ impl Spelling {
     /// Whether the first line and the first column of a matrix are labels.
     ///
     /// Below an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. Without
-    /// such a corner, labels are whole numbers that count, and the others do not count or have decimals. Two labels are too
-    /// few to tell unless all others have decimals.
+    /// such a corner, labels are whole numbers that count, and the others do not count or have decimals. Two numbers are labels
+    /// only if all others have decimals.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
         let column =
             |ix: usize, from: usize| (from..height).map(move |iy| samples[iy * width + ix]);
-        if self.is_corner_empty {
+        if self.corner == Corner::Empty {
             let does_line_count = self.is_line_whole && counts(line(0, 1));
             let does_column_count = self.is_column_whole && counts(column(0, 1));
             let is_pair = (does_line_count || is_even(line(0, 1)))
@@ -273,36 +279,34 @@ impl Spelling {
             let is_long = does_line_count && width > 3 || does_column_count && height > 3;
             return [is_pair || is_long; 2];
         }
-        if !self.is_corner_whole {
+        if self.corner != Corner::Whole {
             return [false; 2];
         }
-        let least = if self.is_other_whole { 3 } else { 2 };
+        let least = if self.whole_others > 0 { 3 } else { 2 };
+        let have_decimals = self.whole_others < self.others;
         let is_line = self.is_line_whole
             && (width >= least && height > 1)
             && counts(line(0, 0))
-            && (!self.are_others_whole || (1..height).any(|row| !steps_by_one(line(row, 0))));
+            && (have_decimals || (1..height).any(|row| !steps_by_one(line(row, 0))));
         let is_column = self.is_column_whole
             && (height >= least && width > 1)
             && counts(column(0, 0))
-            && (!self.are_others_whole || (1..width).any(|ix| !steps_by_one(column(ix, 0))));
+            && (have_decimals || (1..width).any(|ix| !steps_by_one(column(ix, 0))));
         [is_line, is_column]
     }
 }
 
 /// Whether numbers are 0, 1, 2 and so on, or 1, 2, 3.
-fn counts(mut numbers: impl Iterator<Item = f64> + Clone) -> bool {
-    steps_by_one(numbers.clone())
-        && numbers
-            .next()
-            .is_some_and(|first| first == 0.0 || first == 1.0)
+fn counts(numbers: impl Iterator<Item = f64> + Clone) -> bool {
+    let first = numbers.clone().next();
+    steps_by_one(numbers) && (first == Some(0.0) || first == Some(1.0))
 }
 
-#[expect(clippy::float_cmp, reason = "whole numbers differ by one exactly")]
+/// Whether each number exceeds the one before by one.
+#[expect(clippy::float_cmp, reason = "whole numbers are exact")]
 fn steps_by_one(numbers: impl Iterator<Item = f64> + Clone) -> bool {
-    numbers
-        .clone()
-        .zip(numbers.skip(1))
-        .all(|(a, b)| b - a == 1.0)
+    let next = numbers.clone().skip(1);
+    numbers.zip(next).all(|(a, b)| b - a == 1.0)
 }
 
 /// Whether three or more numbers have equal distances, up to the rounding of few decimals.

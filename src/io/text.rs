@@ -35,21 +35,26 @@ pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
     lines.filter_map(|(index, line)| {
-        let mut line = String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line));
-        while let Some(start) = find_no_data(&line) {
-            line.to_mut().remove(start + "no".len());
-        }
+        let line = String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line));
+        let line = with_joined_words(line);
         let content = line.trim_start_matches(' ');
         let is_data = !content.is_empty() && !content.starts_with(['#', '%']);
         is_data.then_some((index + 1, line))
     })
 }
 
-/// The place of the words `no data`, in either case.
-fn find_no_data(line: &str) -> Option<usize> {
+/// A line whose words `no data`, in either case, are one word each.
+fn with_joined_words(line: Cow<'_, str>) -> Cow<'_, str> {
     let words = b"no data";
-    let mut places = line.as_bytes().windows(words.len());
-    places.position(|place| place.eq_ignore_ascii_case(words))
+    let begins = |place: &[u8]| place.eq_ignore_ascii_case(words);
+    if !line.as_bytes().windows(words.len()).any(begins) {
+        return line;
+    }
+    let rest = |index: usize| line.as_bytes().get(index.checked_sub(2)?..);
+    let is_within =
+        |index: usize| rest(index).is_some_and(|rest| rest.get(..words.len()).is_some_and(begins));
+    let kept = line.char_indices().filter(|&(index, _)| !is_within(index));
+    kept.map(|(_, character)| character).collect()
 }
 
 /// The comments of a text (`#` or `%`), without the signs they begin with.

@@ -338,8 +338,8 @@ impl Axis {
         thresholds.into_iter().map(through).collect()
     }
 
-    /// The grid through sorted coordinates; some of its places may be empty everywhere. Steps from a threshold on
-    /// lead to another place, and are multiples of the shortest.
+    /// The grid through sorted coordinates; some of its places may be empty everywhere. A step that is not
+    /// shorter than a threshold leads to a new place, and is a multiple of the shortest.
     fn through(sorted: &[f64], threshold: f64) -> Self {
         let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
         let steps = || {
