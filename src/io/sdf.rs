@@ -57,7 +57,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     } else if is_sdf(bytes) && bytes.len() >= MAGIC_LENGTH {
         let dialect = excerpt(&String::from_utf8_lossy(&bytes[..MAGIC_LENGTH]));
         let problem = format!(
-            "the dialect {dialect} is not supported: save the file as bISO-1.0 or aISO-1.0"
+            "the file begins with the dialect {dialect}, which is not supported: save it as bISO-1.0 or aISO-1.0"
         );
         Err(FORMAT.at_byte(0, problem))
     } else {

@@ -433,7 +433,7 @@ fn xyz_headers_further_columns_and_decimal_commas_are_read() {
     assert!(field.as_slice()[0] == 1.5 && field.as_slice()[1].is_nan());
     let commented = io::xyz::parse(b"# no data = -1\n0 0 2\n1 0 -1\n").unwrap();
     assert!(commented.as_slice()[1].is_nan());
-    // Commas as separators and in numbers cannot be told apart.
+    // Commas can be separators or decimal commas here.
     let error = io::xyz::parse(b"0,0,0,0,1,5\n1,0,0,0,2,5\n")
         .unwrap_err()
         .to_string();
