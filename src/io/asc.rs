@@ -1,13 +1,13 @@
-//! ASC as SPIP and Gwyddion export it: a matrix in text behind a header of `# key = value`.
+//! ASC as SPIP and Gwyddion export it: a matrix in text behind a header of `# key = value`, or of `# Width: 10 um`.
 //!
 //! Heights and cell sides are in metres. Rows follow one another towards larger y.
 
 use std::path::Path;
 
-use super::csv::missing_value;
+use super::csv::{self, missing_value};
 use super::text::{Separator, excerpt, lines, without_mark};
-use super::{Format, Place, parse_file};
-use crate::error::Result;
+use super::{Format, Place, Sides, parse_file};
+use crate::error::{Error, Result};
 use crate::field::Field;
 
 const FORMAT: Format = Format("ASC");
@@ -43,6 +43,10 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// for one if no mask follows and it cannot be a number of points. A comment that names a missing value, as in [`csv`](super::csv::parse), is obeyed too. Missing points become NaN.
 /// Numbers are separated as in [`csv`](super::csv::parse), on any lines.
 ///
+/// The text export of Gwyddion is read too. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` are the sides of the
+/// whole surface, and `# Value units: nm` is the unit of the heights. The matrix follows as in
+/// [`csv`](super::csv::parse).
+///
 /// # Errors
 /// [`Error::Format`](crate::Error::Format) if the bytes are not such a file, a key is missing, a unit unknown, or the
 /// number of heights another.
@@ -57,6 +61,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Field> {
+    if is_gwyddion(bytes) {
+        return parse_gwyddion(bytes);
+    }
     if !is_asc(bytes) {
         return Err(FORMAT.on_line(1, "the file does not begin with # File Format = ASCII"));
     }
@@ -106,6 +113,58 @@ pub(super) fn is_asc(bytes: &[u8]) -> bool {
     without_mark(bytes).starts_with(MAGIC)
 }
 
+/// Whether a file begins with the comments of a text export of Gwyddion.
+pub(super) fn is_gwyddion(bytes: &[u8]) -> bool {
+    let header = header_text(bytes);
+    !is_asc(bytes)
+        && entry(&header, ':', "Width").is_some()
+        && entry(&header, ':', "Height").is_some()
+}
+
+fn parse_gwyddion(bytes: &[u8]) -> Result<Field> {
+    let header = header_text(bytes);
+    let required = |key: &str| {
+        let value = entry(&header, ':', key);
+        value.ok_or_else(|| FORMAT.in_entry(key, "the header lacks it"))
+    };
+    let length = |key: &str| {
+        let value = required(key)?;
+        let (number, unit) = value
+            .split_once(char::is_whitespace)
+            .unwrap_or((&value, ""));
+        let parsed = number.replace(',', ".").parse::<f64>();
+        let problem = |_| FORMAT.in_entry(key, format!("{} is not a number", excerpt(number)));
+        let value = parsed.map_err(problem)? * unit_of(key, unit.trim())?;
+        FORMAT.positive(Place::Entry(key.into()), "it", value)
+    };
+    let sides = Sides::OfGrid([length("Width")?, length("Height")?]);
+    let unit = unit_of("Value units", &required("Value units")?)?;
+    let matrix = csv::Options::default().without_labels().parse(bytes, sides);
+    let matrix = matrix.map_err(|mut error| {
+        if let Error::Format { format, .. } = &mut error {
+            *format = FORMAT.0;
+        }
+        error
+    })?;
+    Ok(matrix.scaled(unit))
+}
+
+/// The value of a key in comments of the form `# key = value`.
+fn entry(header: &str, sign: char, key: &str) -> Option<String> {
+    let pairs = header
+        .lines()
+        .filter_map(|line| line.trim_start_matches('#').split_once(sign));
+    let mut values = pairs.filter(|(name, _)| name.trim().eq_ignore_ascii_case(key));
+    values.next().map(|(_, value)| value.trim().to_owned())
+}
+
+/// Metres per unit.
+fn unit_of(key: &str, unit: &str) -> Result<f64> {
+    let known = UNITS.iter().find(|(name, _)| *name == unit);
+    let problem = || format!("the unit {} is unknown", excerpt(unit));
+    Ok(known.ok_or_else(|| FORMAT.in_entry(key, problem()))?.1)
+}
+
 /// What the header says.
 struct Header {
     size: [usize; 2],
@@ -121,13 +180,7 @@ struct Header {
 impl Header {
     fn of(bytes: &[u8]) -> Result<Self> {
         let text = header_text(bytes);
-        let entry = |key: &str| -> Option<String> {
-            let pairs = text
-                .lines()
-                .filter_map(|line| line.trim_start_matches('#').split_once('='));
-            let mut values = pairs.filter(|(name, _)| name.trim().eq_ignore_ascii_case(key));
-            values.next().map(|(_, value)| value.trim().to_owned())
-        };
+        let entry = |key: &str| entry(&text, '=', key);
         let number = |key: &str| -> Result<Option<f64>> {
             entry(key)
                 .map(|value| {
@@ -155,11 +208,7 @@ impl Header {
             }
         };
         let unit = match entry("z-unit") {
-            Some(unit) => {
-                let known = UNITS.iter().find(|(name, _)| *name == unit);
-                let problem = || format!("the unit {} is unknown", excerpt(&unit));
-                known.ok_or_else(|| FORMAT.in_entry("z-unit", problem()))?.1
-            }
+            Some(unit) => unit_of("z-unit", &unit)?,
             None => required("Bit2nm")? * NANOMETRE,
         };
         Ok(Self {

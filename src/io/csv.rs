@@ -8,9 +8,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::asc::is_asc;
-use super::text::{Separator, comments, excerpt, lines};
+use super::text::{Separator, check_encoding, comments, excerpt, lines};
 use super::{Format, Place, Sides, parse_file, write_bytes};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Field;
 
 const FORMAT: Format = Format("CSV");
@@ -40,6 +40,8 @@ const MISSING: [&str; 6] = [
 pub struct Options {
     missing: Option<f64>,
     skip_rows: usize,
+    skip_columns: usize,
+    is_unlabelled: bool,
 }
 
 impl Options {
@@ -53,6 +55,30 @@ impl Options {
     /// (default 0).
     pub fn skip_rows(mut self, rows: usize) -> Self {
         self.skip_rows = rows;
+        self
+    }
+
+    /// Sets the number of cells to leave out at the beginning of each line, for names or numbers of rows (default 0).
+    ///
+    /// ```
+    /// use stickslip::io::csv;
+    /// let of_pandas = b",0,1\n0,1.5,2.5\n1,3.5,4.5\n";
+    /// assert!(csv::parse(of_pandas, [1.0, 1.0]).is_err());
+    /// let options = csv::Options::default().skip_rows(1).skip_columns(1);
+    /// let heights = options.parse(of_pandas, [1.0, 1.0])?;
+    /// assert_eq!(heights.as_slice(), [1.5, 2.5, 3.5, 4.5]);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    pub fn skip_columns(mut self, columns: usize) -> Self {
+        self.skip_columns = columns;
+        self
+    }
+
+    /// States that the file has no labels: a first line or column that counts 0, 1, 2 holds heights.
+    ///
+    /// By default [`parse`] rejects such a line or column.
+    pub fn without_labels(mut self) -> Self {
+        self.is_unlabelled = true;
         self
     }
 
@@ -73,42 +99,30 @@ impl Options {
     /// As [`parse`].
     pub fn parse(self, bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
         let sides = sides.into().checked()?;
+        check_encoding(FORMAT, bytes)?;
         if is_asc(bytes) && self == Self::default() {
             let problem = "the header holds sides, unit and missing points: read it as ASC";
             return Err(FORMAT.on_line(1, problem));
         }
-        let missing = self
-            .missing
-            .or_else(|| comments(bytes).find_map(|comment| missing_value(&comment)));
-        let mut samples = Vec::new();
-        let (mut separator, mut width) = (None, 0);
+        let (mut samples, mut width) = (Vec::new(), 0);
+        let mut spelling = Spelling::default();
+        let (mut separator, mut first_line) = (None, 0);
         let mut ends_with_separator = true;
         for (number, line) in lines(bytes).filter(|(number, _)| *number > self.skip_rows) {
             let separator = *separator.get_or_insert_with(|| Separator::of(&line));
             let (start, mut last) = (samples.len(), "");
-            for cell in separator.split(&line) {
+            for (column, cell) in separator.split(&line).skip(self.skip_columns).enumerate() {
                 let sample = separator.number(FORMAT, number, cell);
-                let sample = sample.map_err(|error| match error {
-                    // Names of columns.
-                    _ if start == 0 && !cell.bytes().any(|byte| byte.is_ascii_digit()) => {
-                        let problem = format!(
-                            "{} is not a number: skip lines of names by the option skip_rows = {number}",
-                            excerpt(cell)
-                        );
-                        FORMAT.on_line(number, problem)
-                    }
-                    _ => error,
-                })?;
-                samples.push(if missing == Some(sample) {
-                    f64::NAN
-                } else {
-                    sample
-                });
+                samples.push(sample.map_err(|error| {
+                    let columns = self.skip_columns;
+                    named(number, cell, [start == 0, column == 0], columns).unwrap_or(error)
+                })?);
+                spelling.read(start == 0, column, cell);
                 last = cell;
             }
             let found = samples.len() - start;
             if start == 0 {
-                width = found;
+                (width, first_line) = (found, number);
             }
             if found != 0 && found != width {
                 let problem = format!("{found} cells, but the lines before have {width}");
@@ -128,6 +142,17 @@ impl Options {
             });
             width -= 1;
         }
+        if !self.is_unlabelled {
+            self.check_labels(&spelling, &samples, width, first_line)?;
+        }
+        let missing = self
+            .missing
+            .or_else(|| comments(bytes).find_map(|comment| missing_value(&comment)));
+        for sample in &mut samples {
+            if missing == Some(*sample) {
+                *sample = f64::NAN;
+            }
+        }
         let grid = FORMAT.grid(
             Place::Line(1),
             [width, height],
@@ -135,6 +160,163 @@ impl Options {
         )?;
         Field::from_vec(grid, samples)
     }
+
+    /// Checks that neither the first line, of a number, nor the first column holds labels.
+    fn check_labels(
+        self,
+        spelling: &Spelling,
+        samples: &[f64],
+        width: usize,
+        line: usize,
+    ) -> Result<()> {
+        let (rows, columns) = (self.skip_rows.max(line), self.skip_columns + 1);
+        let (labels, remedy) = match spelling.labels(samples, width) {
+            [false, false] => return Ok(()),
+            [true, false] => ("the first line", format!("skip_rows = {rows}")),
+            [false, true] => ("the first column", format!("skip_columns = {columns}")),
+            [true, true] => (
+                "the first line and column",
+                format!("skip_rows = {rows} and skip_columns = {columns}"),
+            ),
+        };
+        let problem = format!(
+            "{labels} may be labels, because the numbers count on: leave them out by the option {remedy}, or read \
+             them as heights by the option without_labels"
+        );
+        Err(FORMAT.on_line(line, problem))
+    }
+}
+
+/// The error for a cell that is a name, on the first line or in the first column. It names the option that leaves
+/// the cell out.
+fn named(
+    line: usize,
+    cell: &str,
+    [is_first_line, is_first_column]: [bool; 2],
+    skipped: usize,
+) -> Option<Error> {
+    let is_name = cell.starts_with(|first: char| first.is_alphabetic() || "\"'_".contains(first));
+    let rows = format!("skip lines of names by the option skip_rows = {line}");
+    let columns = skipped + 1;
+    let columns = format!("skip names of rows by the option skip_columns = {columns}");
+    let remedy = match (is_first_line, is_first_column) {
+        _ if !is_name => return None,
+        (true, true) => format!("{rows}, or {columns}"),
+        (true, false) => rows,
+        (false, true) => columns,
+        (false, false) => return None,
+    };
+    let problem = format!("{} is not a number: {remedy}", excerpt(cell));
+    Some(FORMAT.on_line(line, problem))
+}
+
+/// The spelling of the cells, by which numbers that may be labels are recognised.
+#[derive(Debug)]
+struct Spelling {
+    corner: Corner,
+    /// Whether the cells of the first line are digits, apart from the corner.
+    is_line_whole: bool,
+    /// Whether the cells of the first column are digits, apart from the corner.
+    is_column_whole: bool,
+    /// Number of cells outside the first line and column, and of those that are digits.
+    others: usize,
+    whole_others: usize,
+}
+
+/// The first cell of the first line.
+#[derive(Debug, PartialEq)]
+enum Corner {
+    Empty,
+    /// Digits.
+    Whole,
+    Other,
+}
+
+impl Default for Spelling {
+    fn default() -> Self {
+        Self {
+            corner: Corner::Other,
+            is_line_whole: true,
+            is_column_whole: true,
+            others: 0,
+            whole_others: 0,
+        }
+    }
+}
+
+impl Spelling {
+    fn read(&mut self, is_first_line: bool, column: usize, cell: &str) {
+        // An empty cell becomes NaN, which does not count on.
+        let is_whole = cell.bytes().all(|byte| byte.is_ascii_digit());
+        match (is_first_line, column) {
+            (true, 0) if cell.is_empty() => self.corner = Corner::Empty,
+            (true, 0) if is_whole => self.corner = Corner::Whole,
+            (true, 0) => self.corner = Corner::Other,
+            (true, _) => self.is_line_whole &= is_whole,
+            (false, 0) => self.is_column_whole &= is_whole,
+            (false, _) => {
+                self.others += 1;
+                self.whole_others += usize::from(is_whole);
+            }
+        }
+    }
+
+    /// Whether the first line and the first column of a matrix are labels.
+    ///
+    /// Below an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. Without
+    /// such a corner, labels are whole numbers that count, and the others do not count or have decimals. Two numbers are labels
+    /// only if all others have decimals.
+    fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
+        let height = samples.len() / width;
+        let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
+        let column =
+            |ix: usize, from: usize| (from..height).map(move |iy| samples[iy * width + ix]);
+        if self.corner == Corner::Empty {
+            let does_line_count = self.is_line_whole && counts(line(0, 1));
+            let does_column_count = self.is_column_whole && counts(column(0, 1));
+            let is_pair = (does_line_count || is_even(line(0, 1)))
+                && (does_column_count || is_even(column(0, 1)));
+            let is_long = does_line_count && width > 3 || does_column_count && height > 3;
+            return [is_pair || is_long; 2];
+        }
+        if self.corner != Corner::Whole {
+            return [false; 2];
+        }
+        let least = if self.whole_others > 0 { 3 } else { 2 };
+        let have_decimals = self.whole_others < self.others;
+        let is_line = self.is_line_whole
+            && (width >= least && height > 1)
+            && counts(line(0, 0))
+            && (have_decimals || (1..height).any(|row| !steps_by_one(line(row, 0))));
+        let is_column = self.is_column_whole
+            && (height >= least && width > 1)
+            && counts(column(0, 0))
+            && (have_decimals || (1..width).any(|ix| !steps_by_one(column(ix, 0))));
+        [is_line, is_column]
+    }
+}
+
+/// Whether numbers are 0, 1, 2 and so on, or 1, 2, 3.
+fn counts(numbers: impl Iterator<Item = f64> + Clone) -> bool {
+    let first = numbers.clone().next();
+    steps_by_one(numbers) && (first == Some(0.0) || first == Some(1.0))
+}
+
+/// Whether each number exceeds the one before by one.
+#[expect(clippy::float_cmp, reason = "whole numbers are exact")]
+fn steps_by_one(numbers: impl Iterator<Item = f64> + Clone) -> bool {
+    let next = numbers.clone().skip(1);
+    numbers.zip(next).all(|(a, b)| b - a == 1.0)
+}
+
+/// Whether three or more numbers have equal distances, up to the rounding of few decimals.
+fn is_even(numbers: impl Iterator<Item = f64> + Clone) -> bool {
+    let mut steps = numbers.clone().zip(numbers.skip(1)).map(|(a, b)| b - a);
+    let (Some(first), Some(second)) = (steps.next(), steps.next()) else {
+        return false;
+    };
+    let is_equal = |step: f64| (step - first).abs() <= 0.01 * first.abs();
+    first != 0.0 && is_equal(second) && steps.all(is_equal)
 }
 
 /// The value of missing points, if a comment tells it: `# missing value = -32768`, `# NODATA_value: -9999`.
@@ -163,14 +345,19 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   `# NODATA_value: -9999` names the value of missing points: by `missing value`, `no data`, `no data value`, `bad
 ///   value`, `invalid value` or `void value`, however written, then `=` or `:` and a number alone. Any other comment is
 ///   ignored, and the numbers stay heights: [`Options::missing`] names the value then.
-/// - A cell that is empty, `nan` or `BAD` in either case, or all stars (`***`), is missing: NaN.
+/// - A cell is missing, NaN, if it is empty, all stars (`***`), or one of these words in either case: `nan`, `BAD`,
+///   `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`, `invalid`, `missing` and `--`.
 /// - A separator at the end of every line adds no cell.
-/// - Names of columns are refused: [`Options::skip_rows`] passes over them.
+/// - Names of columns and rows are rejected: [`Options::skip_rows`] and [`Options::skip_columns`] leave them out.
+/// - Numbers that may be labels are rejected as well: a first line or column of whole numbers that counts 0, 1, 2 or
+///   1, 2, 3 while the others do not count or have decimals. After an empty first cell, evenly spaced coordinates on both axes are also
+///   labels. [`Options::without_labels`] reads all of them as heights.
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for a cell side;
 /// [`Error::Format`](crate::Error::Format), with the line, for a cell that is not a number or a line
-/// whose width differs from the first, and for a file that [`asc`](super::asc) reads; also if there is no line at all.
+/// whose width differs from the first, for labels of rows or columns, for a text in UTF-16, and for a file that
+/// [`asc`](super::asc) reads; also if there is no line at all.
 ///
 /// ```
 /// use stickslip::io::csv;

@@ -4,7 +4,7 @@
 //! |---|---|---|---|---|---|
 //! | NPY, the array file of NumPy | [`npy`] | yes | yes | no | the file's |
 //! | CSV and other matrices in text | [`csv`] | yes | yes | no | the file's |
-//! | ASC with the header of SPIP and Gwyddion | [`asc`] | yes | | yes | metre |
+//! | ASC with the header of SPIP or of the text export of Gwyddion | [`asc`] | yes | | yes | metre |
 //! | XYZ, three columns in text | [`xyz`] | yes | | yes | the file's |
 //! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
@@ -66,8 +66,8 @@ pub(crate) use part::{replace, replace_bytes};
 /// Units are those of the module of the format.
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it has another format, or as the
-/// `parse` of its format.
+/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it has a different format, or as the
+/// `parse` of its format. For a text of three columns, the error advises to read points as XYZ.
 ///
 /// ```
 /// use stickslip::{Error, io};
@@ -84,12 +84,13 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
         if sur::is_sur(bytes) {
             return sur::parse(bytes);
         }
-        if asc::is_asc(bytes) {
+        if asc::is_asc(bytes) || asc::is_gwyddion(bytes) {
             return asc::parse(bytes);
         }
         if bytes.starts_with(b"PK\x03\x04") {
             return parse_x3p(bytes);
         }
+        text::check_encoding(Format("surface"), bytes)?;
         if extension.eq_ignore_ascii_case("xyz") {
             return xyz::parse(bytes);
         }
@@ -98,6 +99,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
             0,
             if bytes.starts_with(b"\x93NUMPY") || is("npy") {
                 "NPY does not hold the cell sides: read it as NPY, with the sides given"
+            } else if (is("csv") || is("txt") || is("dat") || is("asc")) && xyz::is_like_points(bytes) {
+                "the lines have three numbers: read them as XYZ if these are x, y and z, otherwise as CSV, with the sides given"
             } else if is("csv") || is("asc") || is("txt") {
                 "text does not hold the cell sides: read it as CSV, with the sides given"
             } else {

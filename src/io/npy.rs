@@ -261,7 +261,13 @@ impl Array {
             FORMAT.at_byte(start, format!("{key} {} is not supported", excerpt(value)))
         };
         let descr = value("'descr'")?;
-        let (number, order) = number(descr).ok_or_else(|| refused("'descr'", descr))?;
+        let (number, order) = number(descr).ok_or_else(|| {
+            let problem = format!(
+                "the dtype {} is not supported: save the array as floats by astype('<f8')",
+                dtype(descr)
+            );
+            FORMAT.at_byte(start, problem)
+        })?;
         let fortran = value("'fortran_order'")?;
         let is_fortran = fortran.starts_with("True");
         if !is_fortran && !fortran.starts_with("False") {
@@ -300,6 +306,37 @@ fn number(descr: &str) -> Option<(Number, Order)> {
         _ => return None,
     };
     Some((number, order))
+}
+
+/// The name of a dtype that is not read, from its code.
+fn dtype(descr: &str) -> String {
+    if descr.starts_with('[') {
+        return "of records (a structured dtype)".into();
+    }
+    let quoted = |text: &str| {
+        let (code, _) = text.strip_prefix('\'')?.split_once('\'')?;
+        Some(code.to_owned())
+    };
+    let Some(code) = quoted(descr) else {
+        return excerpt(descr);
+    };
+    let kind = code.trim_start_matches(['<', '>', '|', '=']);
+    let bits = |size: &str| size.parse::<u32>().ok()?.checked_mul(8);
+    let sized = |name: &str, size: &str| bits(size).map(|bits| format!("{name}{bits}"));
+    let name = match kind.split_at_checked(1) {
+        Some(("b", "1")) => Some("bool".into()),
+        Some(("O", _)) => Some("object".into()),
+        Some(("f", size)) => sized("float", size),
+        Some(("c", size)) => sized("complex", size),
+        Some(("i", size)) => sized("int", size),
+        Some(("u", size)) => sized("uint", size),
+        Some(("U" | "S", _)) => Some("of text".into()),
+        Some(("M", _)) => Some("datetime64".into()),
+        Some(("m", _)) => Some("timedelta64".into()),
+        _ => None,
+    };
+    let code = excerpt(&code);
+    name.map_or_else(|| code.clone(), |name| format!("{name} ({code})"))
 }
 
 /// The two lengths of a tuple such as `(3, 4)`.

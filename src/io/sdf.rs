@@ -16,8 +16,11 @@ use crate::field::Field;
 use crate::grid::Grid;
 
 const FORMAT: Format = Format("SDF");
-const BINARY: &[u8; 8] = b"bISO-1.0";
-const TEXT: &[u8; 8] = b"aISO-1.0";
+const MAGIC_LENGTH: usize = 8;
+const BINARY: &[u8; MAGIC_LENGTH] = b"bISO-1.0";
+/// Magic strings of files in this layout. The BCR format is the predecessor of SDF, with the same header.
+const BINARIES: [&[u8; MAGIC_LENGTH]; 2] = [BINARY, b"bBCR-1.0"];
+const TEXTS: [&[u8; MAGIC_LENGTH]; 3] = [b"aISO-1.0", b"aISO-2.0", b"aBCR-1.0"];
 
 /// The surface in a file (metres). See [`parse`].
 ///
@@ -29,7 +32,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 
 /// The surface in the bytes of a file (metres).
 ///
-/// Version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. Binary samples are
+/// Version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. The text form of version 2.0, `aISO-2.0`, and
+/// the BCR format before it, `bBCR-1.0` and `aBCR-1.0`, have the same layout. Binary samples are
 /// integers of 16 or 32 bits or floats of 32 or 64 (data types 5, 6, 3 and 7). Missing points become
 /// NaN: in a binary file they are the least number of the type or NaN, in a text file `BAD`. The record
 /// after the samples is ignored.
@@ -46,10 +50,16 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Field> {
-    if bytes.starts_with(BINARY) {
+    if begins_as(&BINARIES, bytes) {
         parse_binary(bytes)
-    } else if bytes.starts_with(TEXT) {
+    } else if begins_as(&TEXTS, bytes) {
         parse_text(bytes)
+    } else if is_sdf(bytes) && bytes.len() >= MAGIC_LENGTH {
+        let dialect = excerpt(&String::from_utf8_lossy(&bytes[..MAGIC_LENGTH]));
+        let problem = format!(
+            "the file begins with the dialect {dialect}, which is not supported: save it as bISO-1.0 or aISO-1.0"
+        );
+        Err(FORMAT.at_byte(0, problem))
     } else {
         Err(FORMAT.at_byte(0, "the file begins with neither bISO-1.0 nor aISO-1.0"))
     }
@@ -92,9 +102,13 @@ pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether the first bytes are those of an SDF file.
+/// Whether the first bytes are those of an SDF file, of any dialect.
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
-    bytes.starts_with(BINARY) || bytes.starts_with(TEXT)
+    begins_as(&[b"aISO-", b"bISO-", b"aBCR-", b"bBCR-"], bytes)
+}
+
+fn begins_as<const N: usize>(magics: &[&[u8; N]], bytes: &[u8]) -> bool {
+    magics.iter().any(|magic| bytes.starts_with(*magic))
 }
 
 fn parse_binary(bytes: &[u8]) -> Result<Field> {

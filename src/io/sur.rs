@@ -38,7 +38,10 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
     if magic == COMPRESSED {
-        return Err(FORMAT.at_byte(0, "compressed files are not supported"));
+        return Err(FORMAT.at_byte(
+            0,
+            "compressed files are not supported: save the file uncompressed",
+        ));
     }
     if magic != MAGIC {
         return Err(FORMAT.at_byte(0, "the file does not begin with DIGITAL SURF"));

@@ -5,21 +5,56 @@ use std::borrow::Cow;
 use super::Format;
 use crate::error::Result;
 
+/// Words for a missing number, in either case.
+const MISSING: [&str; 14] = [
+    "bad", "nodata", "no_data", "no-data", "n/a", "na", "#n/a", "null", "none", "void", "invalid",
+    "missing", "-nan", "--",
+];
+
 /// A text without the mark of UTF-8 at its beginning.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
+/// Checks that a text is not in UTF-16 or UTF-32, whose digits are not those of UTF-8.
+pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
+    // Both bytes after the mark are tested, because a damaged file may begin as the mark does.
+    let encoding = match bytes {
+        [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => "UTF-32",
+        [0xff, 0xfe, 1..=0xff, 0, ..] | [1..=0x7f, 0, 1..=0x7f, 0, ..] => "UTF-16 (little-endian)",
+        [0xfe, 0xff, 0, 1..=0xff, ..] | [0, 1..=0x7f, 0, 1..=0x7f, ..] => "UTF-16 (big-endian)",
+        _ => return Ok(()),
+    };
+    let problem = format!("the text is encoded in {encoding}: save it as UTF-8");
+    Err(format.on_line(1, problem))
+}
+
 /// The lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes
-/// that are not UTF-8 are harmless in a comment; elsewhere they are not a number.
+/// that are not UTF-8 are harmless in a comment; elsewhere they are not a number. The words `No Data` become one, so that
+/// white space does not separate them.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
     lines.filter_map(|(index, line)| {
         let line = String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line));
+        let line = with_joined_words(line);
         let content = line.trim_start_matches(' ');
         let is_data = !content.is_empty() && !content.starts_with(['#', '%']);
         is_data.then_some((index + 1, line))
     })
+}
+
+/// A line whose words `no data`, in either case, are one word each.
+fn with_joined_words(line: Cow<'_, str>) -> Cow<'_, str> {
+    let words = b"no data";
+    let begins = |place: &[u8]| place.eq_ignore_ascii_case(words);
+    if !line.as_bytes().windows(words.len()).any(begins) {
+        return line;
+    }
+    let rest = |index: usize| line.as_bytes().get(index.checked_sub(2)?..);
+    let is_within =
+        |index: usize| rest(index).is_some_and(|rest| rest.get(..words.len()).is_some_and(begins));
+    let kept = line.char_indices().filter(|&(index, _)| !is_within(index));
+    kept.map(|(_, character)| character).collect()
 }
 
 /// The comments of a text (`#` or `%`), without the signs they begin with.
@@ -69,10 +104,11 @@ impl Separator {
         cells.filter(move |cell| self != Self::Space || !cell.is_empty())
     }
 
-    /// The number in a cell, NaN if it is missing: empty, `nan`, `BAD` or stars. A decimal comma counts
+    /// The number in a cell, NaN if it is missing: empty, `nan`, stars, or one of [`MISSING`]. A decimal comma counts
     /// as a point unless commas separate the cells.
     pub(super) fn number(self, format: Format, line: usize, cell: &str) -> Result<f64> {
-        if cell.eq_ignore_ascii_case("bad") || cell.bytes().all(|byte| byte == b'*') {
+        let is_stars = cell.bytes().all(|byte| byte == b'*');
+        if is_stars || MISSING.iter().any(|word| word.eq_ignore_ascii_case(cell)) {
             return Ok(f64::NAN);
         }
         let value = if self == Self::Comma || !cell.contains(',') {

@@ -4,9 +4,10 @@
 
 use std::path::Path;
 
-use super::text::{Separator, lines};
+use super::csv::missing_value;
+use super::text::{Separator, check_encoding, comments, lines};
 use super::{Format, Place, parse_file};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::field::Field;
 
 const FORMAT: Format = Format("XYZ");
@@ -16,30 +17,94 @@ const CELLS_PER_POINT: usize = 10;
 const TOLERANCE: f64 = 0.05;
 /// Coordinates closer than this fraction of the widest step between neighbours count as one.
 const NOISE: f64 = 1e-3;
+/// Smallest ratio of a step between places to a step between points that belong to one place.
+const JUMP: f64 = 4.0;
+
+/// Options for reading points.
+///
+/// ```
+/// use stickslip::io::xyz;
+/// let text = b"Points 2\n0 0 1.5\n1 0 -9999\n";
+/// let heights = xyz::Options::default().skip_rows(1).missing(-9999.0).parse(text)?;
+/// assert_eq!(heights.as_slice()[0], 1.5);
+/// assert!(heights.as_slice()[1].is_nan());
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[must_use = "options do nothing until read() or parse() is called"]
+pub struct Options {
+    missing: Option<f64>,
+    skip_rows: usize,
+}
+
+impl Options {
+    /// Sets the height that stands for a missing point (default: the value that a comment of the file names, or none).
+    pub fn missing(mut self, value: f64) -> Self {
+        self.missing = Some(value);
+        self
+    }
+
+    /// Sets the number of lines to leave out at the beginning, comments and blank lines included (default 0).
+    pub fn skip_rows(mut self, rows: usize) -> Self {
+        self.skip_rows = rows;
+        self
+    }
+
+    /// Reads the surface in a file. See [`parse`].
+    ///
+    /// # Errors
+    /// - [`Error::File`](crate::Error::File) if the file cannot be read.
+    /// - [`Error::Format`](crate::Error::Format) as [`parse`].
+    pub fn read(self, path: impl AsRef<Path>) -> Result<Field> {
+        parse_file(path.as_ref(), |bytes| self.parse(bytes))
+    }
+
+    /// Reads the surface in the bytes of a file. See [`parse`].
+    ///
+    /// # Errors
+    /// - [`Error::Format`](crate::Error::Format) as [`parse`].
+    pub fn parse(self, bytes: &[u8]) -> Result<Field> {
+        let mut points = points(bytes, self.skip_rows)?;
+        let missing = self
+            .missing
+            .or_else(|| comments(bytes).find_map(|comment| missing_value(&comment)));
+        for point in &mut points {
+            if missing == Some(point.height) {
+                point.height = f64::NAN;
+            }
+        }
+        gridded(&points)
+    }
+}
 
 /// The surface in a file. See [`parse`].
 ///
 /// # Errors
 /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
-    parse_file(path.as_ref(), parse)
+    Options::default().read(path)
 }
 
 /// The surface in the bytes of a file.
 ///
 /// The spacing of `n` columns is $`(x_{\max} - x_{\min}) / (n - 1)`$, likewise along y; the grid has
-/// cells of these sides about the points. A single column or row takes the spacing of the other axis.
-/// Places of the grid without a point, or with a missing height, are NaN. Separators, comments and
-/// missing heights are as in [`csv`](super::csv::parse).
+/// cells of these sides about the points. If points miss this grid, it is fitted to them by least squares. A single
+/// column or row takes the spacing of the other axis.
+/// Places of the grid without a point, or with a missing height, are NaN. Separators, decimal commas, comments and
+/// words for missing heights are as in [`csv`](super::csv::parse).
+///
+/// Lines of names before the first point are left out; [`Options::skip_rows`] leaves out lines with numbers. Cells
+/// after the third are ignored; each line has as many.
 ///
 /// A point must lie within 5 % of a spacing of its place, at least a tenth of the places must have a
 /// point, and fewer than a thousand successive columns or rows may be empty: scattered points do not form
-/// a grid.
+/// a grid. If points of one column or row differ by more than 0.1 % of a spacing, more than half of the places must have
+/// a point.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format), with the line, for a line that does not have three numbers, a
-/// point off the grid, or a second point at a place; also for fewer than two places, or too few points for
-/// the grid that they span.
+/// [`Error::Format`](crate::Error::Format), with the line, for a line that does not have three numbers or
+/// as many cells as the first, a text in UTF-16, a point off the grid, or a second point at a place; also for fewer than two places, or too few points for
+/// the grid that they span. Commas that separate more than three whole numbers may be decimal commas and are rejected.
 ///
 /// ```
 /// use stickslip::io::xyz;
@@ -50,9 +115,56 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn parse(bytes: &[u8]) -> Result<Field> {
-    let points = points(bytes)?;
-    let axes = [0, 1].map(|axis| Axis::through(points.iter().map(|point| point.position[axis])));
-    let [x, y] = axes;
+    Options::default().parse(bytes)
+}
+
+/// Whether a text has at least four lines, each of three numbers as the first lines of a list of points.
+pub(super) fn is_like_points(bytes: &[u8]) -> bool {
+    const LINES: usize = 64;
+    let mut separator = None;
+    let mut count = 0;
+    for (number, line) in lines(bytes).take(LINES) {
+        let separator = *separator.get_or_insert_with(|| Separator::of(&line));
+        let mut cells = separator.split(&line).map(|cell| {
+            let value = separator.number(FORMAT, number, cell);
+            value.is_ok()
+        });
+        if !cells.by_ref().take(3).eq([true; 3]) || cells.next().is_some() {
+            return false;
+        }
+        count += 1;
+    }
+    count >= 4
+}
+
+/// The field through points, on the finest grid that they fit.
+fn gridded(points: &[Point]) -> Result<Field> {
+    let axes = [0, 1].map(|axis| Axis::candidates(points, axis));
+    let mut refused = None;
+    for coarseness in 0..axes[0].len() + axes[1].len() - 1 {
+        for (index, &x) in axes[0].iter().enumerate().take(coarseness + 1) {
+            let Some(&y) = axes[1].get(coarseness - index) else {
+                continue;
+            };
+            // Few points on a coarse grid are scattered, and fit by chance.
+            if coarseness > 0 && x.count * y.count >= 2.0 * points.len() as f64 {
+                continue;
+            }
+            match on_grid(points, x, y) {
+                Ok(field) => return Ok(field),
+                // The finest grid has the clearest error, unless it only follows the scatter of the points.
+                Err((error, is_off)) if refused.is_none() || is_off && coarseness > 0 => {
+                    refused = Some(error);
+                }
+                Err(_) => {}
+            }
+        }
+    }
+    Err(refused.unwrap_or_else(|| FORMAT.on_line(1, "the file has no points")))
+}
+
+/// The field on the grid of two axes. The error comes with whether a point is off the grid.
+fn on_grid(points: &[Point], x: Axis, y: Axis) -> std::result::Result<Field, (Error, bool)> {
     let cells = x.count * y.count;
     let limit = (CELLS_PER_POINT * points.len()) as f64;
     if cells.is_nan() || cells > limit {
@@ -62,12 +174,12 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
             x.count,
             y.count
         );
-        return Err(FORMAT.in_entry("all points", problem));
+        return Err((FORMAT.in_entry("all points", problem), false));
     }
     let (nx, ny) = (whole(x.count), whole(y.count));
     if nx * ny < 2 {
         let problem = format!("{} places do not define a spacing", nx * ny);
-        return Err(FORMAT.in_entry("all points", problem));
+        return Err((FORMAT.in_entry("all points", problem), false));
     }
     let sides = match (nx, ny) {
         (1, _) => [y.spacing; 2],
@@ -75,30 +187,32 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         _ => [x.spacing, y.spacing],
     };
     let place = Place::Entry("all points".into());
-    let grid = FORMAT.grid(place, [nx, ny], sides)?;
+    let grid = FORMAT
+        .grid(place, [nx, ny], sides)
+        .map_err(|error| (error, false))?;
 
     let mut samples = vec![f64::NAN; grid.cells()];
     let mut is_taken = vec![false; grid.cells()];
-    for point in &points {
+    for point in points {
         let ix = x.index(point.position[0]);
         let iy = y.index(point.position[1]);
         let [px, py] = point.position;
         let (Some(ix), Some(iy)) = (ix, iy) else {
             let problem = format!(
-                "({px}, {py}) is off the regular grid from ({}, {}) in steps of {} and {}",
+                "({px}, {py}) is off the regular grid from ({}, {}) in steps of {} and {} by more than 5 %",
                 x.least, y.least, x.spacing, y.spacing
             );
-            return Err(FORMAT.on_line(point.line, problem));
+            return Err((FORMAT.on_line(point.line, problem), true));
         };
         let cell = iy * nx + ix;
         if is_taken[cell] {
             let problem = format!("({px}, {py}) repeats the place of an earlier point");
-            return Err(FORMAT.on_line(point.line, problem));
+            return Err((FORMAT.on_line(point.line, problem), false));
         }
         is_taken[cell] = true;
         samples[cell] = point.height;
     }
-    Field::from_vec(grid, samples)
+    Field::from_vec(grid, samples).map_err(|error| (error, false))
 }
 
 /// One line of a file.
@@ -109,32 +223,78 @@ struct Point {
     height: f64,
 }
 
-fn points(bytes: &[u8]) -> Result<Vec<Point>> {
+fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<Point>> {
+    check_encoding(FORMAT, bytes)?;
     let mut separator = None;
+    let mut width = 0;
     let mut points = Vec::new();
-    for (number, line) in lines(bytes) {
-        let separator = *separator.get_or_insert_with(|| Separator::of(&line));
-        let mut cells = separator.split(&line);
-        let (Some(x), Some(y), Some(z), None) =
-            (cells.next(), cells.next(), cells.next(), cells.next())
-        else {
-            return Err(FORMAT.on_line(number, "a point needs three cells: x, y and z"));
+    for (number, line) in lines(bytes).filter(|(number, _)| *number > skip_rows) {
+        let separator = match separator {
+            Some(separator) => separator,
+            None if has_no_number(number, &line) => continue,
+            None => *separator.insert(Separator::of(&line)),
         };
-        let [x, y, height] = [x, y, z].map(|cell| separator.number(FORMAT, number, cell));
-        let position = [x?, y?];
+        let mut cells = separator.split(&line);
+        let (Some(x), Some(y), Some(z)) = (cells.next(), cells.next(), cells.next()) else {
+            let problem = "a point needs three cells: x, y and z";
+            return Err(FORMAT.on_line(number, hinted(problem.into(), &points, number)));
+        };
+        let found = 3 + cells.count();
+        if points.is_empty() {
+            width = found;
+            if separator == Separator::Comma && found > 3 && !line.contains('.') {
+                let problem = format!(
+                    "a point needs three cells, x, y and z, and commas separate {found} whole numbers: if they are \
+                     decimal commas, separate the cells by semicolons or tabs"
+                );
+                return Err(FORMAT.on_line(number, problem));
+            }
+        }
+        if found != width {
+            let problem = format!(
+                "a point needs three cells, and as many on each line: {found}, but the lines before have {width}"
+            );
+            return Err(FORMAT.on_line(number, problem));
+        }
+        let read = |cell| {
+            let value = separator.number(FORMAT, number, cell);
+            value.map_err(|error| match error {
+                Error::Format { problem, .. } => {
+                    FORMAT.on_line(number, hinted(problem, &points, number))
+                }
+                error => error,
+            })
+        };
+        let (position, height) = ([read(x)?, read(y)?], read(z)?);
         if !position.iter().all(|coordinate| coordinate.is_finite()) {
             return Err(FORMAT.on_line(number, "the position of a point is not finite"));
         }
         points.push(Point {
             line: number,
             position,
-            height: height?,
+            height,
         });
     }
     if points.is_empty() {
         return Err(FORMAT.on_line(1, "the file has no points"));
     }
     Ok(points)
+}
+
+/// A problem with a line, with the remedy if the line may belong to a header.
+fn hinted(problem: String, points: &[Point], number: usize) -> String {
+    if points.is_empty() {
+        format!("{problem}; skip a header by the option skip_rows = {number}")
+    } else {
+        problem
+    }
+}
+
+/// Whether no cell of a line is a number, as in a line of names.
+fn has_no_number(number: usize, line: &str) -> bool {
+    let separator = Separator::of(line);
+    let mut cells = separator.split(line);
+    cells.all(|cell| separator.number(FORMAT, number, cell).is_err())
 }
 
 /// The places of a grid along one axis, `least + i * spacing` with `i < count`.
@@ -148,35 +308,86 @@ struct Axis {
 }
 
 impl Axis {
-    /// The grid through the coordinates; some of its places may be empty everywhere. Steps between
-    /// neighbours are multiples of the shortest.
-    fn through(coordinates: impl Iterator<Item = f64>) -> Self {
-        let mut sorted: Vec<f64> = coordinates.collect();
+    /// The grids that may pass through the coordinates of points, the finest first. They differ in the step that
+    /// leads to a new place.
+    ///
+    /// The finest takes steps of [`NOISE`] of the widest. Points that scatter about their places take short steps too,
+    /// which a jump separates from the steps between places.
+    fn candidates(points: &[Point], axis: usize) -> Vec<Self> {
+        let mut sorted: Vec<f64> = points.iter().map(|point| point.position[axis]).collect();
         sorted.sort_unstable_by(f64::total_cmp);
-        let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
-        let gaps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
-        let widest = gaps().fold(0.0, f64::max);
+        let mut steps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        steps.sort_unstable_by(f64::total_cmp);
+        let widest = steps.last().copied().unwrap_or(0.0);
         if widest == 0.0 {
-            return Self {
+            let (least, spacing, count) = (sorted[0], 0.0, 1.0);
+            return vec![Self {
                 least,
-                spacing: 0.0,
-                count: 1.0,
-            };
+                spacing,
+                count,
+            }];
         }
-        let mut steps = Vec::new();
-        let mut start = least;
-        for (&here, gap) in sorted[1..].iter().zip(gaps()) {
-            if gap >= NOISE * widest {
-                steps.push(here - start);
-                start = here;
-            }
-        }
-        let shortest = steps.iter().copied().fold(f64::INFINITY, f64::min);
-        let intervals: f64 = steps.iter().map(|step| (step / shortest).round()).sum();
-        Self {
+        let noise = NOISE * widest;
+        let jumps = steps.windows(2).filter(|pair| {
+            let [short, long] = [pair[0], pair[1]];
+            short >= noise && long >= JUMP * short
+        });
+        let mut thresholds = vec![noise];
+        thresholds.extend(jumps.map(|pair| pair[1]));
+        let through = |threshold| Self::through(&sorted, threshold);
+        thresholds.into_iter().map(through).collect()
+    }
+
+    /// The grid through sorted coordinates; some of its places may be empty everywhere. A step that is not
+    /// shorter than a threshold leads to a new place, and is a multiple of the shortest.
+    fn through(sorted: &[f64], threshold: f64) -> Self {
+        let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
+        let steps = || {
+            let mut start = least;
+            sorted.windows(2).filter_map(move |pair| {
+                let step = (pair[1] - pair[0] >= threshold).then_some(pair[1] - start);
+                start = if step.is_some() { pair[1] } else { start };
+                step
+            })
+        };
+        let shortest = steps().fold(f64::INFINITY, f64::min);
+        let intervals: f64 = steps().map(|step| (step / shortest).round()).sum();
+        let axis = Self {
             least,
             spacing: (greatest - least) / intervals,
             count: intervals + 1.0,
+        };
+        if sorted
+            .iter()
+            .all(|&coordinate| axis.index(coordinate).is_some())
+        {
+            axis
+        } else {
+            axis.fitted(sorted)
+        }
+    }
+
+    /// The grid of least squares through coordinates, each at the place that is nearest by now.
+    fn fitted(self, coordinates: &[f64]) -> Self {
+        let number = coordinates.len() as f64;
+        let place = |coordinate: f64| ((coordinate - self.least) / self.spacing).round();
+        let mean_place = coordinates.iter().map(|&at| place(at)).sum::<f64>() / number;
+        let mean = coordinates.iter().map(|&at| at - self.least).sum::<f64>() / number;
+        let (mut product, mut square) = (0.0, 0.0);
+        for &coordinate in coordinates {
+            let distance = place(coordinate) - mean_place;
+            product += distance * (coordinate - self.least - mean);
+            square += distance * distance;
+        }
+        let spacing = product / square;
+        if !(spacing.is_finite() && spacing > 0.0) {
+            return self;
+        }
+        let least = self.least + mean - spacing * mean_place;
+        Self {
+            least,
+            spacing,
+            ..self
         }
     }
 
@@ -188,7 +399,7 @@ impl Axis {
         let steps = (coordinate - self.least) / self.spacing;
         let index = steps.round();
         let is_near = (steps - index).abs() <= TOLERANCE && index < self.count;
-        is_near.then(|| whole(index))
+        (is_near && index >= 0.0).then(|| whole(index))
     }
 }
 

@@ -268,3 +268,253 @@ fn missing_values_and_names_of_columns_of_a_matrix() {
         .parse(named, [1.0, 1.0]);
     assert_eq!(heights.unwrap().as_slice(), [1.0, 2.0, 3.0, 4.0]);
 }
+
+/// The default output of pandas, with its numbers of rows and columns, which are not heights.
+#[test]
+fn csv_labels_of_pandas_are_rejected_with_the_option() {
+    let parse = |text: &str| io::csv::parse(text.as_bytes(), [1.0, 1.0]);
+    for (text, remedy) in [
+        (
+            ",0,1,2\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
+        (
+            "# heights\n,0,1\n0,7,5\n1,4,9\n",
+            "skip_rows = 2 and skip_columns = 1",
+        ),
+        (
+            ";0,0;0,1;0,2\n0,0;1;2;4\n0,5;1;2;4\n1,0;1;2;4\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
+        // Without the numbers of rows, and without those of columns.
+        ("0,1,2\n1.5,2.5,3.5\n4.5,5.5,6.5\n", "skip_rows = 1,"),
+        ("0,1.5,2.5\n1,4.5,5.5\n2,6.5,7.5\n", "skip_columns = 1,"),
+        // Names.
+        (",c0,c1\nr0,1.5,2.5\n", "skip_rows = 1"),
+        ("r0,1.5,2.5\nr1,1,2\n", "skip_columns = 1"),
+        ("0,1.5\n1,4.5\n", "skip_columns = 1,"),
+        ("1,1.5,2.5\nr1,1,2\n", "skip_columns = 1"),
+    ] {
+        let error = parse(text).unwrap_err();
+        assert!(matches!(error, Error::Format { .. }), "{error}");
+        assert!(error.to_string().contains(remedy), "{text:?}: {error}");
+    }
+}
+
+#[test]
+fn csv_labels_are_left_out_by_options() {
+    let options = io::csv::Options::default;
+    let pandas = b",0,1,2\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n";
+    let heights = options().skip_rows(1).skip_columns(1);
+    let heights = heights.parse(pandas, [1.0, 1.0]).unwrap();
+    assert_eq!([heights.grid().nx(), heights.grid().ny()], [3, 2]);
+    assert_eq!(heights.as_slice(), [1.5, 2.5, 3.5, 4.5, 5.5, 6.5]);
+    let heights = options().without_labels().parse(pandas, [1.0, 1.0]);
+    assert_eq!(heights.unwrap().as_slice()[1..5], [0.0, 1.0, 2.0, 0.0]);
+}
+
+#[test]
+fn csv_ramps_and_floats_that_count_are_heights() {
+    for text in [
+        "0,1,2\n1,2,3\n2,3,4\n",
+        "0,0\n1,1\n2,2\n",
+        "0.0,1.0,2.0\n3.0,1.0,5.0\n",
+        ",5,7\n3,4,9\n",
+        "1 2 3\n",
+    ] {
+        assert!(
+            io::csv::parse(text.as_bytes(), [1.0, 1.0]).is_ok(),
+            "{text:?}"
+        );
+    }
+}
+
+#[test]
+fn text_in_utf16_is_rejected_with_its_encoding() {
+    let text = "1,2,3\n4,5,7\n";
+    let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let marked = |mark: [u8; 2], bytes: &[u8]| [&mark[..], bytes].concat();
+    for bytes in [
+        marked([0xff, 0xfe], &little),
+        marked([0xfe, 0xff], &big),
+        little,
+        big,
+    ] {
+        for result in [io::csv::parse(&bytes, [1.0, 1.0]), io::xyz::parse(&bytes)] {
+            let error = result.unwrap_err().to_string();
+            assert!(
+                error.contains("UTF-16") && error.contains("UTF-8"),
+                "{error}"
+            );
+        }
+    }
+}
+
+#[test]
+fn text_with_words_for_missing_heights_is_read_as_nan() {
+    for word in ["No Data", "nodata", "N/A", "null", "BAD", "***"] {
+        let text = format!("1 {word}\n3 4\n");
+        let heights = io::csv::parse(text.as_bytes(), [1.0, 1.0]).unwrap();
+        assert!(
+            heights.as_slice()[1].is_nan() && heights.as_slice()[3] == 4.0,
+            "{word}"
+        );
+        let text = format!("0\t0\t1,5\n1\t0\t{word}\n");
+        let heights = io::xyz::parse(text.as_bytes()).unwrap();
+        assert!(
+            heights.as_slice()[0] == 1.5 && heights.as_slice()[1].is_nan(),
+            "{word}"
+        );
+    }
+}
+
+#[test]
+fn text_of_points_is_recognised_and_xyz_advised() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    for name in ["points.csv", "points.txt"] {
+        let path = folder.join(name);
+        std::fs::write(&path, "0 0.1 3\n1.3 0.2 3\n0.2 1.7 4\n5 5 5\n").unwrap();
+        let error = io::read(&path).unwrap_err().to_string();
+        assert!(error.contains("read them as XYZ"), "{error}");
+    }
+}
+
+/// Places that miss a grid by a part of a spacing, 12 by 10 places at a spacing of one and two.
+fn points_that_miss(part: f64) -> String {
+    let mut state = 1_u32;
+    let mut miss = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        part * (f64::from(state >> 8) / f64::from(1 << 23) - 1.0)
+    };
+    let places = (0..120).map(|cell| (cell % 12, cell / 12));
+    let point = |(ix, iy): (i32, i32)| {
+        let (x, y) = (f64::from(ix) + miss(), 2.0 * (f64::from(iy) + miss()));
+        format!("{x} {y} {}\n", 100 * iy + ix)
+    };
+    places.map(point).collect()
+}
+
+#[test]
+fn xyz_places_within_their_tolerance_are_on_the_grid() {
+    for part in [1e-6, 0.0004, 0.002, 0.01, 0.045] {
+        let field = io::xyz::parse(points_that_miss(part).as_bytes())
+            .unwrap_or_else(|error| panic!("{part}: {error}"));
+        let grid = field.grid();
+        assert_eq!([grid.nx(), grid.ny()], [12, 10], "{part}");
+        assert!((grid.dx() - 1.0).abs() < 0.2 * part && (grid.dy() - 2.0).abs() < 0.4 * part);
+        for (cell, height) in field.as_slice().iter().enumerate() {
+            assert_eq!(*height, (100 * (cell / 12) + cell % 12) as f64, "{part}");
+        }
+    }
+    let error = io::xyz::parse(points_that_miss(0.1).as_bytes()).unwrap_err();
+    assert!(
+        error.to_string().contains("off the regular grid"),
+        "{error}"
+    );
+}
+
+#[test]
+fn xyz_headers_further_columns_and_decimal_commas_are_read() {
+    for text in [
+        "X [um];Y [um];Z [um]\n0;0;1,5\n1;0;2,5\n",
+        "x y z intensity kind\n0 0 1.5 255 a\n1 0 2.5 255 b\n",
+        "\"x\",\"y\",\"z\",\"w\"\n0.0,0,1.5,7\n1.0,0,2.5,8\n",
+        "0,0 0,0 1,5\n1,0 0,0 2,5\n",
+    ] {
+        let field = io::xyz::parse(text.as_bytes()).unwrap_or_else(|e| panic!("{text:?}: {e}"));
+        assert_eq!(field.as_slice(), [1.5, 2.5], "{text:?}");
+    }
+    let numbered = b"Width 640\n2\n0 0 1.5\n1 0 -9999\n";
+    let error = io::xyz::parse(numbered).unwrap_err().to_string();
+    assert!(error.contains("skip_rows = 1"), "{error}");
+    let field = io::xyz::Options::default().skip_rows(2).missing(-9999.0);
+    let field = field.parse(numbered).unwrap();
+    assert!(field.as_slice()[0] == 1.5 && field.as_slice()[1].is_nan());
+    let commented = io::xyz::parse(b"# no data = -1\n0 0 2\n1 0 -1\n").unwrap();
+    assert!(commented.as_slice()[1].is_nan());
+    // Commas can be separators or decimal commas here.
+    let error = io::xyz::parse(b"0,0,0,0,1,5\n1,0,0,0,2,5\n")
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("decimal commas"), "{error}");
+}
+
+#[test]
+fn asc_export_of_gwyddion_takes_sides_and_unit_of_its_comments() {
+    let file = "# Channel: Height\n# Width: 10.0 \u{b5}m\n# Height: 4,0 um\n# Value units: nm\n0 1\n3.5 nan\n";
+    let field = io::asc::parse(file.as_bytes()).unwrap();
+    let grid = field.grid();
+    assert_eq!([grid.nx(), grid.ny()], [2, 2]);
+    assert!((grid.dx() / 5e-6 - 1.0).abs() < 1e-12 && (grid.dy() / 2e-6 - 1.0).abs() < 1e-12);
+    assert!((field.as_slice()[2] / 3.5e-9 - 1.0).abs() < 1e-12 && field.as_slice()[3].is_nan());
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("gwyddion.txt");
+    std::fs::write(&path, file).unwrap();
+    assert_eq!(
+        io::read(&path).unwrap().as_slice()[..3],
+        field.as_slice()[..3]
+    );
+    for (old, new, expected) in [
+        (
+            "# Value units: nm\n",
+            "",
+            "ASC, in Value units: the header lacks it",
+        ),
+        (
+            "units: nm",
+            "units: V",
+            "ASC, in Value units: the unit \"V\" is unknown",
+        ),
+        ("10.0", "wide", "ASC, in Width: \"wide\" is not a number"),
+        (
+            "10.0",
+            "-1",
+            "ASC, in Width: it must be positive and finite",
+        ),
+        ("3.5", "3.5 4", "ASC, on line 6: 3 cells"),
+    ] {
+        let error = io::asc::parse(file.replace(old, new).as_bytes()).unwrap_err();
+        assert!(error.to_string().starts_with(expected), "{error}");
+    }
+}
+
+#[test]
+fn sdf_dialects_are_read_or_named() {
+    let file = |magic: &str| {
+        format!(
+            "{magic}\nNumPoints = 2\nNumProfiles = 1\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-9\n*\n5 BAD\n*\n"
+        )
+    };
+    for magic in ["aISO-1.0", "aISO-2.0", "aBCR-1.0"] {
+        let field = io::sdf::parse(file(magic).as_bytes()).unwrap();
+        assert_eq!(field.as_slice()[0], 5e-9, "{magic}");
+        assert!(field.as_slice()[1].is_nan(), "{magic}");
+    }
+    let mut bytes = std::fs::read(path("i2.sdf")).unwrap();
+    bytes[..8].copy_from_slice(b"bBCR-1.0");
+    check("i2.sdf", &io::sdf::parse(&bytes), 1e6, 1e-15, false);
+    for magic in ["bISO-2.0", "aISO-3.0"] {
+        let error = io::sdf::parse(file(magic).as_bytes())
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(magic), "{error}");
+    }
+}
+
+#[test]
+fn npy_of_an_unsupported_dtype_is_rejected_with_its_name() {
+    for (kind, name) in [
+        ("<c16", "complex128"),
+        ("|b1", "bool"),
+        ("|O", "object"),
+        ("<f2", "float16"),
+        ("<U5", "text"),
+    ] {
+        let error = npy_of(kind, &[0; 32]).unwrap_err().to_string();
+        assert!(error.contains(name) && error.contains(kind), "{error}");
+        assert!(
+            error.contains("astype") && !error.contains("fortran"),
+            "{error}"
+        );
+    }
+}

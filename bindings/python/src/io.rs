@@ -79,7 +79,57 @@ formats! {
     sdf: sdf_read, sdf_parse, "an SDF", "metres", Some(METRE.into());
     sur: sur_read, sur_parse, "a SUR", "metres", Some(METRE.into());
     x3p: x3p_read, x3p_parse, "an X3P", "metres", Some(METRE.into());
-    xyz: xyz_read, xyz_parse, "an XYZ", "the unit of the file", None;
+}
+
+fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
+    let options = io::xyz::Options::default().skip_rows(skip_rows);
+    match missing {
+        None => options,
+        Some(Real(value)) => options.missing(value),
+    }
+}
+
+/// A surface from an XYZ file (lengths in the unit of the file).
+///
+/// Parameters
+/// ----------
+/// path : path_like
+///     The file.
+/// missing : float, optional
+///     The height that stands for a missing point; the value that a comment names by default.
+/// skip_rows : int, default 0
+///     Lines before the points.
+///
+/// Raises
+/// ------
+/// File, Format
+#[pyfunction]
+#[pyo3(signature = (path, *, missing=None, skip_rows=0))]
+pub(crate) fn xyz_read(
+    py: Python<'_>,
+    path: PathBuf,
+    missing: Option<Real>,
+    skip_rows: usize,
+) -> PyResult<Field> {
+    let options = points(missing, skip_rows);
+    py.detach(|| options.read(&path))
+        .or_raise(py)
+        .map(Into::into)
+}
+
+/// A surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
+#[pyfunction]
+#[pyo3(signature = (bytes, *, missing=None, skip_rows=0))]
+pub(crate) fn xyz_parse(
+    py: Python<'_>,
+    bytes: &[u8],
+    missing: Option<Real>,
+    skip_rows: usize,
+) -> PyResult<Field> {
+    let options = points(missing, skip_rows);
+    py.detach(|| options.parse(bytes))
+        .or_raise(py)
+        .map(Into::into)
 }
 
 /// Writes a surface as SDF (lengths in metres).
@@ -100,8 +150,18 @@ pub(crate) fn sdf_to_bytes<'py>(
     Ok(PyBytes::new(py, &bytes))
 }
 
-fn options(missing: Option<Real>, skip_rows: usize) -> io::csv::Options {
-    let options = io::csv::Options::default().skip_rows(skip_rows);
+fn options(
+    missing: Option<Real>,
+    skip_rows: usize,
+    skip_columns: usize,
+    without_labels: bool,
+) -> io::csv::Options {
+    let mut options = io::csv::Options::default()
+        .skip_rows(skip_rows)
+        .skip_columns(skip_columns);
+    if without_labels {
+        options = options.without_labels();
+    }
     match missing {
         None => options,
         Some(Real(value)) => options.missing(value),
@@ -120,12 +180,16 @@ fn options(missing: Option<Real>, skip_rows: usize) -> io::csv::Options {
 ///     The value that stands for a missing point; none by default.
 /// skip_rows : int, default 0
 ///     Rows before the matrix.
+/// skip_columns : int, default 0
+///     Cells to leave out at the beginning of each row, for names or numbers of rows.
+/// without_labels : bool, default False
+///     Whether a first row or column that counts 0, 1, 2 holds heights; otherwise it is rejected.
 ///
 /// Raises
 /// ------
 /// File, Format, NotPositive
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0))]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
@@ -133,8 +197,11 @@ pub(crate) fn csv_read(
     size: Option<due::GridSides>,
     missing: Option<Real>,
     skip_rows: usize,
+    skip_columns: usize,
+    without_labels: bool,
 ) -> PyResult<Field> {
-    let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
+    let sides = sides(cell, size)?;
+    let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.read(&path, sides))
         .or_raise(py)
         .map(Into::into)
@@ -142,7 +209,7 @@ pub(crate) fn csv_read(
 
 /// A field from the bytes of a matrix in text; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0))]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],
@@ -150,8 +217,11 @@ pub(crate) fn csv_parse(
     size: Option<due::GridSides>,
     missing: Option<Real>,
     skip_rows: usize,
+    skip_columns: usize,
+    without_labels: bool,
 ) -> PyResult<Field> {
-    let (sides, options) = (sides(cell, size)?, options(missing, skip_rows));
+    let sides = sides(cell, size)?;
+    let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
         .map(Into::into)

@@ -32,7 +32,8 @@ ELSEWHERE = {
     "struct surface::GaussianFilter": "surface.gaussian_filter",  # s=, l=, periodic=, along=
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
-    "struct io::csv::Options": "io.csv.read",  # missing= and skip_rows=
+    "struct io::csv::Options": "io.csv.read",  # missing=, skip_rows= and others
+    "struct io::xyz::Options": "io.xyz.read",  # missing= and skip_rows=
     "struct edges::EdgeCell": "edges.Edges",  # arrays: cells, covered, is_fitted
     "struct subsurface::Tractions": "subsurface.at_points",  # a solution or fields
     "enum cgm::Total": "cgm.minimise",  # total= and spring=
@@ -123,6 +124,7 @@ METHODS = {
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
+    "io::xyz::Options": {"parse": "io.xyz.parse", "read": "io.xyz.read"},
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
     "rolling::RollingSolver": {"set_control": "solve(creepage=)"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},

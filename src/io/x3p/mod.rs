@@ -32,12 +32,13 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// The surface in the bytes of a file (metres).
 ///
 /// One layer on a regular grid, axes not rotated. Samples are signed integers of 16 or 32 bits or floats of 32
-/// or 64 (data types I, L, F and D), in a file of their own or, as text, in the list of data; each is
-/// multiplied by the increment of the z axis and shifted by its offset. Missing points, NaN, are NaN,
+/// or 64 (data types I, L, F and D), in a file of their own or, as text, in the list of data. Integers are multiplied
+/// by the increment of the z axis. Floats are heights already: as in openGPS, the library of the standard, an increment
+/// does not scale them. The offset of the z axis is added to both. Missing points, NaN, are NaN or infinite in the file,
 /// empty in the list, or cleared in the file of valid points. The checksums of the archive are
-/// verified; those of the format itself (MD5) are not.
+/// verified; those of the format itself (MD5) are not. An element without text counts as absent.
 ///
-/// The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
+/// `main.xml` may lie in a folder of the archive; links to data start from this folder then. The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
 /// size, or to 4 MiB if that is more, and not beyond.
 ///
 /// # Errors
@@ -45,12 +46,18 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// archive or its files contradict one another.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let archive = Archive::new(bytes)?;
-    let main = Main::parse(&archive.read(MAIN, None)?)?;
+    let folder = archive.folder_of(MAIN)?;
+    let main = Main::parse(&archive.read(&format!("{folder}{MAIN}"), None)?)?;
+    let linked = |name: &str, size: usize| {
+        let place = format!("{folder}{name}");
+        let is_there = folder.is_empty() || archive.has(&place)?;
+        archive.read(if is_there { &place } else { name }, Some(size))
+    };
     let grid = main.grid()?;
     let mut samples = match (&main.data, main.list.is_empty()) {
         (Some(name), _) => {
             let number = required("Record1/Axes/CZ/DataType", main.number)?;
-            let stored = archive.read(name, Some(grid.cells() * number.size()))?;
+            let stored = linked(name, grid.cells() * number.size())?;
             number.decode(Order::LeastFirst, &stored)
         }
         (None, false) => main.list,
@@ -61,13 +68,18 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         let problem = format!("{found} data are listed for {nx} x {ny} points");
         return Err(FORMAT.in_entry(MAIN, problem));
     }
-    let increment = main.height_increment.unwrap_or(1.0);
+    let is_float = matches!(main.number, Some(Number::F32 | Number::F64));
+    let increment = main.height_increment.filter(|_| !is_float).unwrap_or(1.0);
     let offset = main.height_offset.unwrap_or(0.0);
     for sample in &mut samples {
-        *sample = *sample * increment + offset;
+        *sample = if sample.is_finite() {
+            *sample * increment + offset
+        } else {
+            f64::NAN
+        };
     }
     if let Some(name) = &main.valid {
-        let valid = archive.read(name, Some(samples.len().div_ceil(8)))?;
+        let valid = linked(name, samples.len().div_ceil(8))?;
         for (index, sample) in samples.iter_mut().enumerate() {
             if valid[index / 8] >> (index % 8) & 1 == 0 {
                 *sample = f64::NAN;
@@ -102,6 +114,8 @@ impl Main {
     /// Takes in one element.
     fn read(&mut self, element: &Element<'_>) -> Result<()> {
         match element.path {
+            "Record3/DataList/Datum" if element.text.is_empty() => self.list.push(f64::NAN),
+            _ if element.text.is_empty() => {}
             "Record1/FeatureType" => element.expect("SUR")?,
             "Record1/Axes/CX/AxisType" | "Record1/Axes/CY/AxisType" => element.expect("I")?,
             "Record1/Axes/CZ/AxisType" => element.expect("A")?,
@@ -119,7 +133,6 @@ impl Main {
             "Record3/MatrixDimension/SizeZ" => element.expect("1")?,
             "Record3/DataLink/PointDataLink" => self.data = Some(element.text.to_owned()),
             "Record3/DataLink/ValidPointsLink" => self.valid = Some(element.text.to_owned()),
-            "Record3/DataList/Datum" if element.text.is_empty() => self.list.push(f64::NAN),
             "Record3/DataList/Datum" => self.list.push(element.number()?),
             _ => {}
         }

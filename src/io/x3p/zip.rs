@@ -76,7 +76,33 @@ impl<'a> Archive<'a> {
         Ok(content)
     }
 
+    /// The folder of the entry of a name, with a slash at its end: the root if the entry is there or missing, otherwise
+    /// the first folder that has such an entry.
+    pub(super) fn folder_of(&self, name: &str) -> Result<String> {
+        if self.has(name)? {
+            return Ok(String::new());
+        }
+        let is_named = |path: &[u8]| is_in_folder(path, name);
+        let entry = self.find_path(is_named)?;
+        let path = entry.map(|entry| entry.file_path().as_bytes().to_vec());
+        let folder = path.map(|path| path[..path.len() - name.len()].to_vec());
+        // A name that is not UTF-8 does not equal its replacement: the error then says that the file is missing.
+        Ok(String::from_utf8_lossy(&folder.unwrap_or_default()).into_owned())
+    }
+
+    /// Whether there is an entry of a name.
+    pub(super) fn has(&self, name: &str) -> Result<bool> {
+        Ok(self.find(name)?.is_some())
+    }
+
     fn find(&self, name: &str) -> Result<Option<ZipFileHeaderRecord<'_>>> {
+        self.find_path(|path| is_same_path(path, name.as_bytes()))
+    }
+
+    fn find_path(
+        &self,
+        is_searched: impl Fn(&[u8]) -> bool,
+    ) -> Result<Option<ZipFileHeaderRecord<'_>>> {
         // The iterator reads on to the end of the directory; only those declared count.
         let declared = usize::try_from(self.0.entries_hint()).unwrap_or(usize::MAX);
         for entry in self.0.entries().take(declared) {
@@ -84,10 +110,22 @@ impl<'a> Archive<'a> {
                 let problem = format!("the directory that begins here is damaged: {error}");
                 FORMAT.at(Place::Byte(self.0.directory_offset()), problem)
             })?;
-            if entry.file_path().as_bytes() == name.as_bytes() {
+            if is_searched(entry.file_path().as_bytes()) {
                 return Ok(Some(entry));
             }
         }
         Ok(None)
     }
+}
+
+/// Whether two paths are the same; some programs of Windows separate folders by backslashes.
+fn is_same_path(a: &[u8], b: &[u8]) -> bool {
+    let slash = |&byte: &u8| if byte == b'\\' { b'/' } else { byte };
+    a.iter().map(slash).eq(b.iter().map(slash))
+}
+
+/// Whether a path ends in a folder and a name.
+fn is_in_folder(path: &[u8], name: &str) -> bool {
+    let folder = path.strip_suffix(name.as_bytes());
+    folder.is_some_and(|folder| folder.ends_with(b"/") || folder.ends_with(b"\\"))
 }

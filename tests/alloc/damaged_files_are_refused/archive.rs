@@ -55,6 +55,74 @@ fn the_file_that_is_damaged_below() {
     }
 }
 
+/// Alicona writes missing points as infinities.
+#[test]
+fn x3p_infinite_heights_are_missing_points() {
+    let data = [
+        1.5_f64,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        2.5,
+        3.5,
+    ];
+    let data: Vec<u8> = data.iter().flat_map(|z| z.to_le_bytes()).collect();
+    let main = MAIN.replace("<DataType>I", "<DataType>D");
+    let valid = [0b11_1111];
+    let files = [
+        ("main.xml", main.as_bytes(), true),
+        ("data.bin", &data, true),
+        ("valid.bin", &valid, false),
+    ];
+    let listed = "<DataList><Datum>1.5</Datum><Datum>+inf</Datum><Datum>-inf</Datum><Datum/>\
+        <Datum>2.5</Datum><Datum>3.5</Datum></DataList>";
+    let link = "<DataLink><PointDataLink>data.bin</PointDataLink>\
+        <ValidPointsLink>valid.bin</ValidPointsLink></DataLink>";
+    let main = main.replace(link, listed);
+    let list = zip(&[("main.xml", main.as_bytes(), true)]);
+    for file in [zip(&files), list] {
+        let field = io::x3p::parse(&file).unwrap();
+        // Floats are heights already: the increment of 1e-9 does not scale them.
+        assert_eq!(field.as_slice()[0], 1.5);
+        assert_eq!(field.as_slice()[4..], [2.5, 3.5]);
+        assert!(field.as_slice()[1..4].iter().all(|z| z.is_nan()));
+    }
+}
+
+#[test]
+fn x3p_empty_elements_are_absent() {
+    let increment = "<Increment>1e-9</Increment>";
+    for (empty, scale) in [
+        ("<Increment>1e-9</Increment><Offset/>", 1e-9),
+        ("<Increment></Increment><Offset></Offset>", 1.0),
+    ] {
+        let main = MAIN.replace(increment, empty);
+        let field = io::x3p::parse(&with_main(&main)).unwrap();
+        assert_eq!(field.as_slice()[3], 4.0 * scale, "{empty}");
+    }
+    let main = MAIN.replace("1e-6", "");
+    let expected = "X3P, in main.xml: there is no Record1/Axes/CX/Increment";
+    refuse(&with_main(&main), expected);
+}
+
+#[test]
+fn x3p_in_a_folder_of_the_archive_is_read() {
+    let whole = io::x3p::parse(&with_main(MAIN)).unwrap();
+    for [main, data, valid] in [
+        ["scan/main.xml", "scan/data.bin", "scan/valid.bin"],
+        ["a\\b\\main.xml", "a\\b\\data.bin", "a\\b\\valid.bin"],
+        ["scan/main.xml", "data.bin", "valid.bin"],
+    ] {
+        let file = zip(&[
+            (main, MAIN.as_bytes(), true),
+            (data, &DATA, true),
+            (valid, &VALID, false),
+        ]);
+        let field = io::x3p::parse(&file).unwrap();
+        assert_eq!(field.as_slice()[..4], whole.as_slice()[..4], "{main}");
+    }
+}
+
 #[test]
 fn archives() {
     let whole = with_main(MAIN);

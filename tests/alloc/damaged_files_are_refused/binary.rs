@@ -126,7 +126,7 @@ fn npy() {
         refuse(
             &npy_with(&header, &eight),
             parse_npy,
-            "NPY, at byte 10: 'descr' \"",
+            "NPY, at byte 10: the dtype ",
         );
     }
     for (header, expected) in [

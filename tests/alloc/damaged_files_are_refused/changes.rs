@@ -39,9 +39,23 @@ fn valid() -> Vec<(Parse, Vec<u8>)> {
             io::asc::parse,
             format!("{asc}{}", "1 2 3 4.5 5 6\n".repeat(5)).into_bytes(),
         ),
+        (
+            io::asc::parse,
+            format!(
+                "# Width: 6 um\n# Height: 5 um\n# Value units: nm\n{}",
+                samples
+            )
+            .into_bytes(),
+        ),
         (io::sur::parse, sur()),
         (io::xyz::parse, text(" ").into_bytes()),
         (io::xyz::parse, text(";").into_bytes()),
+        (
+            io::xyz::parse,
+            format!("x;y;z\n{}", text(";"))
+                .replace("-0.25;", "-0.26;")
+                .into_bytes(),
+        ),
     ];
     for (parse, bytes) in &files {
         parse(bytes).unwrap();

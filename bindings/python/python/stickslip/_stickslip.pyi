@@ -6285,12 +6285,12 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0) -> Field:
+def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
     """
     A field from the bytes of a matrix in text; see :func:`read`.
     """
 
-def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0) -> Field:
+def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
     """
     A field from a matrix in text.
 
@@ -6304,6 +6304,10 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
         The value that stands for a missing point; none by default.
     skip_rows : int, default 0
         Rows before the matrix.
+    skip_columns : int, default 0
+        Cells to leave out at the beginning of each row, for names or numbers of rows.
+    without_labels : bool, default False
+        Whether a first row or column that counts 0, 1, 2 holds heights; otherwise it is rejected.
 
     Raises
     ------
@@ -6731,13 +6735,26 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     A surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes) -> Field:
+def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0) -> Field:
     """
-    A surface from the bytes of an XYZ file (lengths in the unit of the file).
+    A surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
-def xyz_read(path: str | PathLike[str]) -> Field:
+def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0) -> Field:
     """
     A surface from an XYZ file (lengths in the unit of the file).
+
+    Parameters
+    ----------
+    path : path_like
+        The file.
+    missing : float, optional
+        The height that stands for a missing point; the value that a comment names by default.
+    skip_rows : int, default 0
+        Lines before the points.
+
+    Raises
+    ------
+    File, Format
     """
 
