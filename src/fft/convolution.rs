@@ -186,13 +186,17 @@ impl Convolution<3> {
 
 /// Of the eigenvalues of the operator, from the range of those of the torus.
 fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]) -> f64 {
-    // A coefficient between two directions is no compliance; a single cell that repeats has no wave.
+    // A coefficient between two directions is no compliance.
     let is_compliance = (0..N).all(|i| kernels[i][i].is_odd() == [false; 2]);
-    if is_compliance && low.is_finite() {
+    if !is_compliance {
+        0.0
+    } else if low.is_finite() {
         // What the transform itself rounds off is taken from the bound.
         (low - 1e-14 * high).max(0.0)
     } else {
-        0.0
+        // A single periodic cell has no field of mean zero, which any number bounds. Residuals need one in its units.
+        let waves = (0..N).map(|i| kernels[i][i].least_of_one_period());
+        waves.fold(f64::INFINITY, f64::min).max(0.0)
     }
 }
 

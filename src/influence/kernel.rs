@@ -28,6 +28,14 @@ impl Kernel {
         self.component().is_odd()
     }
 
+    /// Returns the lesser symbol of the two waves of one period over a periodic grid; zero for other surroundings.
+    pub(crate) fn least_of_one_period(&self) -> f64 {
+        match self {
+            Self::Table(_) | Self::Rows(_) => 0.0,
+            Self::Symbols(symbols) => symbols.at([1, 0]).min(symbols.at([0, 1])),
+        }
+    }
+
     fn component(&self) -> Component {
         match self {
             Self::Table(table) | Self::Rows(table) => table.component(),

@@ -1,5 +1,6 @@
 //! Ranks that are processes of an MPI program.
 
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -255,10 +256,11 @@ impl Post {
     }
 
     /// Ends all processes.
-    #[expect(clippy::print_stderr, reason = "no error can reach a caller any more")]
     fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
         let own = world.rank();
-        eprintln!("stickslip: rank {own} gives up: {why}; all ranks are aborted");
+        let message = format!("stickslip: rank {own} gives up: {why}; all ranks are aborted\n");
+        // No error can reach a caller any more. One write keeps the messages of several ranks apart.
+        let _ = std::io::stderr().write_all(message.as_bytes());
         world.abort(1)
     }
 

@@ -153,6 +153,43 @@ fn a_single_cell_carries_its_share() {
     }
 }
 
+/// A spring or a force moves a single cell up to the friction limit. The merit that ends the solve is the reported one.
+#[test]
+fn single_periodic_cell_under_a_spring_converges_within_its_bound() {
+    let grid = Grid::new(1, 1, 1.0, 1.0).unwrap();
+    let bodies = repeated(grid, 0.3);
+    let force = NormalControl::Force(1.0);
+    let normal = press(&bodies, &Field::zeros(grid), force, 1e-8, Method::ActiveSet);
+    let friction = Friction::coulomb(0.3).unwrap();
+    for i in 1..kit::thorough(200, 2000) {
+        let spread = |step: f64| (f64::from(i) * step).fract();
+        let stiffness = 10.0_f64.powf(8.0 * spread(0.618_034) - 4.0);
+        let (far_end, angle) = (2.0 * spread(0.414_214), TAU * spread(0.732_051));
+        let pull = far_end / stiffness.min(1.0);
+        let far_end = [pull * angle.cos(), pull * angle.sin()];
+        let free = stiffness * pull;
+        let dragged = TangentialLoad::spring(far_end, stiffness);
+        let part = 0.3 * spread(0.236_068);
+        let pushed = TangentialLoad::force([part * angle.cos(), part * angle.sin()]);
+        for (load, expected) in [(dragged, free.min(0.3)), (pushed, part)] {
+            let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
+                .model(TangentialModel::Vector)
+                .build()
+                .unwrap()
+                .solve()
+                .unwrap();
+            let report = shear.report();
+            assert!(report.is_converged(), "{report}");
+            assert!(report.energy_error_bound() <= 1e-8, "{report}");
+            let found = shear.force()[0].hypot(shear.force()[1]);
+            assert!(
+                (found - expected).abs() <= 1e-8 * expected,
+                "{found} for {expected}"
+            );
+        }
+    }
+}
+
 /// A rough surface from a few spots to nearly full contact; odd grids know no coarser cells.
 fn rough_scene(cells: usize, pressure: f64) -> (HalfSpace, Field, NormalControl) {
     let grid = Grid::square(cells, 128.0).unwrap();

@@ -1797,8 +1797,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_discretisation_estimates
 
-        ! The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
-        ! on this thread, or its end.
+        ! The message of the last failure on this thread, in English, UTF-8; empty before any. The pointer is the same for every
+        ! failure of a thread, and valid until the thread ends.
         function stickslip_last_error_message() result(answer) bind(c)
             import
             type(c_ptr) :: answer

@@ -1617,8 +1617,8 @@ stickslip_status stickslip_coupled_solution_discretisation_estimates(const stick
                                                                      double *of_pressure,
                                                                      double *of_traction);
 
-// The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
-// on this thread, or its end.
+// The message of the last failure on this thread, in English, UTF-8; empty before any. The pointer is the same for every
+// failure of a thread, and valid until the thread ends.
 const char *stickslip_last_error_message(void);
 
 // The numbers of the last failure on this thread.

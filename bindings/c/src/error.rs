@@ -1,7 +1,7 @@
 //! The last failure of a thread.
 
-use std::cell::RefCell;
-use std::ffi::{CString, c_char};
+use std::cell::{Cell, RefCell};
+use std::ffi::c_char;
 
 use stickslip_rs::{Error, ranks::RankFailure};
 
@@ -242,39 +242,48 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
     }
 }
 
+/// Bytes of a message, with the zero at its end; a longer message is cut.
+const LONGEST: usize = 4096;
+
 /// The last failure, as C reads it.
 struct Last {
-    message: CString,
     numbers: stickslip_error,
     report: Option<stickslip_report>,
 }
 
 thread_local! {
     static LAST: RefCell<Last> = RefCell::new(Last {
-        message: CString::default(),
         numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0, reserved: [0; 4] },
         report: None,
     });
+    /// The message of the last failure, always at the same place: a pointer to it stays valid until the thread ends.
+    static MESSAGE: [Cell<u8>; LONGEST] = const { [const { Cell::new(0) }; LONGEST] };
 }
 
 /// Keeps a failure for the functions below.
 pub(crate) fn remember(failure: Failure) {
-    let message = CString::new(failure.message).unwrap_or_default();
+    let mut end = failure.message.len().min(LONGEST - 1);
+    while !failure.message.is_char_boundary(end) {
+        end -= 1;
+    }
+    let text = failure.message[..end].bytes().chain([0]);
+    let _ =
+        MESSAGE.try_with(|message| message.iter().zip(text).for_each(|(to, from)| to.set(from)));
     // A thread that is ending has nobody left to ask.
     let _ = LAST.try_with(|last| {
         last.replace(Last {
-            message,
             numbers: failure.numbers,
             report: failure.report.map(|report| *report),
         })
     });
 }
 
-/// The message of the last failure on this thread, in English, UTF-8; empty before any. It is valid until the next failure
-/// on this thread, or its end.
+/// The message of the last failure on this thread, in English, UTF-8; empty before any. The pointer is the same for every
+/// failure of a thread, and valid until the thread ends.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_last_error_message() -> *const c_char {
-    LAST.try_with(|last| last.borrow().message.as_ptr())
+    MESSAGE
+        .try_with(|message| message.as_ptr().cast())
         .unwrap_or(c"".as_ptr())
 }
 

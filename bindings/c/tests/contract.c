@@ -106,6 +106,11 @@ static void bad_input_is_refused(void) {
     OK(stickslip_last_error(&error));
     CHECK(error.value == 0.7);
     CHECK(strstr(stickslip_last_error_message(), "0.7") != NULL);
+    // A pointer that was read before a failure shows the message of that failure.
+    const char *message = stickslip_last_error_message();
+    odd.poisson_ratio = 0.8;
+    CHECK(stickslip_half_space_new(&GRID, &odd, &STEEL, NULL, &none) == STICKSLIP_POISSON_RATIO);
+    CHECK(strstr(message, "0.8") != NULL && message == stickslip_last_error_message());
     CHECK(stickslip_half_space_new(&GRID, &rigid, &rigid, NULL, &none) == STICKSLIP_BOTH_RIGID);
     stickslip_layer oxide = {380e9, 0.22, 5e-6}, many[9], thin = {380e9, 0.22, 0.0};
     for (int i = 0; i < 9; i++) {
