@@ -41,11 +41,7 @@ fn valid() -> Vec<(Parse, Vec<u8>)> {
         ),
         (
             io::asc::parse,
-            format!(
-                "# Width: 6 um\n# Height: 5 um\n# Value units: nm\n{}",
-                samples
-            )
-            .into_bytes(),
+            format!("# Width: 6 um\n# Height: 5 um\n# Value units: nm\n{samples}").into_bytes(),
         ),
         (io::sur::parse, sur()),
         (io::xyz::parse, text(" ").into_bytes()),
