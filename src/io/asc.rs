@@ -29,7 +29,7 @@ const UNITS: [(&str, f64); 8] = [
 /// The surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse_file(path.as_ref(), parse)
 }
@@ -48,7 +48,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// [`csv`](super::csv::parse).
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if the bytes are not such a file, a key is missing, a unit unknown, or the
+/// [`Error::Format`] if the bytes are not such a file, a key is missing, a unit unknown, or the
 /// number of heights another.
 ///
 /// ```

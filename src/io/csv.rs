@@ -86,7 +86,7 @@ impl Options {
     /// [`parse`].
     ///
     /// # Errors
-    /// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+    /// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
     pub fn read(self, path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
         let sides = sides.into().checked()?;
         parse_file(path.as_ref(), |bytes| self.parse(bytes, sides))
@@ -331,7 +331,7 @@ pub(super) fn missing_value(comment: &str) -> Option<f64> {
 /// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
     Options::default().read(path, sides)
 }
@@ -354,8 +354,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   labels. [`Options::without_labels`] reads all of them as heights.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for a cell side;
-/// [`Error::Format`](crate::Error::Format), with the line, for a cell that is not a number or a line
+/// [`Error::NotPositive`] for a cell side;
+/// [`Error::Format`], with the line, for a cell that is not a number or a line
 /// whose width differs from the first, for labels of rows or columns, for a text in UTF-16, and for a file that
 /// [`asc`](super::asc) reads; also if there is no line at all.
 ///
@@ -373,7 +373,7 @@ pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
 /// Writes a field to a file, as [`to_bytes`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be written.
+/// [`Error::File`] if the file cannot be written.
 pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }

@@ -53,8 +53,8 @@ impl Options {
     /// Reads the surface in a file. See [`parse`].
     ///
     /// # Errors
-    /// - [`Error::File`](crate::Error::File) if the file cannot be read.
-    /// - [`Error::Format`](crate::Error::Format) as [`parse`].
+    /// - [`Error::File`] if the file cannot be read.
+    /// - [`Error::Format`] as [`parse`].
     pub fn read(self, path: impl AsRef<Path>) -> Result<Field> {
         parse_file(path.as_ref(), |bytes| self.parse(bytes))
     }
@@ -62,7 +62,7 @@ impl Options {
     /// Reads the surface in the bytes of a file. See [`parse`].
     ///
     /// # Errors
-    /// - [`Error::Format`](crate::Error::Format) as [`parse`].
+    /// - [`Error::Format`] as [`parse`].
     pub fn parse(self, bytes: &[u8]) -> Result<Field> {
         let mut points = points(bytes, self.skip_rows)?;
         let missing = self
@@ -80,7 +80,7 @@ impl Options {
 /// The surface in a file. See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     Options::default().read(path)
 }
@@ -102,7 +102,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// a point.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format), with the line, for a line that does not have three numbers or
+/// [`Error::Format`], with the line, for a line that does not have three numbers or
 /// as many cells as the first, a text in UTF-16, a point off the grid, or a second point at a place; also for fewer than two places, or too few points for
 /// the grid that they span. Commas that separate more than three whole numbers may be decimal commas and are rejected.
 ///
