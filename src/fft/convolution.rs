@@ -276,7 +276,8 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     }
 
     /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
-    /// periodic grid that on fields of mean zero. Zero for a single component between two directions; and
+    /// periodic grid that on fields of mean zero. One periodic cell has no such field: its bound is the symbol of a wave of
+    /// one period over the cell. Zero for a single component between two directions; and
     /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
     /// continuation is not definite though the operator is. Where that of stiff layers on soft bodies is not, an
     /// estimate, on the safe side, of the least eigenvalue of the infinite lattice of these cells.
