@@ -252,10 +252,10 @@ struct Last {
 }
 
 thread_local! {
-    static LAST: RefCell<Last> = RefCell::new(Last {
+    static LAST: RefCell<Last> = const { RefCell::new(Last {
         numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0, reserved: [0; 4] },
         report: None,
-    });
+    }) };
     /// The message of the last failure, always at the same place: a pointer to it stays valid until the thread ends.
     static MESSAGE: [Cell<u8>; LONGEST] = const { [const { Cell::new(0) }; LONGEST] };
 }
