@@ -244,9 +244,10 @@ impl Scratch {
     ///
     /// # Panics
     /// If they are those of a different kind of operator.
-    pub(crate) fn expect<T: 'static>(&mut self) -> &mut T {
-        self.get_mut()
-            .expect("the scratch must be that of the operator")
+    pub(crate) fn buffers<T: 'static>(&mut self) -> &mut T {
+        // The crate passes each scratch to the operator that created it. `Operator::apply` requires this of others.
+        let buffers = self.get_mut();
+        buffers.expect("the scratch must be that of the operator")
     }
 }
 

@@ -186,7 +186,7 @@ impl Convolution<3> {
 
 /// Of the eigenvalues of the operator, from the range of those of the torus.
 fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]) -> f64 {
-    // A coefficient between two directions is no compliance.
+    // A coefficient between two directions is not a compliance.
     let is_compliance = (0..N).all(|i| kernels[i][i].is_odd() == [false; 2]);
     if !is_compliance {
         0.0
@@ -194,7 +194,7 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]
         // What the transform itself rounds off is taken from the bound.
         (low - 1e-14 * high).max(0.0)
     } else {
-        // A single periodic cell has no field of mean zero, which any number bounds. Residuals need one in its units.
+        // A single periodic cell has no field of mean zero, so that any number is a bound. Residuals need one in its units.
         let waves = (0..N).map(|i| kernels[i][i].least_of_one_period());
         waves.fold(f64::INFINITY, f64::min).max(0.0)
     }
@@ -253,7 +253,7 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-        let ConvolutionScratch { tiles, double, .. } = scratch.expect();
+        let ConvolutionScratch { tiles, double, .. } = scratch.buffers();
         self.plan
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
@@ -264,7 +264,7 @@ impl<const N: usize> Operator<N> for Convolution<N> {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);
         }
-        let ConvolutionScratch { tiles, single, .. } = scratch.expect();
+        let ConvolutionScratch { tiles, single, .. } = scratch.buffers();
         if single.is_none() {
             *single = self.single.scratch().ok();
         }

@@ -77,7 +77,7 @@ impl<const N: usize> Operator<N> for CirculantInverse<N> {
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-        let SingleScratch { tiles, scratch } = scratch.expect();
+        let SingleScratch { tiles, scratch } = scratch.buffers();
         self.product.apply(x, out, tiles, scratch);
     }
 }

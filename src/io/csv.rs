@@ -76,7 +76,7 @@ impl Options {
 
     /// States that the file has no labels: a first line or column that counts 0, 1, 2 holds heights.
     ///
-    /// By default [`parse`] rejects such a line or column.
+    /// Without this option, such a line or column is rejected.
     pub fn without_labels(mut self) -> Self {
         self.is_unlabelled = true;
         self
@@ -263,9 +263,9 @@ impl Spelling {
 
     /// Whether the first line and the first column of a matrix are labels.
     ///
-    /// Below an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. Without
-    /// such a corner, labels are whole numbers that count, and the others do not count or have decimals. Two numbers are labels
-    /// only if all others have decimals.
+    /// Next to an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. If the
+    /// corner is not empty, labels are whole numbers that count while the others do not count or have decimals. Two
+    /// numbers are labels only if all others have decimals.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
@@ -350,14 +350,14 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - A separator at the end of every line adds no cell.
 /// - Names of columns and rows are rejected: [`Options::skip_rows`] and [`Options::skip_columns`] leave them out.
 /// - Numbers that may be labels are rejected as well: a first line or column of whole numbers that counts 0, 1, 2 or
-///   1, 2, 3 while the others do not count or have decimals. After an empty first cell, evenly spaced coordinates on both axes are also
-///   labels. [`Options::without_labels`] reads all of them as heights.
+///   1, 2, 3 while the others do not count or have decimals. After an empty first cell, evenly spaced coordinates on
+///   both axes are also labels. [`Options::without_labels`] reads all of them as heights.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a cell side;
-/// [`Error::Format`], with the line, for a cell that is not a number or a line
-/// whose width differs from the first, for labels of rows or columns, for a text in UTF-16, and for a file that
-/// [`asc`](super::asc) reads; also if there is no line at all.
+/// - [`Error::NotPositive`] if a cell side is not positive.
+/// - [`Error::Format`], with the line, if a cell is not a number, if the width of a line differs from the first, or if
+///   the first line or column may be labels.
+/// - [`Error::Format`] if the text is in UTF-16, if the file has no line, or if [`asc`](super::asc) reads it.
 ///
 /// ```
 /// use stickslip::io::csv;

@@ -38,7 +38,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the height that stands for a missing point (default: the value that a comment of the file names, or none).
+    /// Sets the height of a missing point (default: the value that a comment of the file names, or none).
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -102,9 +102,11 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// a point.
 ///
 /// # Errors
-/// [`Error::Format`], with the line, for a line that does not have three numbers or
-/// as many cells as the first, a text in UTF-16, a point off the grid, or a second point at a place; also for fewer than two places, or too few points for
-/// the grid that they span. Commas that separate more than three whole numbers may be decimal commas and are rejected.
+/// - [`Error::Format`], with the line, if a line does not have three numbers, or as many cells as the first.
+/// - [`Error::Format`], with the line, if a point is off the grid, or if a place has two points.
+/// - [`Error::Format`] if the text is in UTF-16, if there are fewer than two places, or if the points are too few for
+///   the grid that they span.
+/// - [`Error::Format`] if commas separate more than three whole numbers, because they may be decimal commas.
 ///
 /// ```
 /// use stickslip::io::xyz;

@@ -171,7 +171,7 @@ impl<const N: usize> Part<N> {
         out: [&mut [f64]; N],
         scratch: &mut Scratch,
     ) {
-        let PartScratch { own, zeros, rest } = scratch.expect();
+        let PartScratch { own, zeros, rest } = scratch.buffers();
         let all = self.given.directions.len();
         let mut columns = [&zeros[..]; DIRECTIONS];
         for (x, column) in x.into_iter().zip(self.columns) {

@@ -34,7 +34,7 @@ impl Operator<2> for SteadyInverse {
     }
 
     fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], scratch: &mut Scratch) {
-        let (scratch, sums): &mut Buffers = scratch.expect();
+        let (scratch, sums): &mut Buffers = scratch.buffers();
         for (sum, x) in sums.iter_mut().zip(x) {
             sum.copy_from_slice(x);
             self.step.sum(sum);

@@ -96,7 +96,7 @@ fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
 /// path : path_like
 ///     The file.
 /// missing : float, optional
-///     The height that stands for a missing point; the value that a comment names by default.
+///     The height of a missing point (default: the value that a comment names, or none).
 /// skip_rows : int, default 0
 ///     Lines before the points.
 ///

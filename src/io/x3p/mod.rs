@@ -38,7 +38,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// empty in the list, or cleared in the file of valid points. The checksums of the archive are
 /// verified; those of the format itself (MD5) are not. An element without text counts as absent.
 ///
-/// `main.xml` may lie in a folder of the archive; links to data start from this folder then. The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
+/// `main.xml` may lie in a folder of the archive; links to data then start from this folder.
+/// The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
 /// size, or to 4 MiB if that is more, and not beyond.
 ///
 /// # Errors

@@ -124,7 +124,7 @@ pub(crate) fn product_of(
 #[derive(Clone)]
 pub(crate) struct Shared(pub(crate) Arc<dyn Product>);
 
-/// All components of the tractions, and of the displacements; they have their lengths from the first product on.
+/// All components of the tractions, and of the displacements. The first product gives them their lengths.
 type Buffers = [Vec<f64>; 2];
 
 impl Shared {
