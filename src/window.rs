@@ -178,6 +178,14 @@ impl Window {
         self.row_start(cell / self.size[0]) + cell % self.size[0]
     }
 
+    /// Returns the place in the window of a cell of the whole grid, if that lies inside.
+    pub(crate) fn place(&self, index: usize) -> Option<usize> {
+        let [column, row] = [index % self.columns, index / self.columns];
+        let [first, start] = self.corner;
+        self.contains(index)
+            .then(|| (row - start) * self.size[0] + column - first)
+    }
+
     /// Indices in the whole grid, in the order of the window.
     pub(crate) fn indices(&self) -> impl Iterator<Item = usize> + use<> {
         let window = *self;
@@ -295,6 +303,7 @@ mod tests {
             let mut whole = vec![0.0; grid.cells()];
             for i in inner.indices() {
                 whole[i] = 1.0 + i as f64;
+                assert_eq!(inner.place(i).map(|place| inner.index(place)), Some(i));
             }
             let of = |window: Window| {
                 let mut part = vec![0.0; window.cells()];

@@ -39,12 +39,14 @@ impl CoupledIncrement {
     }
 
     /// Writes the compliance that the cells have had of their own in the last step; of no cells where none entered.
-    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
+    /// Returns whether any may have.
+    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.enters {
             let cells = self.closing.iter().zip(&self.tractions[0]);
             entered.extend(cells.map(|(closing, pressure)| own_compliance(*closing, *pressure)));
         }
+        self.enters
     }
 
     /// Moves the offsets back by the change of a relative displacement along each axis.

@@ -73,8 +73,6 @@ pub struct AdaptiveSteps {
     kept: State,
     /// State and result after the first half of the step.
     middle: (State, StepResult),
-    /// Compliance of the cells that entered in that half.
-    middle_entered: Vec<f64>,
     /// Tractions after the step as a whole.
     whole: [Field; 2],
 }
@@ -100,7 +98,6 @@ impl AdaptiveSteps {
             beginning: state.try_clone()?,
             kept: state.try_clone()?,
             middle: (state.try_clone()?, history.last_step().try_clone()?),
-            middle_entered: Vec::new(),
             whole: try_each(|axis| state.traction()[axis].try_clone())?,
         })
     }
@@ -213,7 +210,6 @@ impl AdaptiveSteps {
         let (state, step) = &mut self.middle;
         state.try_clone_from(history.state())?;
         step.try_clone_from(history.last_step())?;
-        self.middle_entered.try_clone_from(&history.entered)?;
         let second = history.step(&part(end))?;
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
@@ -249,10 +245,8 @@ impl AdaptiveSteps {
         self.kept.try_clone_from(history.state())?;
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
-        std::mem::swap(&mut history.entered, &mut self.middle_entered);
         let outcome = history.bodies.agreed_on(|| observer(history));
         std::mem::swap(&mut history.step, step);
-        std::mem::swap(&mut history.entered, &mut self.middle_entered);
         history.set_state(&self.kept)?;
         outcome?;
         history.bodies.agreed_on(|| observer(history))

@@ -45,7 +45,10 @@ impl History {
             Some(_) => self.bodies.grid().cells(),
             None => self.increment.as_ref().map_or(0, Increment::entered_cells),
         };
-        buffer::make_room(&mut self.entered, entered)
+        let memory = self.state.contact.as_mut();
+        memory.map_or(Ok(()), |memory| {
+            buffer::make_room(&mut memory.entered, entered)
+        })
     }
 
     /// Solves both halves of a step.

@@ -97,13 +97,17 @@ fn enter(
     let vectors = vectors.map(|parts| parts.map(|part| held.lines_of(part.as_mut_slice())));
     let numbers = numbers.map(|field| held.lines_of(field.as_mut_slice()));
     let zones = held.lines_of(&mut state.zones);
-    let own = [&mut memory.offset, &mut memory.trend.change];
+    let own = [
+        &mut memory.offset,
+        &mut memory.trend.change,
+        &mut memory.slip,
+    ];
     let own = own.map(|parts| parts.each_mut().map(|part| held.lines(part)));
     let columns = held.ranges()[0].clone();
     let work = |row: usize, (vectors, numbers, (zones, own)): Lines<'_>| {
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
-        let [mut offset, mut trend] = own;
+        let [mut offset, mut trend, mut last_slip] = own;
         let mut account = Account::ZERO;
         for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
@@ -116,6 +120,7 @@ fn enter(
                 q
             };
             write(&mut trend, own, minus(cell.traction, last));
+            write(&mut last_slip, own, cell.slip);
             for axis in 0..2 {
                 traction[axis].items[i] = cell.traction[axis];
                 accumulated[axis].items[i] += cell.slip[axis];
@@ -151,12 +156,12 @@ fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     }
 }
 
-/// What is written of a row: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
-/// offsets and trends.
+/// The parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities;
+/// zones, offsets, trends and slip of the step.
 type Lines<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
-    (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 2]),
+    (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
 /// A step that was taken, as its cells see it.

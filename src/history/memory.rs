@@ -1,4 +1,4 @@
-//! What the cells in and around the contact remember of their slip.
+//! The memory of the cells in and around the contact.
 
 use crate::buffer::{self, TryClone, try_clone, try_each};
 use crate::contact::Trend;
@@ -21,6 +21,12 @@ pub(super) struct Memory {
     /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and traction are
     /// found together.
     pub(super) trend: Trend<2>,
+    /// Slip of the last step, which resists turning; of no cells in the scalar model.
+    pub(super) slip: PlaneVector,
+    /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
+    pub(super) entered: Vec<f64>,
+    /// Whether cells entered, here or on another rank.
+    pub(super) has_entered: bool,
 }
 
 clone_in_place!(Memory {
@@ -28,9 +34,12 @@ clone_in_place!(Memory {
     displacement,
     offset,
     trend,
+    slip,
+    entered,
+    has_entered,
 });
 
-try_clone!(Memory { displacement, offset, trend } { window });
+try_clone!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
 
 impl Memory {
     /// At the first touch, of bodies that have no displacement.
@@ -51,7 +60,23 @@ impl Memory {
                 change: zeros(axes, held.cells())?,
                 ..Trend::default()
             },
+            slip: if axes == Axis::BOTH {
+                zeros(axes, held.cells())?
+            } else {
+                PlaneVector::default()
+            },
+            entered: Vec::new(),
+            has_entered: false,
         })
+    }
+
+    /// Forgets the last step, after one without contact.
+    pub(super) fn forget_step(&mut self) {
+        for part in &mut self.slip {
+            part.fill(0.0);
+        }
+        self.entered.clear();
+        self.has_entered = false;
     }
 
     /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
@@ -67,15 +92,11 @@ impl Memory {
     ) -> Result<()> {
         let (held, old) = (increment.pressed.region.held(), self.window.held(grid));
         let axes = increment.axes();
-        for axis in axes.iter().map(|axis| axis.index()) {
-            for parts in self.fields_mut() {
-                buffer::make_room(&mut parts[axis], held.cells())?;
-            }
+        for field in self.fields_mut(axes) {
+            buffer::make_room(field, held.cells())?;
         }
-        for axis in axes.iter().map(|axis| axis.index()) {
-            for parts in self.fields_mut() {
-                held.spread(old, &mut parts[axis]);
-            }
+        for field in self.fields_mut(axes) {
+            held.spread(old, field);
         }
         self.window = increment.pressed.window();
         increment.set_traction(traction.map(Field::as_slice));
@@ -96,20 +117,29 @@ impl Memory {
     /// again.
     pub(super) fn narrow(&mut self, grid: Grid, window: Window) {
         let (held, old) = (window.held(grid), self.window.held(grid));
-        let fields = self.fields_mut().into_iter().flatten();
+        let fields = self.fields_mut(&Axis::BOTH);
         for field in fields.filter(|field| !field.is_empty()) {
             held.cut(old, field);
         }
         self.window = window;
     }
 
-    /// All fields of the window.
-    fn fields_mut(&mut self) -> [&mut PlaneVector; 3] {
-        [
-            &mut self.displacement,
-            &mut self.offset,
-            &mut self.trend.change,
-        ]
+    /// Returns the fields of the window of tractions along these axes.
+    fn fields_mut(&mut self, axes: &[Axis]) -> impl Iterator<Item = &mut Vec<f64>> {
+        let has_slip = axes == Axis::BOTH;
+        let vectors = [
+            Some(&mut self.displacement),
+            Some(&mut self.offset),
+            Some(&mut self.trend.change),
+            has_slip.then_some(&mut self.slip),
+        ];
+        let parts = vectors.into_iter().flatten().flat_map(|parts| {
+            let parts = parts.iter_mut().zip([Axis::X, Axis::Y]);
+            parts
+                .filter(|(_, axis)| axes.contains(axis))
+                .map(|(part, _)| part)
+        });
+        parts.chain(self.has_entered.then_some(&mut self.entered))
     }
 
     /// How many times the last step the load continues in the same direction; `None` where it does not, or turns without

@@ -4,15 +4,17 @@ use std::ops::ControlFlow;
 
 use crate::boundary::Boundary;
 use crate::cgm::Settings;
+use crate::cgm::vector::slices;
 use crate::error::Result;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::history::{History, StepResult};
 use crate::normal::NormalSolution;
 use crate::report::Iteration;
-use crate::stiffness::{ContactStiffness, Coupled, Pressed, Sheared, StiffnessWorkspace};
+use crate::stiffness::{ContactStiffness, Coupled, LastStep, Pressed, Sheared, StiffnessWorkspace};
 use crate::tangential::{self, Axis, Friction, Zone};
 use crate::watch::unwatched;
+use crate::window::Window;
 
 impl History {
     /// The settings of the next step.
@@ -156,11 +158,11 @@ impl History {
     /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
     /// approach; see [`crate::stiffness`].
     ///
-    /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. In the
-    /// vector model the slip of [the last step](Self::last_step) adds to the stiffness of cells that slip; after
-    /// [`set_state`](Self::set_state) that slip is of another step, after a restart it is zero. So it is with the compliance of
-    /// the cells that [entered](crate::guide::growing_contacts) the contact in the step. Cells that come into
-    /// contact during further motion are not included.
+    /// Loading is the derivative of the force of the last step by its motion, the sets held. In the vector model the slip
+    /// of that step adds to the stiffness of cells that slip. The cells that [entered](crate::guide::growing_contacts) the
+    /// contact in that step follow the motion by a compliance of their own. The [state](Self::state) keeps both, so that
+    /// the stiffness after [`set_state`](Self::set_state) or a restart has the same bits. Cells that come into contact
+    /// during further motion are not included.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
@@ -195,13 +197,21 @@ impl History {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
-        let pair = self.bodies.pair();
+        let (pair, grid) = (self.bodies.pair(), self.grid());
+        let memory = self.state.contact.as_ref();
+        // Without contact there is no memory, and the last step has left nothing.
+        let window = memory.map_or(Window::whole(grid), |memory| memory.window);
+        let last = LastStep {
+            window: window.held(grid),
+            slip: memory.map_or([&[]; 2], |memory| slices(&memory.slip)),
+            entered: memory.map_or(&[], |memory| &memory.entered),
+        };
         if self.state.is_joint() {
             let coupled = Coupled {
                 pressure: self.pressure(),
                 traction: self.traction(),
-                slip: self.last_step().slip(),
-                entered: &self.entered,
+                slip: last.slip,
+                entered: last.entered,
                 friction: self.friction(),
                 hardness: self.state.hardness.as_ref(),
                 window: self.state.press_window,
@@ -211,9 +221,8 @@ impl History {
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
-            slip: self.last_step().slip(),
-            entered: &self.entered,
-            window: self.state.contact.as_ref().map(|memory| memory.window),
+            last,
+            window: memory.map(|memory| memory.window),
         };
         let pressed = Pressed {
             normal: self.normal(),

@@ -87,8 +87,6 @@ pub struct History {
     /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
-    /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
-    pub(super) entered: Vec<f64>,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
 }
@@ -140,7 +138,6 @@ impl History {
             increment: None,
             joint: new_joint(bodies, &state)?,
             step: StepResult::new(state.grid())?,
-            entered: Vec::new(),
             written: None,
             state,
         })
@@ -246,15 +243,12 @@ impl History {
         let motion = self.attempt(load, &mut with_memory(observer))?;
         // Ranks that lose each other on the way into the state go back.
         let is_shared = self.bodies.is_shared();
-        let keep = || {
-            let (state, step) = (self.state.try_clone()?, self.step.try_clone()?);
-            Ok::<_, Error>((state, step, self.entered.try_clone()?))
-        };
+        let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
         let kept = is_shared.then(keep).transpose()?;
         self.enter(load, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
-            (self.state, self.step, self.entered) = kept;
+            (self.state, self.step) = kept;
             self.state.forget_beyond(remembered);
         }
         entered
@@ -318,10 +312,16 @@ impl History {
         );
         let rolled = load.rolling().zip(travel);
         step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
-        match (joint, increment) {
-            (Some(joint), _) => joint.write_entered(&mut self.entered),
-            (None, Some(increment)) => increment.write_entered(&mut self.entered),
-            (None, None) => self.entered.clear(),
+        if let Some(memory) = &mut state.contact {
+            match (joint, increment) {
+                (Some(joint), _) => {
+                    memory.has_entered = joint.write_entered(&mut memory.entered);
+                }
+                (None, Some(increment)) => {
+                    memory.has_entered = increment.write_entered(&mut memory.entered);
+                }
+                (None, None) => memory.forget_step(),
+            }
         }
         let zones = [step.stick_cells, step.slip_cells];
         step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
@@ -405,7 +405,6 @@ impl TryClone for History {
             increment: None,
             joint,
             step: self.step.try_clone()?,
-            entered: self.entered.try_clone()?,
             written: self.written,
             state,
         })

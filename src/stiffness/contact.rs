@@ -12,7 +12,7 @@ use crate::report::Iteration;
 use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::press::press;
-use crate::stiffness::sheared::Sheared;
+use crate::stiffness::sheared::{LastStep, Sheared};
 use crate::stiffness::system::times;
 use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
 use crate::tangential::{Axis, Friction, TangentialSolution};
@@ -177,8 +177,7 @@ impl TangentialSolution {
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
-            slip: self.slip(),
-            entered: &[],
+            last: LastStep::from_rest(self.grid(), self.slip()),
             window: None,
         };
         let mut workspace = StiffnessWorkspace::new();
@@ -224,8 +223,7 @@ impl ContactStiffness {
         let sheared = Sheared {
             zones: shear.zones(),
             traction: shear.traction(),
-            slip: shear.slip(),
-            entered: &[],
+            last: LastStep::from_rest(shear.grid(), shear.slip()),
             window: None,
         };
         let (axis, workspace) = (shear.axis(), &mut StiffnessWorkspace::new());

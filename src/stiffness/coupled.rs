@@ -38,7 +38,7 @@ pub(crate) struct Coupled<'a> {
     pub(crate) pressure: &'a Field,
     pub(crate) traction: [&'a Field; 2],
     /// Slip of the step.
-    pub(crate) slip: [&'a Field; 2],
+    pub(crate) slip: [&'a [f64]; 2],
     /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
@@ -151,7 +151,7 @@ impl Coupled<'_> {
             unknowns,
         } = joint;
         let [qx, qy] = self.traction.map(Field::as_slice);
-        let [sx, sy] = self.slip.map(Field::as_slice);
+        let [sx, sy] = self.slip;
         let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
         let entered = |i: usize| self.entered.get(i).copied().unwrap_or(0.0);
         let [known @ .., own, hardness] = &mut *cells;
@@ -260,7 +260,7 @@ impl CoupledSolution {
         let contact = Coupled {
             pressure: normal.pressure(),
             traction: tangential.traction(),
-            slip: tangential.slip(),
+            slip: tangential.slip().map(Field::as_slice),
             entered: &[],
             friction,
             hardness: None,

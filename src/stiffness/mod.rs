@@ -76,5 +76,5 @@ mod workspace;
 pub(crate) use contact::Pressed;
 pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use coupled::Coupled;
-pub(crate) use sheared::Sheared;
+pub(crate) use sheared::{LastStep, Sheared};
 pub use workspace::StiffnessWorkspace;

@@ -5,6 +5,7 @@ use crate::cgm::vector::{dot, norm};
 use crate::cgm::{Ball, Linearised, Motion, Row, Within, reduce};
 use crate::error::Result;
 use crate::field::Field;
+use crate::grid::Grid;
 use crate::half_space::{HalfSpace, Region};
 use crate::stiffness::contact::{Pressed, TangentialStiffness, window_of, without_contact};
 use crate::stiffness::course::Course;
@@ -24,12 +25,36 @@ type Found = (TangentialStiffness, [Option<f64>; 3]);
 pub(crate) struct Sheared<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step.
-    pub(crate) slip: [&'a Field; 2],
-    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
-    pub(crate) entered: &'a [f64],
+    pub(crate) last: LastStep<'a>,
     /// Where it was found, if that is known.
     pub(crate) window: Option<Window>,
+}
+
+/// The step that a contact was last sheared in, of the cells of a window that are held here.
+#[derive(Clone, Copy)]
+pub(crate) struct LastStep<'a> {
+    pub(crate) window: Window,
+    /// Slip of the step; of no cells along axes on which it has no influence.
+    pub(crate) slip: [&'a [f64]; 2],
+    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
+    pub(crate) entered: &'a [f64],
+}
+
+impl<'a> LastStep<'a> {
+    /// A step from rest, of all cells.
+    pub(crate) fn from_rest(grid: Grid, slip: [&'a Field; 2]) -> Self {
+        Self {
+            window: Window::whole(grid).held(grid),
+            slip: slip.map(Field::as_slice),
+            entered: &[],
+        }
+    }
+
+    /// Returns what one of its vectors holds of a cell of the grid, zero where it has no such cell.
+    fn of(&self, part: &[f64], cell: usize) -> f64 {
+        let value = self.window.place(cell).and_then(|place| part.get(place));
+        value.copied().unwrap_or(0.0)
+    }
 }
 
 /// The same of the cells of a window that are solved here, and what the approach changes in them for each unit.
@@ -74,13 +99,14 @@ impl Cells {
             Zone::Slip => 2.0,
         };
         collect(region, zone, &mut self.zone)?;
+        let last = &sheared.last;
         for axis in [0, 1] {
-            let [q, s] = [sheared.traction, sheared.slip].map(|v| v[axis].as_slice());
+            let q = sheared.traction[axis].as_slice();
             collect(region, |i| q[i], &mut self.traction[axis])?;
-            collect(region, |i| s[i], &mut self.slip[axis])?;
+            let slip = |i: usize| last.of(last.slip[axis], i);
+            collect(region, slip, &mut self.slip[axis])?;
         }
-        let entered = |i: usize| sheared.entered.get(i).copied().unwrap_or(0.0);
-        collect(region, entered, &mut self.entered)
+        collect(region, |i| last.of(last.entered, i), &mut self.entered)
     }
 
     fn take_growth(

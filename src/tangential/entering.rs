@@ -132,23 +132,23 @@ impl Increment {
         self.deviator.clear();
     }
 
-    /// Cells of the grid that [`Self::write_entered`] needs room for.
+    /// Returns the number of cells that [`Self::write_entered`] needs room for.
     pub(crate) fn entered_cells(&self) -> usize {
         if self.has_entered {
-            self.bodies.grid().cells()
+            self.pressed.region.held().cells()
         } else {
             0
         }
     }
 
-    /// Writes the compliance that the cells of the grid have had of their own in the last step; of no cells where none has
-    /// entered.
-    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) {
+    /// Writes the compliance that the cells of the window have had of their own in the last step; of no cells where none
+    /// has entered. Returns whether any has, of all ranks.
+    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
-        entered.resize(self.entered_cells(), 0.0);
         if self.has_entered {
-            self.pressed.region.scatter(&self.diagonal, entered);
+            entered.extend_from_slice(&self.pressed.region.given(&self.diagonal));
         }
+        self.has_entered
     }
 
     /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.

@@ -86,6 +86,14 @@ fn saved_copied_or_returned_to() {
             same(&returned.to_bytes(), &saved, || {
                 format!("return to step {number}")
             })?;
+            if number % kit::thorough(3, 1) == 0 {
+                let stiffness = history.stiffness().ok();
+                for (how, other) in [("returned", &returned), ("restored", &restored)] {
+                    same(&other.stiffness().ok(), &stiffness, || {
+                        format!("stiffness before step {number}, {how}")
+                    })?;
+                }
+            }
             let mut fresh = vec![
                 ("restored", restored),
                 ("from a state", History::from_state(&bodies, read).unwrap()),

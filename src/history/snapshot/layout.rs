@@ -303,6 +303,20 @@ impl State {
         for by in &mut memory.trend.by {
             codec.numbers("change of the tangential load", by, FINITE)?;
         }
+        for slip in &mut memory.slip {
+            codec.numbers("slip of the last step", slip, FINITE)?;
+        }
+        let mark = "mark of cells that entered";
+        codec.kind(mark, &mut memory.has_entered, &[false, true])?;
+        if memory.has_entered {
+            let cells = memory.window.held(grid).cells();
+            buffer::resize(&mut memory.entered, cells, 0.0)?;
+            codec.numbers(
+                "compliance of cells that entered",
+                &mut memory.entered,
+                NOT_NEGATIVE,
+            )?;
+        }
         Ok(())
     }
 }

@@ -28,7 +28,7 @@ use layout::{Host, LEAST_PER_CELL};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 15;
+const VERSION: u32 = 16;
 /// Magic, version and length; and the sum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;

@@ -12,7 +12,7 @@ use crate::history::state::State;
 use crate::normal::Hardness;
 use crate::per_cell::PerCell;
 use crate::ranks::Words;
-use crate::tangential::Zone;
+use crate::tangential::{Axis, Zone};
 use crate::window::Window;
 
 impl State {
@@ -163,14 +163,25 @@ impl State {
                 displacement,
                 offset,
                 trend,
+                slip,
+                entered,
+                has_entered,
             } = memory;
-            let vectors = [Some(displacement), Some(offset), Some(&mut trend.change)];
-            let known = vectors.into_iter().take(if is_joint { 2 } else { 3 });
-            for vector in known.flatten() {
+            let (axes, in_plane) = (self.axes, self.axes == Axis::BOTH);
+            let vectors = [
+                (displacement, true),
+                (offset, true),
+                (&mut trend.change, !is_joint),
+                (slip, in_plane),
+            ];
+            for (vector, _) in vectors.into_iter().filter(|(_, is_there)| *is_there) {
                 let found = vector.iter_mut().enumerate();
                 let of_model =
-                    found.filter(|(part, _)| self.axes.iter().any(|axis| axis.index() == *part));
+                    found.filter(|(part, _)| axes.iter().any(|axis| axis.index() == *part));
                 parts.extend(of_model.map(|(_, part)| (*window, part)));
+            }
+            if *has_entered {
+                parts.push((*window, entered));
             }
         }
         parts
