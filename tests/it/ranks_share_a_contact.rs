@@ -1,7 +1,7 @@
 //! Contacts shared by ranks have the bits of those of one process.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{Arc, Barrier};
 use std::time::Duration;
 
 use proptest::prelude::*;
@@ -340,11 +340,17 @@ fn what_one_rank_refuses_all_refuse() {
 /// Ranks that answer too late are given up.
 #[test]
 fn a_silent_rank_is_given_up() {
+    // The second rank sends nothing before the first has given it up, however slow the machine is.
+    let has_given_up = Barrier::new(2);
     let outcomes = Threads::run(2, Duration::from_millis(20), |rank| {
+        let swap = || rank.swap(vec![1], 1 - rank.rank(), 1 - rank.rank());
         if rank.rank() == 1 {
-            std::thread::sleep(Duration::from_millis(200));
+            has_given_up.wait();
+            return swap();
         }
-        rank.swap(vec![1], 1 - rank.rank(), 1 - rank.rank())
+        let outcome = swap();
+        has_given_up.wait();
+        outcome
     });
     assert!(
         matches!(outcomes[0], Err(RankFailure::Silent { rank: 1, .. })),
