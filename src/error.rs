@@ -111,6 +111,17 @@ pub enum Error {
         /// Sides of a cell (lengths).
         sides: [f64; 2],
     },
+    /// A [datum](crate::Boundary::PeriodicAlongY) that makes the compliance indefinite. A prescribed approach, a prescribed
+    /// shift or a spring then has no unique solution.
+    #[error(
+        "the datum {datum:e} makes the compliance of the grid indefinite, so that a prescribed approach, shift or spring has no unique solution: prescribe the force, or take a datum beyond {least:e}"
+    )]
+    DatumTooNear {
+        /// Distance of the datum (a length).
+        datum: f64,
+        /// Distance beyond which the compliance is definite (a length).
+        least: f64,
+    },
     /// Stress or displacement of a body that is rigid: nothing determines them.
     #[error("{0} is rigid: nothing determines its stress")]
     RigidBody(&'static str),

@@ -10,6 +10,35 @@ use crate::report::EigenvalueBound;
 /// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.
 pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 
+/// A lower bound of the eigenvalues of an operator for the vectors that a problem allows.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LowerBound {
+    /// The bound; zero if none is known.
+    pub(crate) value: f64,
+    pub(crate) known: EigenvalueBound,
+    pub(crate) mean: MeanBound,
+}
+
+impl LowerBound {
+    /// No bound.
+    pub(crate) const NONE: Self = Self {
+        value: 0.0,
+        known: EigenvalueBound::Unknown,
+        mean: MeanBound::Operator,
+    };
+}
+
+/// Bound of the energy of a uniform vector.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MeanBound {
+    /// The operator stores this energy, and springs add to it.
+    Operator,
+    /// The operator and the springs store this energy together.
+    OperatorWithSprings,
+    /// The operator maps constants to zero: only springs store energy.
+    Springs,
+}
+
 /// A linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless it says
 /// [otherwise](Self::is_symmetric).
 ///

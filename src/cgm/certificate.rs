@@ -8,6 +8,7 @@ use crate::cgm::totals::Total;
 use crate::cgm::vector::{at, dot, norm, within};
 use crate::cgm::{Admissible, Constraint};
 use crate::layout::Layout;
+use crate::operator::{LowerBound, MeanBound};
 use crate::ranks::Words;
 use crate::report::Report;
 
@@ -69,7 +70,7 @@ pub(crate) struct Iterate<'a, const N: usize> {
 pub(crate) fn examine<const N: usize>(
     iterate: &Iterate<'_, N>,
     constraint: &impl Constraint<N>,
-    lower_bound: f64,
+    lower_bound: LowerBound,
 ) -> Certificate {
     let shown = measure(iterate, constraint, lower_bound);
     let displacement = shown.measure();
@@ -117,7 +118,11 @@ impl Shown {
 pub(crate) fn measure<const N: usize>(
     iterate: &Iterate<'_, N>,
     constraint: &impl Constraint<N>,
-    lower_bound: f64,
+    LowerBound {
+        value: lower_bound,
+        mean,
+        ..
+    }: LowerBound,
 ) -> Shown {
     let Iterate {
         layout,
@@ -145,9 +150,10 @@ pub(crate) fn measure<const N: usize>(
     );
     let missing: [f64; N] =
         std::array::from_fn(|c| totals[c].sum().map_or(0.0, |total| sums.sum[c] - total));
+    let cells = layout.of_all_ranks() as f64;
     let squares = (0..N).fold(found.squares, |squares, c| match totals[c] {
         Total::Spring { compliance, .. } => {
-            squares - held_by_spring(found.pushed[c], x[0].len(), compliance, lower_bound)
+            squares + by_spring(found.pushed[c], cells, compliance, (lower_bound, mean))
         }
         Total::Free | Total::Sum(_) => squares,
     });
@@ -192,16 +198,25 @@ pub(crate) fn measure<const N: usize>(
     }
 }
 
-/// What a spring takes from the bound `B^2` of a uniform gradient, whose parts add up to `pushed`: it is `1 / (n c)`
-/// times the square, where that is less than by the smallest eigenvalue.
-fn held_by_spring(pushed: f64, cells: usize, compliance: f64, lower_bound: f64) -> f64 {
+/// Returns how a spring changes the bound `B^2` of gradients whose sum is `pushed`. Their mean counts by the compliance
+/// `n c` of a uniform unknown instead of the smallest eigenvalue: if that is less, or if the operator maps constants to zero.
+fn by_spring(
+    pushed: f64,
+    cells: f64,
+    compliance: f64,
+    (lower_bound, mean): (f64, MeanBound),
+) -> f64 {
     if pushed == 0.0 {
         return 0.0;
     }
-    let cells = cells as f64;
-    let gain = 1.0 / lower_bound - 1.0 / (cells * compliance);
+    let change = 1.0 / (cells * compliance) - 1.0 / lower_bound;
+    let change = match mean {
+        MeanBound::Operator => change.min(0.0),
+        MeanBound::OperatorWithSprings => 0.0,
+        MeanBound::Springs => change,
+    };
     // All parts are a little more than their mean.
-    (1.0 - 1e-12) * (pushed * pushed / cells * gain).max(0.0)
+    (1.0 - 1e-12_f64.copysign(change)) * (pushed * pushed / cells * change)
 }
 
 /// What all cells add up to.

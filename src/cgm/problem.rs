@@ -13,7 +13,7 @@ use crate::cgm::vector::{at, minus};
 use crate::cgm::{Constraint, Known, Method, Settings, Workspace, set};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
 use crate::layout::Layout;
-use crate::operator::{Identity, Operator};
+use crate::operator::{Identity, LowerBound, MeanBound, Operator};
 use crate::parallel;
 use crate::report::{Iteration, Report, Status};
 use crate::watch::Observer;
@@ -142,8 +142,20 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             datum: self.datum,
             constraint: &self.constraint,
             totals: self.totals,
+            lower_bound: LowerBound {
+                // A bound that is not a number, or negative, says nothing.
+                value: self.operator.lower_bound().max(0.0),
+                known: self.operator.eigenvalue_bound(),
+                mean: MeanBound::Operator,
+            },
             is_examined_elsewhere: self.is_examined_elsewhere,
         }
+    }
+
+    /// Compliance that the totals add to uniform unknowns; `None` where the sum is prescribed.
+    pub(crate) fn uniform_compliance(&self) -> [Option<f64>; N] {
+        let cells = self.layout.of_all_ranks();
+        self.totals.map(|total| total.uniform_compliance(cells))
     }
 }
 
@@ -158,10 +170,20 @@ pub(crate) struct Posed<'a, K, const N: usize> {
     datum: [f64; N],
     pub(super) constraint: &'a K,
     pub(super) totals: [Total; N],
+    /// Of the unknowns that the totals allow.
+    pub(super) lower_bound: LowerBound,
     pub(super) is_examined_elsewhere: bool,
 }
 
 impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
+    /// With a lower bound of the eigenvalues of the unknowns that the totals allow (default: the bound of the operator).
+    pub(crate) fn bounded(self, lower_bound: LowerBound) -> Self {
+        Self {
+            lower_bound,
+            ..self
+        }
+    }
+
     /// The linear term of a cell.
     pub(super) fn linear(&self, cell: usize) -> [f64; N] {
         minus(at(&self.linear, cell), self.datum)
@@ -331,6 +353,7 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(problem.layout, problem.constraint, sums)?;
         let mut run = Run::new(problem, settings, x, workspace, observer);
+        run.find_bound_of_mean();
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, Reach::Extreme(direction)) => run.at_extreme(direction),

@@ -49,7 +49,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Breaks with a status; continues where the residual no longer falls.
     fn approach(&mut self) -> ControlFlow<Status> {
         let largest = self.largest_eigenvalue()?;
-        let least = self.lower_bound.max(f64::EPSILON * largest);
+        let least = self.lower_bound.value.max(f64::EPSILON * largest);
         // At their geometric mean the inverse of C is worth as much as no preconditioner.
         self.stiff = (largest * least).sqrt();
         let (mut stiffness, mut ratio) = (largest, RATIO);
@@ -152,7 +152,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         }
         self.restraint = stiffness;
         let operator = &self.problem.operator;
-        self.lower_bound = operator.lower_bound().max(0.0) + stiffness;
+        self.lower_bound.value = self.problem.lower_bound.value + stiffness;
         self.self_compliance = operator.self_compliance().max(0.0) + SELF_COMPLIANCE * stiffness;
         self.monitor.begin((stiffness > 0.0).then_some(SOLVED));
     }

@@ -12,7 +12,7 @@ use crate::cgm::totals::{Total, TotalsSystem, sums_of};
 use crate::cgm::vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::cgm::{Admissible, Constraint, MotionOf, Settings, Workspace, reduce};
 use crate::layout::Layout;
-use crate::operator::{Operator, Scratch};
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
@@ -94,8 +94,8 @@ pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
     /// The same of the gradient alone, which follows the steps of the linear problem.
     pub(super) gradient_error: f64,
     pub(super) start: Start,
-    /// Of the eigenvalues; zero if none is known.
-    pub(super) lower_bound: f64,
+    /// Of the eigenvalues of the unknowns that the totals allow.
+    pub(super) lower_bound: LowerBound,
     /// How far a unit traction displaces its own cell.
     pub(super) self_compliance: f64,
     /// Reduction of the inner residual that the next pass of Newton's method begins with.
@@ -125,7 +125,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
         observer: Observer<'a>,
     ) -> Self {
         workspace.multiplier = [0.0; N];
-        workspace.linear.report.eigenvalue_bound = problem.operator.eigenvalue_bound();
+        workspace.linear.report.eigenvalue_bound = problem.lower_bound.known;
         Self {
             monitor: Monitor::new(
                 settings,
@@ -133,8 +133,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
                 observer,
                 &mut workspace.linear.report,
             ),
-            // A bound that is not a number, or negative, says nothing.
-            lower_bound: problem.operator.lower_bound().max(0.0),
+            lower_bound: problem.lower_bound,
             self_compliance: problem.operator.self_compliance().max(0.0),
             problem,
             x,
@@ -151,6 +150,34 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             is_near: false,
             displacement: 0.0,
             is_extreme: false,
+        }
+    }
+
+    /// Finds whether springs alone store the energy of uniform unknowns, where that makes a difference.
+    ///
+    /// An operator whose eigenvalues for all unknowns exceed the bound displaces a cell by at least the bound under
+    /// uniform unknowns of one.
+    pub(super) fn find_bound_of_mean(&mut self) {
+        let (least, layout) = (self.lower_bound.value, self.layout());
+        let cells = layout.of_all_ranks();
+        let springs = self.problem.totals.map(|total| match total {
+            Total::Spring { .. } => total.uniform_compliance(cells),
+            Total::Free | Total::Sum(_) => None,
+        });
+        for component in 0..N {
+            if springs[component].is_none_or(|compliance| compliance >= least) {
+                continue;
+            }
+            let w = &mut *self.workspace;
+            for (c, direction) in w.linear.direction.iter_mut().enumerate() {
+                direction.fill(if c == component { 1.0 } else { 0.0 });
+            }
+            let (direction, image) = (slices(&w.linear.direction), slices_mut(&mut w.linear.image));
+            (self.problem.operator).apply(direction, image, &mut w.linear.operator);
+            let image = slices(&w.linear.image);
+            if reduce::max(layout, |i| norm(at(&image, i))) < 0.5 * least {
+                self.lower_bound.mean = MeanBound::Springs;
+            }
         }
     }
 
@@ -304,7 +331,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     /// its own, `d' C d`, is zero. An operator that maps constants to zero does not resist a uniform direction. The
     /// operator of a single periodic cell maps everything to zero and has no stiffness to compare with.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
-        let stiffness = self.lower_bound * square;
+        let stiffness = self.lower_bound.value * square;
         let is_flat = self.problem.totals.contains(&Total::Free)
             && (curvature < FLAT * stiffness || curvature == 0.0);
         let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
@@ -334,7 +361,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
 
     /// What has to fall to the tolerance.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
-        findings.merit(self.lower_bound)
+        findings.merit(self.lower_bound.value)
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.

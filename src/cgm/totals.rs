@@ -58,6 +58,15 @@ impl Total {
         }
     }
 
+    /// Compliance that it adds to uniform unknowns of so many cells; `None` where the sum is prescribed.
+    pub(crate) fn uniform_compliance(self, cells: usize) -> Option<f64> {
+        match self {
+            Self::Free => Some(0.0),
+            Self::Sum(_) => None,
+            Self::Spring { compliance, .. } => Some(cells as f64 * compliance),
+        }
+    }
+
     /// Whether it asks for nothing.
     pub(crate) fn is_idle(self) -> bool {
         match self {

@@ -71,8 +71,11 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
+        let operator = &self.compliance.operator;
+        let bound = operator.lower_bound_of(problem.uniform_compliance())?;
         let workspace = self.workspace.take(|| problem.workspace())?;
-        let outcome = cgm::minimise_from(&problem.posed(), settings, x, known, workspace, observer);
+        let posed = problem.posed().bounded(bound);
+        let outcome = cgm::minimise_from(&posed, settings, x, known, workspace, observer);
         if has_iterate(&outcome) {
             self.multiplier = workspace.multiplier();
             self.report.clone_from(workspace.report());

@@ -14,9 +14,9 @@ use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::layout::Layout;
 use crate::normal::Hardness;
-use crate::operator::{Operator, Scratch};
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::per_cell::PerCell;
-use crate::report::{EigenvalueBound, Report, Status};
+use crate::report::{Report, Status};
 use crate::tangential::{FrictionWithin, own_compliance};
 use crate::watch::Observer;
 use crate::window::Window;
@@ -82,8 +82,9 @@ pub(super) struct Engine {
     workspace: ConeWorkspace,
     normal: ElasticSolver<Interval, 1>,
     plane: ElasticSolver<Disc, 2>,
-    lower_bounds: [f64; 2],
-    eigenvalue_bound: EigenvalueBound,
+    /// Of the whole grid, along z and in the plane, for the bounds of their eigenvalues.
+    normal_operator: ElasticOperator<1>,
+    plane_operator: ElasticOperator<2>,
     /// Of the tangential part.
     self_compliance: f64,
     contraction: Contraction,
@@ -126,7 +127,6 @@ impl OnWindow for Engine {
         let tensor = bodies.compliance([z, x, y], whole.size)?.operator;
         let normal = bodies.compliance([z], whole.size)?.operator;
         let plane = bodies.compliance([x, y], whole.size)?.operator;
-        let lower_bounds = [normal.lower_bound(), plane.lower_bound()];
         let cells = region.cells();
         let whole = if window == whole {
             None
@@ -144,15 +144,15 @@ impl OnWindow for Engine {
             contraction: Contraction {
                 beta: bodies.pair().coupling_strength().abs(),
                 coupling: tensor.coupling(),
-                spread: (plane.upper_bound() / normal.lower_bound()).sqrt(),
+                spread: (plane.upper_bound() / normal.bound_without_mean().0).sqrt(),
             },
             whole,
             layout: region.layout().clone().alike(bodies.team()),
             region,
             compliance,
-            lower_bounds,
-            eigenvalue_bound: normal.eigenvalue_bound().min(plane.eigenvalue_bound()),
             self_compliance: plane.self_compliance(),
+            normal_operator: normal,
+            plane_operator: plane,
             x: buffer::vector(cells)?,
             asked: buffer::vector(cells)?,
             kept: Default::default(),
@@ -237,6 +237,15 @@ impl Engine {
             buffer::resize(&mut self.hardness_of_cells, self.region.cells(), 0.0)?;
             self.region.gather(cells, &mut self.hardness_of_cells);
         }
+        let cells = self.normal_operator.layout().of_all_ranks();
+        let added = task.totals.map(|total| total.uniform_compliance(cells));
+        let [z, x, y] = added;
+        let mut normal = self.normal_operator.lower_bound_of([z])?;
+        let mut in_plane = self.plane_operator.lower_bound_of([x, y])?;
+        if !self.is_bounded {
+            (normal.mean, in_plane.mean) = (MeanBound::Springs, MeanBound::Springs);
+        }
+        let (lower_bounds, known) = ([normal, in_plane], normal.known.min(in_plane.known));
         let friction = &task.demand.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
             Start::Halves => (1, Opening::Sound),
@@ -259,10 +268,15 @@ impl Engine {
             if has_halves {
                 self.keep_halves()?;
             }
-            let (status, findings) = self.newton(task, friction, opening, conditions, report)?;
+            let (status, findings) = self.newton(
+                (task, friction),
+                (opening, lower_bounds),
+                conditions,
+                report,
+            )?;
             let status = status.or(stopped);
             report.take(&findings);
-            report.work.eigenvalue_bound = self.eigenvalue_bound;
+            report.work.eigenvalue_bound = known;
             let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
             report.error_estimate = contraction.estimate(coefficient, &findings);
             let may_bound = self.is_bounded && task.is_driven_by_shift();
@@ -299,9 +313,8 @@ impl Engine {
     /// All at once.
     fn newton(
         &mut self,
-        task: Task<'_>,
-        friction: &FrictionWithin<'_>,
-        opening: Opening,
+        (task, friction): (Task<'_>, &FrictionWithin<'_>),
+        (opening, lower_bounds): (Opening, [LowerBound; 2]),
         conditions: &mut Conditions<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<(Option<Status>, ConeFindings)> {
@@ -314,7 +327,7 @@ impl Engine {
             hardness: self.hardness.map(|()| &*self.hardness_of_cells),
             friction,
             totals: task.totals,
-            lower_bounds: self.lower_bounds,
+            lower_bounds,
             self_compliance: self.self_compliance,
             coupling: self.contraction.beta,
         };

@@ -12,12 +12,13 @@ use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::single::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
+use crate::fft::uniform_wave::UniformWave;
 use crate::grid::Grid;
 use crate::influence::{Added, Component, Kernel, Samples, Symbols};
 use crate::kernel;
 use crate::layout::Layout;
 use crate::material::ElasticPair;
-use crate::operator::{Operator, Scratch};
+use crate::operator::{LowerBound, MeanBound, Operator, SELF_COMPLIANCE, Scratch};
 use crate::parallel;
 use crate::ranks::Team;
 use crate::report::EigenvalueBound;
@@ -54,9 +55,15 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
+    /// The least eigenvalue of the periodic continuation, and a bound from below of those of the operator: without the mean
+    /// where the grid repeats.
     least: f64,
+    lower_bound_without_mean: f64,
+    /// A bound of all eigenvalues; without the mean on a grid that repeats along both axes.
     lower_bound: f64,
     upper_bound: f64,
+    /// The energy of a uniform traction along each direction, where the periodic continuation does not bound it.
+    uniform_waves: Option<[UniformWave; N]>,
     /// Whether the lower bound is an estimate.
     is_estimate: bool,
     /// Whether single precision resolves the smallest eigenvalue beside the largest.
@@ -140,34 +147,103 @@ impl<const N: usize> Convolution<N> {
         // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
         // symbol. A mean on a grid that repeats has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
+        // The waves of a grid that repeats along y have that period, so that a traction without a mean has none on the torus.
+        let least = match symbol.extremes(true) {
+            [least, _] if repeats == [false, true] && least.is_finite() => least,
+            _ => range[0],
+        };
         Ok(Self {
             plan,
             single: SingleProduct::new(frame, &symbol)?,
-            least: range[0],
+            least,
+            lower_bound_without_mean: lower_bound([least, range[1]], kernels),
             lower_bound: lower_bound(range, kernels),
             upper_bound: range[1],
+            uniform_waves: None,
             is_estimate: false,
-            is_single_enough: range[0] > SINGLE_RANGE * range[1],
+            is_single_enough: least > SINGLE_RANGE * range[1],
             symbol: symbol.scaled(normalisation),
         })
     }
 }
 
 impl<const N: usize> Convolution<N> {
-    /// With a least eigenvalue that is known so in place of that of the periodic continuation.
+    /// With a least eigenvalue that is known so in place of that of the periodic continuation. On a grid that repeats along y
+    /// it is that of tractions without a mean, and [`Self::with_uniform_waves`] completes the bound.
     pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
+        let lower_bound = (least - 1e-14 * self.upper_bound).max(0.0);
         Self {
             least,
-            lower_bound: (least - 1e-14 * self.upper_bound).max(0.0),
+            lower_bound_without_mean: lower_bound,
+            lower_bound,
             is_estimate: known == EigenvalueBound::Estimated,
             is_single_enough: least > SINGLE_RANGE * self.upper_bound,
             ..self
         }
     }
 
-    /// The least eigenvalue of the periodic continuation, of whatever sign.
+    /// With the bounds of an operator that this one is a principal part of.
+    pub(crate) fn bounded_as(self, whole: &Self) -> Self {
+        Self {
+            lower_bound: whole.lower_bound,
+            uniform_waves: whole.uniform_waves,
+            ..self.bounded(whole.least, whole.known())
+        }
+    }
+
+    /// With the energy of uniform tractions, which bounds all eigenvalues together with those of tractions without a mean.
+    pub(crate) fn with_uniform_waves(self, waves: [UniformWave; N]) -> Self {
+        let bound = |wave: &UniformWave| wave.bound(self.lower_bound_without_mean, 0.0);
+        let least = waves.iter().map(bound).fold(f64::INFINITY, f64::min);
+        Self {
+            lower_bound: least.max(0.0),
+            uniform_waves: Some(waves),
+            ..self
+        }
+    }
+
+    /// The least eigenvalue of the periodic continuation, of whatever sign; without the mean on a grid that repeats.
     pub(crate) fn least_eigenvalue(&self) -> f64 {
         self.least
+    }
+
+    /// A lower bound of the eigenvalues of tractions without a mean on a grid that repeats, of all tractions on another grid.
+    pub(crate) fn lower_bound_without_mean(&self) -> f64 {
+        self.lower_bound_without_mean
+    }
+
+    /// A lower bound of the eigenvalues of the tractions that a problem allows. A component has no mean if its sum is
+    /// prescribed (`None`). To others a uniform traction adds such a compliance: zero, or that of a spring.
+    ///
+    /// # Errors
+    /// [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not definite.
+    pub(crate) fn lower_bound_of(&self, added: [Option<f64>; N]) -> Result<LowerBound> {
+        let least = self.lower_bound_without_mean;
+        let (mut value, mut mean) = (least, MeanBound::Operator);
+        if let Some(waves) = &self.uniform_waves {
+            mean = MeanBound::OperatorWithSprings;
+            for (wave, added) in waves.iter().zip(added) {
+                let Some(added) = added else { continue };
+                let bound = wave.bound(least, added);
+                if bound <= 0.0 {
+                    return Err(wave.too_near(least, added));
+                }
+                value = value.min(bound);
+            }
+        } else if added != [None; N] {
+            value = self.lower_bound;
+        }
+        let known = self.known();
+        Ok(LowerBound { value, known, mean })
+    }
+
+    /// How the bound of tractions without a mean is known.
+    pub(crate) fn known(&self) -> EigenvalueBound {
+        match (self.lower_bound_without_mean > 0.0, self.is_estimate) {
+            (false, _) => EigenvalueBound::Unknown,
+            (true, true) => EigenvalueBound::Estimated,
+            (true, false) => EigenvalueBound::Proven,
+        }
     }
 
     /// The largest eigenvalue of the periodic continuation, a bound for the cells cut out of it.
@@ -280,16 +356,21 @@ impl<const N: usize> Operator<N> for Convolution<N> {
     /// one period over the cell. Zero for a single component between two directions; and
     /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
     /// continuation is not definite though the operator is. Where that of stiff layers on soft bodies is not, an
-    /// estimate, on the safe side, of the least eigenvalue of the infinite lattice of these cells.
+    /// estimate, on the safe side, of the least eigenvalue of the infinite lattice of these cells. Zero for a grid that
+    /// repeats along y if a datum that is too near makes the operator indefinite.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }
 
     fn eigenvalue_bound(&self) -> EigenvalueBound {
-        match (self.lower_bound > 0.0, self.is_estimate) {
-            (false, _) => EigenvalueBound::Unknown,
-            (true, true) => EigenvalueBound::Estimated,
-            (true, false) => EigenvalueBound::Proven,
+        if self.lower_bound > 0.0 {
+            self.known()
+        } else {
+            EigenvalueBound::Unknown
         }
+    }
+
+    fn self_compliance(&self) -> f64 {
+        SELF_COMPLIANCE * self.lower_bound_without_mean
     }
 }

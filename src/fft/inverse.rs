@@ -50,7 +50,9 @@ impl<const N: usize> CirculantInverse<N> {
         let [_, high] = symbol.extremes(false);
         // A single cell that repeats has no wave but the mean: any weight will do.
         let high = if high > 0.0 { high } else { 1.0 };
-        let symbol = if repeats == [true; 2] {
+        // A datum that is too near makes the mean of a grid that repeats along y negative.
+        let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
+        let symbol = if repeats == [true; 2] || is_mean_unbounded {
             symbol.with_mean(high)
         } else {
             symbol

@@ -29,9 +29,11 @@ mod spectrum;
 mod superposition;
 mod symbol;
 mod tiles;
+mod uniform_wave;
 
 pub use convolution::Convolution;
 pub(crate) use convolution::samples;
 pub use inverse::CirculantInverse;
 pub(crate) use length::smooth_length;
 pub(crate) use superposition::{Kernels, Superposition, Torus};
+pub(crate) use uniform_wave::UniformWave;

@@ -172,6 +172,15 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
+    /// Smallest entry on the diagonal of the mean.
+    pub(super) fn least_of_mean(&self) -> f64 {
+        let has_mean = self.first == 0 && !self.values.is_empty();
+        let entries = (0..N).filter(|_| has_mean);
+        let entries = entries.map(|i| self.values[self.shape.entry(i, i).start]);
+        let own = entries.fold(f64::INFINITY, f64::min);
+        self.frame.over_ranks(own, f64::min)
+    }
+
     /// With a multiple of the identity for the mean.
     pub(super) fn with_mean(mut self, value: f64) -> Self {
         let has_mean = self.first == 0 && !self.values.is_empty();

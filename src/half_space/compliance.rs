@@ -1,10 +1,13 @@
 //! The operators of bodies and the preconditioners that go with them: made once, shared by all who ask.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::boundary::Boundary;
+use crate::buffer;
 use crate::error::{Error, Result};
-use crate::fft::{CirculantInverse, Convolution};
+use crate::fft::{CirculantInverse, Convolution, UniformWave};
+use crate::grid::Grid;
 use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 use crate::influence::{Component, Direction, Kernel, least_of_lattice};
 use crate::operator::Operator;
@@ -36,7 +39,8 @@ impl HalfSpace {
         self.joint(Ok(()))?;
         // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
         let grid = self.grid();
-        let is_unbounded = N < 3 && operator.lower_bound() <= 0.0 && grid.whole().cells() > 1;
+        let (least, _) = operator.bound_without_mean();
+        let is_unbounded = N < 3 && least <= 0.0 && grid.whole().cells() > 1;
         if let Some(eigenvalue) = operator.least_eigenvalue().filter(|_| is_unbounded) {
             let sides = [grid.dx(), grid.dy()];
             return Err(if !self.pair().is_homogeneous() && eigenvalue <= 0.0 {
@@ -46,7 +50,7 @@ impl HalfSpace {
             });
         }
         let inverse = self.made(components, size, |size, share, kernels| {
-            CirculantInverse::new(size, share, kernels, operator.lower_bound())
+            CirculantInverse::new(size, share, kernels, least)
         })?;
         Ok(Compliance {
             operator,
@@ -132,18 +136,61 @@ impl HalfSpace {
                 return Ok(convolution);
             }
             // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
-            if self.boundary() == Boundary::NonPeriodic && self.kernel().has_response() {
+            let (boundary, has_response) = (self.boundary(), self.kernel().has_response());
+            if boundary == Boundary::NonPeriodic && has_response {
                 let least = self.least_of_lattice(components)?;
                 convolution = convolution.bounded(least.0, EigenvalueBound::Estimated);
             }
             // The matrix of a window is a principal part of that of the grid.
             if convolution.lower_bound() <= 0.0 && size != self.size() {
                 let whole = self.operator_of(components, self.size())?;
-                convolution = convolution.bounded(whole.lower_bound(), whole.eigenvalue_bound());
+                return Ok(match whole.as_convolution() {
+                    Some(whole) => convolution.bounded_as(whole),
+                    None => convolution,
+                });
             }
-            Ok(convolution)
+            match boundary {
+                Boundary::PeriodicAlongY { datum } if has_response => {
+                    self.bounded_along_y(convolution, components, datum)
+                }
+                _ => Ok(convolution),
+            }
         });
         made.map(ElasticOperator::from)
+    }
+
+    /// The operator of the whole grid, which repeats along y, with the bounds of tractions without a mean and of uniform
+    /// tractions.
+    fn bounded_along_y<const N: usize>(
+        &self,
+        mut convolution: Convolution<N>,
+        components: [[Component; N]; N],
+        datum: f64,
+    ) -> Result<Convolution<N>> {
+        if convolution.lower_bound_without_mean() <= 0.0 {
+            let least = self.least_of_lattice(components)?;
+            convolution = convolution.bounded(least.0, EigenvalueBound::Estimated);
+        }
+        let least = convolution.lower_bound_without_mean();
+        if least <= 0.0 {
+            return Ok(convolution);
+        }
+        // Tractions that are uniform along y are those of a line of cells. They do not couple directions, nor the others.
+        let grid = self.grid().whole();
+        let line = Grid::new(grid.nx(), 1, grid.dx(), grid.ny() as f64 * grid.dy())?;
+        let line = Self::with_boundary(line, self.kernel(), self.boundary())?;
+        let line = line.with_cell_value(self.cell_value())?;
+        let long_waves = self.kernel().long_times_k();
+        let waves = buffer::try_each(|n| {
+            let component = components[n][n];
+            let kernels = line.shared.kernels.of([[component]])?;
+            let operator = Convolution::of_kernels(line.size(), None, kernels)?;
+            let strength = component.of_response(long_waves, [1.0, 0.0]);
+            // A line load moves the surface by its strength over pi times the logarithm of the distance.
+            let slope = strength * grid.nx() as f64 * grid.dx() / PI;
+            UniformWave::new(&operator, least, [datum, slope])
+        })?;
+        Ok(convolution.with_uniform_waves(waves))
     }
 
     /// The estimate on the infinite lattice, which all windows of the grid share.
@@ -154,7 +201,8 @@ impl HalfSpace {
         let made = &self.shared.made;
         made.get_or_make(components.as_flattened(), self.size(), true, || {
             let (grid, kernel) = (self.grid().whole(), self.kernel());
-            let least = least_of_lattice(grid, kernel, self.cell_value(), components);
+            let repeats = self.boundary().repeats()[1];
+            let least = least_of_lattice((grid, repeats), kernel, self.cell_value(), components);
             Ok(LeastOfLattice(least))
         })
     }
@@ -188,7 +236,6 @@ pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Grid;
     use crate::material::{ElasticPair, Material};
 
     /// One window, one operator, as long as anyone has it; the whole grid's stays.

@@ -6,7 +6,7 @@ use crate::error::{Result, positive};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::kernel::Part;
 use crate::layout::Layout;
-use crate::operator::{Operator, Scratch};
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::report::EigenvalueBound;
 
 /// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
@@ -32,11 +32,47 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// The least eigenvalue of the periodic continuation, of whatever sign; nothing of an operator of a user.
+    /// The convolution; none of an operator of a user.
+    pub(super) fn as_convolution(&self) -> Option<&Convolution<N>> {
+        match &self.0 {
+            Kind::Convolution(convolution) => Some(convolution),
+            Kind::User(_) => None,
+        }
+    }
+
+    /// The least eigenvalue of the periodic continuation, of whatever sign, without the mean on a grid that repeats; nothing of
+    /// an operator of a user.
     pub(super) fn least_eigenvalue(&self) -> Option<f64> {
         match &self.0 {
             Kind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
             Kind::User(_) => None,
+        }
+    }
+
+    /// A lower bound of the eigenvalues of tractions without a mean on a grid that repeats, of all tractions on another grid,
+    /// and how it is known.
+    pub(crate) fn bound_without_mean(&self) -> (f64, EigenvalueBound) {
+        match &self.0 {
+            Kind::Convolution(convolution) => {
+                (convolution.lower_bound_without_mean(), convolution.known())
+            }
+            Kind::User(part) => (part.lower_bound(), part.eigenvalue_bound()),
+        }
+    }
+
+    /// A lower bound of the eigenvalues of the tractions that a problem allows. A component has no mean if its sum is
+    /// prescribed (`None`). To others a uniform traction adds such a compliance: zero, or that of a spring.
+    ///
+    /// # Errors
+    /// [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not definite.
+    pub(crate) fn lower_bound_of(&self, added: [Option<f64>; N]) -> Result<LowerBound> {
+        match &self.0 {
+            Kind::Convolution(convolution) => convolution.lower_bound_of(added),
+            Kind::User(part) => Ok(LowerBound {
+                value: part.lower_bound(),
+                known: part.eigenvalue_bound(),
+                mean: MeanBound::Operator,
+            }),
         }
     }
 

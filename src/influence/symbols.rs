@@ -73,7 +73,7 @@ impl Component {
     }
 
     /// What a response comes to in the direction of the wave vector, a unit vector; or its imaginary part.
-    pub(super) fn of_response(self, found: Response, [x, y]: [f64; 2]) -> f64 {
+    pub(crate) fn of_response(self, found: Response, [x, y]: [f64; 2]) -> f64 {
         match self {
             Self::ZZ => found.normal,
             Self::XX => found.along * x * x + found.across * y * y,

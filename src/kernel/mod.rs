@@ -407,6 +407,14 @@ impl Kernel {
         }
     }
 
+    /// The limit of the wave number times the response for long waves.
+    pub(crate) fn long_times_k(&self) -> Response {
+        match &self.given {
+            Some(Given::Isotropic(of)) => of.far,
+            _ => self.pair.times_k(0.0),
+        }
+    }
+
     /// Whether it is a response to waves that is not that of homogeneous half-spaces.
     pub(crate) fn has_response(&self) -> bool {
         match &self.given {

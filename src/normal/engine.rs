@@ -218,8 +218,9 @@ impl Engine {
             ..
         } = part.fields(self.region.cells())?;
         operator.apply([pressure], [displacement], scratch);
+        let layout = operator.layout();
         let iterate = Iterate {
-            layout: &operator.layout(),
+            layout: &layout,
             x: [pressure],
             product: [displacement],
             linear: [scene.gap],
@@ -227,8 +228,10 @@ impl Engine {
             totals: [scene.total],
             multiplier,
         };
-        let findings = cgm::examine(&iterate, &scene.constraint(), operator.lower_bound());
-        Ok(Some((findings, operator.eigenvalue_bound())))
+        let cells = layout.of_all_ranks();
+        let bound = operator.lower_bound_of([scene.total.uniform_compliance(cells)])?;
+        let findings = cgm::examine(&iterate, &scene.constraint(), bound);
+        Ok(Some((findings, bound.known)))
     }
 
     /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.

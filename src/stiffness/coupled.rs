@@ -11,7 +11,7 @@ use crate::field::Field;
 use crate::half_space::{Compliance, HalfSpace, Region};
 use crate::influence::Direction;
 use crate::normal::Hardness;
-use crate::operator::Operator;
+use crate::operator::{LowerBound, Operator};
 use crate::parallel;
 use crate::per_cell::PerCell;
 use crate::report::Iteration;
@@ -175,7 +175,7 @@ impl Coupled<'_> {
             hardness: limits.map(|_| hardness),
             friction: &self.friction.within(&region),
             totals: [Total::Free; N],
-            lower_bounds: [0.0; 2],
+            lower_bounds: [LowerBound::NONE; 2],
             self_compliance: *self_compliance,
             coupling: 0.0,
         };

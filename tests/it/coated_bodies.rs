@@ -2,6 +2,8 @@
 //! the limits of the layers say.
 
 mod grids;
+#[cfg(feature = "dense")]
+mod lines;
 
 use std::sync::Arc;
 use std::time::Duration;

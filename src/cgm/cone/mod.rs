@@ -33,7 +33,7 @@ use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
 use crate::layout::Layout;
-use crate::operator::Operator;
+use crate::operator::{LowerBound, Operator};
 use crate::per_cell::PerCell;
 use crate::report::Status;
 use crate::watch::Observer;
@@ -69,7 +69,7 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) friction: F,
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
-    pub(crate) lower_bounds: [f64; 2],
+    pub(crate) lower_bounds: [LowerBound; 2],
     /// How far a unit tangential traction displaces its own cell.
     pub(crate) self_compliance: f64,
     /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.

@@ -193,8 +193,13 @@ impl CycleJump {
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let compliance = bodies.operator(Component::ZZ)?;
     compliance.check_bounded()?;
+    // If a datum makes the compliance indefinite, the force is prescribed, and pressures change without a mean.
+    let least = match compliance.lower_bound() {
+        least if least > 0.0 => least,
+        _ => compliance.bound_without_mean().0,
+    };
     bodies.joint(Ok(if rate > 0.0 {
-        compliance.lower_bound() / rate
+        least / rate
     } else {
         f64::INFINITY
     }))

@@ -1,0 +1,135 @@
+//! Energy of uniform tractions on a grid that repeats along y alone.
+
+use crate::buffer;
+use crate::error::{Error, Result};
+use crate::fft::Convolution;
+use crate::layout::Layout;
+use crate::operator::Operator;
+use crate::reduce;
+
+/// Energy that a component of the traction stores at least when its sum is not zero.
+///
+/// The unit vector e of a uniform traction and tractions w without a mean span all tractions. For a given vector z
+/// without a mean, let $`u = e - z`$, $`\sigma = u' C u`$, and let $`\rho`$ be the part of $`C u`$ without a mean. With
+/// $`w = v - \xi z`$ and the least eigenvalue $`\lambda`$ of the tractions without a mean,
+///
+/// ```math
+/// (\xi e + w)' C (\xi e + w) \ge \sigma \xi^2 - 2 |\rho| |\xi| |v| + \lambda |v|^2 .
+/// ```
+///
+/// The right side is positive if $`\sigma \lambda > |\rho|^2`$. A flat punch as wide as the grid has the traction that
+/// makes $`\rho`$ vanish. Conjugate gradients approach it. The bound is then sharp: the compliance is definite if, and
+/// only if, the approach of that punch is positive. A change of the datum changes $`\sigma`$ alone.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct UniformWave {
+    /// $`\sigma`$.
+    energy: f64,
+    /// $`|\rho|`$.
+    residual: f64,
+    /// $`|z|`$.
+    deviation: f64,
+    /// Distance at which a line load moves nothing.
+    datum: f64,
+    /// Change of the energy with the logarithm of the datum.
+    slope: f64,
+}
+
+/// Part of $`\sigma \lambda`$ that $`|\rho|^2`$ is reduced to.
+const SHARPNESS: f64 = 1e-8;
+
+/// Conjugate-gradient steps per cell, at most.
+const STEPS: usize = 4;
+
+impl UniformWave {
+    /// Computes the traction of a flat punch on a line of cells whose tractions without a mean have the least eigenvalue
+    /// `least`.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub(crate) fn new(line: &Convolution, least: f64, [datum, slope]: [f64; 2]) -> Result<Self> {
+        let (cells, layout) = (line.cells(), &line.layout());
+        let mut scratch = line.scratch()?;
+        let mut traction = buffer::filled(1.0 / (cells as f64).sqrt(), cells)?;
+        let mut residual: Vec<f64> = buffer::zeros(cells)?;
+        let mut image: Vec<f64> = buffer::zeros(cells)?;
+        line.apply([&traction], [&mut residual], &mut scratch);
+        let mut energy = dot(layout, &traction, &residual);
+        subtract_mean(layout, &mut residual);
+        let mut direction: Vec<f64> = buffer::zeros(cells)?;
+        direction.copy_from_slice(&residual);
+        let mut square = dot(layout, &residual, &residual);
+        for _ in 0..STEPS * cells {
+            if square <= SHARPNESS * energy.abs() * least {
+                break;
+            }
+            line.apply([&direction], [&mut image], &mut scratch);
+            subtract_mean(layout, &mut image);
+            let curvature = dot(layout, &direction, &image);
+            if curvature <= 0.0 {
+                break;
+            }
+            let step = square / curvature;
+            add(&mut traction, -step, &direction);
+            add(&mut residual, -step, &image);
+            energy -= step * square;
+            let last = std::mem::replace(&mut square, dot(layout, &residual, &residual));
+            for (direction, residual) in direction.iter_mut().zip(&residual) {
+                *direction = residual + square / last * *direction;
+            }
+        }
+        // A product of its own leaves nothing of the round-off of the steps.
+        line.apply([&traction], [&mut residual], &mut scratch);
+        let energy = dot(layout, &traction, &residual);
+        subtract_mean(layout, &mut residual);
+        subtract_mean(layout, &mut traction);
+        let round_off = 1e-14 * line.upper_bound();
+        Ok(Self {
+            energy: energy - round_off,
+            residual: dot(layout, &residual, &residual).sqrt() + round_off,
+            deviation: dot(layout, &traction, &traction).sqrt(),
+            datum,
+            slope,
+        })
+    }
+
+    /// Returns a lower bound of the eigenvalues of all tractions, negative if the compliance is not definite. `added` is
+    /// the compliance of a uniform traction beside that of the bodies, such as that of a spring.
+    pub(crate) fn bound(&self, least: f64, added: f64) -> f64 {
+        let Self {
+            residual,
+            deviation,
+            ..
+        } = *self;
+        let energy = self.energy + added;
+        let determinant = energy * least - residual * residual;
+        let trace =
+            energy.abs() + 2.0 * residual * deviation + least * (1.0 + deviation * deviation);
+        (determinant / trace).min(least)
+    }
+
+    /// Returns the error of a problem whose solution is not unique because the datum is too near.
+    pub(crate) fn too_near(&self, least: f64, added: f64) -> Error {
+        let missing = self.residual * self.residual / least - self.energy - added;
+        Error::DatumTooNear {
+            datum: self.datum,
+            least: self.datum * (missing / self.slope).exp(),
+        }
+    }
+}
+
+fn dot(layout: &Layout, a: &[f64], b: &[f64]) -> f64 {
+    reduce::sum(layout, |i| a[i] * b[i])
+}
+
+fn add(to: &mut [f64], factor: f64, what: &[f64]) {
+    for (to, what) in to.iter_mut().zip(what) {
+        *to += factor * what;
+    }
+}
+
+fn subtract_mean(layout: &Layout, values: &mut [f64]) {
+    let mean = reduce::total(layout, values) / values.len() as f64;
+    for value in values {
+        *value -= mean;
+    }
+}
