@@ -65,6 +65,7 @@ module stickslip_bindings
     public :: stickslip_history_clone
     public :: stickslip_history_free
     public :: stickslip_history_step
+    public :: stickslip_history_press
     public :: stickslip_history_set_gap
     public :: stickslip_history_set_friction
     public :: stickslip_history_set_settings
@@ -1958,6 +1959,21 @@ module stickslip_bindings
             type(stickslip_observer), intent(in), optional :: observer
             integer(c_int32_t) :: answer
         end function stickslip_history_step
+
+        ! Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
+        ! taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
+        ! present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
+        ! observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
+        ! state of the history is unchanged; its last step is the last one that succeeded.
+        function stickslip_history_press(history, load, tolerance, observer, taken) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            real(c_double), value :: tolerance
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_size_t), intent(out), optional :: taken
+            integer(c_int32_t) :: answer
+        end function stickslip_history_press
 
         ! Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
         ! gives a normal load again.

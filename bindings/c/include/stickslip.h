@@ -1706,6 +1706,17 @@ stickslip_status stickslip_history_step(stickslip_history *history,
                                         const stickslip_load_step *load,
                                         const stickslip_observer *observer);
 
+// Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
+// taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
+// present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
+// observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
+// state of the history is unchanged; its last step is the last one that succeeded.
+stickslip_status stickslip_history_press(stickslip_history *history,
+                                         const stickslip_load_step *load,
+                                         double tolerance,
+                                         const stickslip_observer *observer,
+                                         size_t *taken);
+
 // Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
 // gives a normal load again.
 stickslip_status stickslip_history_set_gap(stickslip_history *history, const double *gap, size_t count);

@@ -405,6 +405,11 @@ static void loads_are_cut_into_steps(void) {
     OK(stickslip_history_result(copy, &result));
     CHECK(fabs(result.normal_force - 50.0) < 1e-6);
     OK(stickslip_adaptive_steps_free(steps));
+    load = press(100.0);
+    CHECK(stickslip_history_press(copy, &load, 2.0, NULL, NULL) == STICKSLIP_TOLERANCE);
+    OK(stickslip_history_press(copy, &load, 0.01, NULL, &taken));
+    OK(stickslip_history_result(copy, &result));
+    CHECK(taken == 2 && fabs(result.normal_force - 100.0) < 1e-6);
     OK(stickslip_history_free(copy));
     OK(stickslip_history_free(history));
     OK(stickslip_half_space_free(bodies));

@@ -2450,6 +2450,39 @@ class History:
         """
         The normal contact, a copy.
         """
+    def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
+        """
+        Takes a load in as many steps of equal growth of the contact as a tolerance needs. A contact of dissimilar bodies must
+        be pressed so: which cells stick and slip depends on how the contact grows.
+
+        It takes the load in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from those of half as many
+        steps by no more than the tolerance. A call that fails, or that Ctrl-C ends, leaves the state unchanged; the last step is
+        then the last one that succeeded.
+
+        Parameters
+        ----------
+        load : LoadStep, optional
+            The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
+        tolerance : float
+            Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
+            0.01 is a good choice. At least about a hundred times the tolerance of the settings.
+        normal_force, approach : optional
+            As of :class:`LoadStep`.
+        progress : callable or bool, optional
+            As of :meth:`NormalProblem.solve`.
+        warn : bool, default True
+            Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+
+        Returns
+        -------
+        int
+            The number of steps.
+
+        Raises
+        ------
+        Tolerance, StepTooLong
+            And what :meth:`step` raises.
+        """
     @property
     def pressure(self, /) -> NDArray[float64]:
         """
@@ -2503,7 +2536,8 @@ class History:
         """
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
-        Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held.
+        Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
+        :meth:`press`.
 
         Parameters
         ----------
@@ -5370,7 +5404,8 @@ class StepResult:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``. Those on the contact
+        Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
+        ``pressed_at_once`` and those on contacts and zones of too few cells. Those on the contact
         spots, which are not looked for in every step, are in ``history.normal.warnings``.
         """
 
