@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use crate::boundary::Boundary;
 use crate::cgm::reduce;
-use crate::cgm::vector::{dot, minus, plus};
+use crate::cgm::vector::{minus, plus};
 use crate::layout::Layout;
 use crate::tangential::Axis;
 
@@ -22,7 +22,6 @@ pub(super) struct Motions<const N: usize> {
     /// Which of shift along x, shift along y and twist the model has.
     has: [bool; 3],
     centre: [f64; 2],
-    squares: [f64; 3],
 }
 
 impl<const N: usize> Motions<N> {
@@ -36,21 +35,11 @@ impl<const N: usize> Motions<N> {
         let (sum, count): ([f64; 2], f64) = reduce::sum(layout, |cell| {
             place(cell).map_or(([0.0; 2], 0.0), |place| (place, 1.0))
         });
-        let mut motions = Self {
+        Self {
             axes,
             has: kinds(&axes, boundary),
             centre: sum.map(|sum| sum / count),
-            squares: [0.0; 3],
-        };
-        motions.squares = reduce::sum(layout, |cell| {
-            place(cell).map_or([0.0; 3], |place| {
-                from_fn(|motion| {
-                    let moved = motions.at(motion, place);
-                    dot(moved, moved)
-                })
-            })
-        });
-        motions
+        }
     }
 
     /// The kinds of the motions, in their order.
@@ -72,11 +61,6 @@ impl<const N: usize> Motions<N> {
             None => [0.0; 2],
         };
         self.axes.map(|axis| moved[axis.index()])
-    }
-
-    /// The sums of the squares of the motions over the contact.
-    pub(super) fn squares(&self) -> [f64; 3] {
-        self.squares
     }
 
     /// Loads by the kinds of motions, about the origin of the grid; `None` of those that the model does not have.

@@ -62,15 +62,11 @@ pub(super) fn press(
     let approach = CellMotions {
         count: 1,
         of_cell: |_, _| [1.0],
-        squares: [region.window().cells() as f64, 0.0, 0.0],
     };
     let found = system.stiffness(&approach, course)?;
     let per_area = found.matrix[0][0];
     let [unit] = system.unit();
     region.scatter(unit, growth);
-    for growth in growth {
-        *growth *= per_area;
-    }
     Ok(NormalStiffness {
         value: per_area * bodies.grid().cell_area(),
         bound: found.bound,

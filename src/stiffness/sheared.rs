@@ -196,7 +196,6 @@ impl Cells {
         let of_cells = CellMotions {
             count: motions.count(),
             of_cell: |motion: usize, cell: usize| motions.at(motion, place(cell)),
-            squares: motions.squares(),
         };
         let mut reversal = None;
         if course.has_reversal {
@@ -223,7 +222,7 @@ impl Cells {
                 system.draw(make, self.pressure.iter().copied(), course)?;
             }
             self.add_own(axes, system);
-            let reaction = system.reaction(&found)?;
+            let reaction = system.reaction(of_cells.count)?;
             let forced = reduce::sum(region.layout(), |cell| {
                 let forced = system.forced.each_ref().map(|part| part[cell]);
                 [0, 1, 2].map(|motion| dot(motions.at(motion, place(cell)), forced))

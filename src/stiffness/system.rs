@@ -1,23 +1,42 @@
-//! The stiffness at fixed sets of cells: tractions that answer motions of the bodies.
+//! The stiffness at fixed sets of cells, from the tractions that answer the motions of the bodies.
 //!
-//! Cells that stick are free, cells that slip move along a line, all others are fixed. With the projection P onto what
-//! cells may do, the turning stiffness D and the motions $`b_a`$ of the cells, the tractions $`y_a`$ that a unit of each
-//! motion causes solve $`A\,y_a = P\,b_a`$, $`A = P C P + D`$; to D comes the compliance of cells that entered the contact
-//! in the step. Their combinations $`x_a`$ with the loads
-//! $`b_b\cdot x_a = \delta_{ab}`$ have the least energy of all tractions with these loads, so that $`S = X'A X`$ is a
-//! compliance from above. With the residuals $`R = P B S - A X`$, an error $`e_a`$ of $`x_a`$ has no load, and
+//! Cells that stick are free, cells that slip move along a line, all others are fixed. With the projection P onto the
+//! directions that cells may move in, the turning stiffness D and the motions $`b_a`$ of the cells, the tractions
+//! $`y_a`$ that a unit of each motion causes solve $`A\,y_a = P\,b_a`$, $`A = P C P + D`$. D includes the compliance of
+//! cells that entered the contact in the step. The stiffness is $`K_{ab} = b_a' P A^{-1} P\,b_b`$. With the residuals
+//! $`r_a = P\,b_a - A\,y_a`$ and the errors $`e_a = A^{-1} r_a`$ of the tractions,
 //!
 //! ```math
-//! e_a' A\,e_a = -e_a' R_a \le \frac{|R_a|^2}{\lambda} ,
+//! K_{ab} = y_a' A\,y_b + y_a' r_b + r_a' y_b + e_a' A\,e_b .
 //! ```
 //!
-//! $`\lambda`$ the least eigenvalue of C, on periodic grids among tractions without load.
+//! The last term is left out. It is at most $`\epsilon_a \epsilon_b`$ with $`\epsilon_a^2 = e_a' A\,e_a = e_a' r_a`$.
+//! No matrix of loads is inverted, so that nearly parallel motions lose no accuracy.
+//!
+//! The least eigenvalue $`\lambda`$ of C may hold among tractions without mean only, as on periodic grids. The sums of
+//! the errors follow from the shifts c, whose motions are constant:
+//! $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n cells that move,
+//!
+//! ```math
+//! |e_a|^2 \le \frac{\epsilon_a^2}{\lambda} + \frac{1}{n} \sum_c (|y_c' r_a| + \epsilon_c \epsilon_a)^2
+//! \le \epsilon_a^2 \Bigl(\frac{1}{\lambda} + \frac{2}{n} \sum_c \epsilon_c^2\Bigr) + \tau_a^2 ,
+//! \qquad \tau_a^2 = \frac{2}{n} \sum_c (y_c' r_a)^2 ,
+//! ```
+//!
+//! and $`\epsilon_a^2 \le |e_a| |r_a|`$ gives
+//!
+//! ```math
+//! \epsilon_a^2 \le |r_a|^2 \Bigl(\frac{1}{\lambda} + \frac{2}{n} \sum_c \epsilon_c^2\Bigr) + |r_a| \tau_a .
+//! ```
+//!
+//! The sum over the shifts bounds $`\sum_c \epsilon_c^2`$ first.
 
 use crate::boundary::Boundary;
 use crate::buffer;
 use crate::cgm::small::Small;
-use crate::cgm::vector::{at, dot, plus, slices, slices_mut};
-use crate::cgm::{Held, LinearWorkspace, Own, Row, reduce};
+use crate::cgm::reduce::{self, larger};
+use crate::cgm::vector::{at, dot, slices, slices_mut};
+use crate::cgm::{Held, LinearWorkspace, Own, Row};
 use crate::error::{Result, finite};
 use crate::half_space::{Compliance, HalfSpace};
 use crate::layout::Layout;
@@ -29,8 +48,6 @@ use crate::tangential::Drawing;
 
 /// Relative bound that a stiffness must have, unless its tolerance is wider.
 const ALLOWED: f64 = 1e-10;
-/// Part of a motion, by its square, that cells must be able to follow in a way of its own.
-const NOTHING: f64 = 1e-14;
 
 /// A vector of `N` components a cell.
 pub(super) type Vector<const N: usize> = [Vec<f64>; N];
@@ -44,7 +61,9 @@ pub(super) struct System<R, const N: usize> {
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     own: Vec<f64>,
     columns: [Column<N>; 3],
-    combined: Vec<[f64; N]>,
+    /// Number of cells that move, of all ranks.
+    moving: f64,
+    restricted: Vec<[f64; N]>,
     /// Tractions that are forced upon cells, and what they displace.
     pub(super) forced: Vector<N>,
     pub(super) displacement: Vector<N>,
@@ -59,31 +78,20 @@ struct Column<const N: usize> {
     y: Vec<[f64; N]>,
     /// `P b - A y`.
     left: Vec<[f64; N]>,
-    /// The tractions under a unit of this load and none of the others.
-    unit: Vec<[f64; N]>,
 }
 
 /// Forces by motions at fixed sets, each cell with the area one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     pub(super) matrix: [[f64; 3]; 3],
-    /// The same by the independent motions alone.
-    own: [[f64; 3]; 3],
     /// No entry is further off than this times the root of the product of the two on the diagonal.
     pub(super) bound: f64,
 }
 
-/// Motions of the cells, of which there are three at most: that of a cell, and the sum of the squares over the contact.
+/// Motions of the cells, of which there are three at most: as many shifts as a cell has components, then the others.
 pub(super) struct CellMotions<F> {
     pub(super) count: usize,
     pub(super) of_cell: F,
-    pub(super) squares: [f64; 3],
-}
-
-/// Which motions are independent, and what the others are of them: columns of `parts`.
-struct Independent {
-    active: [bool; 3],
-    parts: [[f64; 3]; 3],
 }
 
 impl<R: Row<N>, const N: usize> System<R, N> {
@@ -104,7 +112,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
                 linear: LinearWorkspace::new(&operator, &inverse)?,
                 own: Vec::new(),
                 columns: Default::default(),
-                combined: Vec::new(),
+                moving: 0.0,
+                restricted: Vec::new(),
                 forced: buffer::vector(operator.cells())?,
                 displacement: buffer::vector(operator.cells())?,
                 drawing: None,
@@ -131,12 +140,9 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         self.own.clear();
         buffer::make_room(&mut self.own, own.len())?;
         self.own.extend_from_slice(own);
+        let moves = |cell: usize| f64::from(u8::from(row(cell).moves()));
+        self.moving = reduce::sum(&self.layout, moves);
         self.linear.hold(row)
-    }
-
-    /// The least eigenvalue of the operator.
-    pub(super) fn lower_bound(&self) -> f64 {
-        self.compliance.operator.lower_bound()
     }
 
     /// How far a unit traction displaces its own cell.
@@ -144,73 +150,83 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         self.compliance.operator.self_compliance()
     }
 
-    /// The stiffness against these motions of the cells.
-    ///
-    /// Motions that the cells follow alike, as all do that slip in one direction, are combinations `C` of independent
-    /// ones, and their stiffness is `C'K C`.
+    /// Computes the stiffness against these motions of the cells.
     pub(super) fn stiffness(
         &mut self,
         motions: &CellMotions<impl Fn(usize, usize) -> [f64; N] + Sync>,
         course: &mut Course<'_>,
     ) -> Result<Stiffness> {
-        for (a, column) in self.columns.iter_mut().enumerate().take(motions.count) {
-            self.linear
-                .restrict(|i| (motions.of_cell)(a, i), &mut column.right)?;
-        }
-        let Independent { active, parts } = self.independent(motions.count, motions.squares);
         let held = Held {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
             own: Own::isotropic(&self.own),
         };
-        for (column, _) in self.columns.iter_mut().zip(active).filter(|(_, is)| *is) {
+        for (a, column) in self.columns.iter_mut().enumerate().take(motions.count) {
+            self.linear
+                .restrict(|i| (motions.of_cell)(a, i), &mut column.right)?;
             course.respond(&held, &column.right, &mut column.y, &mut self.linear)?;
             column.left.clear();
             buffer::make_room(&mut column.left, column.right.len())?;
             column.left.extend_from_slice(self.linear.left());
         }
-        let found = self.combine(active, parts)?;
+        let matrix = self.matrix(motions.count);
+        let bound = self.bound(motions.count, &matrix);
         // The bound decides, wherever round-off has left the residuals.
         course.rest_on(self.compliance.operator.eigenvalue_bound());
-        course.report.status = if found.bound <= ALLOWED.max(course.tolerance) {
+        course.report.status = if bound <= ALLOWED.max(course.tolerance) {
             Status::Converged
         } else {
             Status::Stalled
         };
         course.check_solved()?;
-        Ok(found)
+        Ok(Stiffness { matrix, bound })
     }
 
-    /// Which motions the cells follow each in a way of its own, one after the other.
-    fn independent(&self, count: usize, squares: [f64; 3]) -> Independent {
-        let mut found = Independent {
-            active: [false; 3],
-            parts: [[0.0; 3]; 3],
-        };
-        let gram = self.table([true, count > 1, count > 2], |one, two| {
-            self.linear.product(&one.right, &two.right)
+    /// Computes `y' A y + y' r + r' y`, with `A y + r = P b` as the mean of `y' P b + r' y` and its transpose.
+    fn matrix(&self, count: usize) -> [[f64; 3]; 3] {
+        let half = self.table(count, |one, two| {
+            self.linear.product(&one.y, &two.right) + self.linear.product(&one.left, &two.y)
         });
-        for a in 0..count {
-            let column = gram.map(|row| row[a]);
-            let known = Small(gram).solve(column, found.active);
-            let left = gram[a][a] - dot(known, column);
-            if left > NOTHING * squares[a] {
-                found.active[a] = true;
-                found.parts[a][a] = 1.0;
-            } else {
-                for (row, part) in found.parts.iter_mut().zip(known) {
-                    row[a] = part;
-                }
-            }
-        }
-        found
+        [0, 1, 2].map(|a| [0, 1, 2].map(|b| 0.5 * (half[a][b] + half[b][a])))
     }
 
-    /// A number of every two of these columns.
-    fn table(&self, of: [bool; 3], entry: impl Fn(&Column<N>, &Column<N>) -> f64) -> [[f64; 3]; 3] {
+    /// Bounds the errors of the entries of the matrix, relative to the diagonal.
+    fn bound(&self, count: usize, matrix: &[[f64; 3]; 3]) -> f64 {
+        let residuals = self.table(count, |one, two| self.linear.product(&one.left, &two.left));
+        let sums = self.table(count, |one, two| self.linear.product(&one.y, &two.left));
+        let (least, cells) = (self.compliance.operator.lower_bound(), self.moving.max(1.0));
+        // |r|^2 / lambda + |r| tau of a motion.
+        let plain = |a: usize| {
+            let sums = [0, 1, 2].map(|c| if c < N { sums[c][a] } else { 0.0 });
+            let square = residuals[a][a];
+            square / least + (square * 2.0 / cells * dot(sums, sums)).sqrt()
+        };
+        let shifts = || 0..count.min(N);
+        let part = 2.0 / cells * shifts().fold(0.0, |sum, c| sum + residuals[c][c]);
+        if part >= 1.0 {
+            return f64::INFINITY;
+        }
+        let squares = shifts().fold(0.0, |sum, c| sum + plain(c)) / (1.0 - part);
+        let relative = |a: usize| {
+            let square = plain(a) + residuals[a][a] * 2.0 / cells * squares;
+            if square == 0.0 {
+                0.0
+            } else {
+                square / matrix[a][a].max(0.0)
+            }
+        };
+        (0..count).fold(0.0, |largest, a| larger(largest, relative(a)))
+    }
+
+    /// Computes a number of every two of the first columns, and zero of the others.
+    fn table(
+        &self,
+        count: usize,
+        entry: impl Fn(&Column<N>, &Column<N>) -> f64,
+    ) -> [[f64; 3]; 3] {
         let entry = |a: usize, b: usize| {
-            if of[a] && of[b] {
+            if a < count && b < count {
                 entry(&self.columns[a], &self.columns[b])
             } else {
                 0.0
@@ -219,73 +235,12 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         [0, 1, 2].map(|a| [0, 1, 2].map(|b| entry(a, b)))
     }
 
-    /// The stiffness by the columns as they are.
-    fn combine(&mut self, active: [bool; 3], parts: [[f64; 3]; 3]) -> Result<Stiffness> {
-        let product = |a: &[[f64; N]], b: &[[f64; N]]| self.linear.product(a, b);
-        let loads = self.table(active, |one, two| product(&one.right, &two.y));
-        let energies = self.table(active, |one, two| {
-            product(&one.y, &two.right) - product(&one.y, &two.left)
-        });
-        let weights = inverse(&loads, active);
-        let compliance = times(&transposed(&weights), &times(&energies, &weights));
-        let mut squares = [0.0; 3];
-        for a in (0..3).filter(|&a| active[a]) {
-            // P B S - A X, with A y = P b - left.
-            self.add_columns(active, |c| {
-                let weight = weights[c][a];
-                [compliance[c][a] - weight, 0.0, weight]
-            })?;
-            squares[a] = self.linear.product(&self.combined, &self.combined);
-        }
-        // Relative to the compliances, so that lengths and angles do not mix.
-        let least = self.lower_bound();
-        let relative = |a: usize| squares[a] / (least * compliance[a][a]);
-        let followed = || (0..3).filter(|&a| active[a]);
-        let error = followed().fold(0.0, |sum, a| sum + relative(a));
-        let matrix = inverse(&compliance, active);
-        let trace = followed().fold(0.0, |sum, a| sum + matrix[a][a] * compliance[a][a]);
-        let left = 1.0 - trace * error;
-        for a in [0, 1, 2] {
-            self.add_columns(active, |c| [0.0, weights[c][a], 0.0])?;
-            std::mem::swap(&mut self.combined, &mut self.columns[a].unit);
-        }
-        Ok(Stiffness {
-            matrix: times(&transposed(&parts), &times(&matrix, &parts)),
-            own: times(&transposed(&parts), &matrix),
-            bound: if left > 0.0 {
-                trace * trace * error / left
-            } else {
-                f64::INFINITY
-            },
-        })
-    }
-
-    /// The sum of right sides, solutions and residuals of the active columns, with these factors.
-    fn add_columns(
-        &mut self,
-        active: [bool; 3],
-        factors: impl Fn(usize) -> [f64; 3],
-    ) -> Result<()> {
-        self.combined.clear();
-        let cells = self.columns[0].right.len();
-        buffer::resize(&mut self.combined, cells, [0.0; N])?;
-        for (c, column) in self.columns.iter().enumerate().filter(|(c, _)| active[*c]) {
-            let parts = [&column.right, &column.y, &column.left];
-            for (part, factor) in parts.into_iter().zip(factors(c)) {
-                for (sum, part) in self.combined.iter_mut().zip(part) {
-                    *sum = plus(*sum, factor, *part);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The tractions of all cells under a unit of the first load and none of the others.
+    /// Returns the tractions of all cells under a unit of the first motion.
     pub(super) fn unit(&mut self) -> [&[f64]; N] {
         for part in &mut self.forced {
             part.fill(0.0);
         }
-        let (unit, forced) = (&self.columns[0].unit, &mut self.forced);
+        let (unit, forced) = (&self.columns[0].y, &mut self.forced);
         self.linear.places(|k, cell| {
             for (part, value) in forced.iter_mut().zip(unit[k]) {
                 part[cell] = value;
@@ -323,24 +278,19 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(())
     }
 
-    /// What the loads become when tractions are forced upon cells and displace them so, the motions held: minus the
-    /// stiffness times the motions that would keep the loads.
-    pub(super) fn reaction(&mut self, stiffness: &Stiffness) -> Result<[f64; 3]> {
+    /// Computes the loads of the first motions while these are held and forced tractions displace the cells.
+    pub(super) fn reaction(&mut self, count: usize) -> Result<[f64; 3]> {
         let displacement = slices(&self.displacement);
-        let moved = |cell: usize| at(&displacement, cell);
-        self.linear.restrict(moved, &mut self.combined)?;
-        let motion = |unit: &[[f64; N]]| self.linear.product(unit, &self.combined);
-        let motions = self.columns.each_ref().map(|column| motion(&column.unit));
-        Ok(stiffness.own.map(|row| -dot(row, motions)))
+        let displaced = |cell: usize| at(&displacement, cell);
+        self.linear.restrict(displaced, &mut self.restricted)?;
+        Ok(std::array::from_fn(|a| {
+            if a < count {
+                -self.linear.product(&self.columns[a].y, &self.restricted)
+            } else {
+                0.0
+            }
+        }))
     }
-}
-
-fn inverse(matrix: &[[f64; 3]; 3], active: [bool; 3]) -> [[f64; 3]; 3] {
-    let column = |a: usize| {
-        let unit = [0, 1, 2].map(|b| if a == b && active[a] { 1.0 } else { 0.0 });
-        Small(*matrix).solve(unit, active)
-    };
-    transposed(&[column(0), column(1), column(2)])
 }
 
 fn transposed(matrix: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
