@@ -156,7 +156,9 @@ impl History {
     /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
     /// approach; see [`crate::stiffness`].
     ///
-    /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. In the
+    /// Loading is the derivative of the force of the last step by its motion, the sets held: call it after the step. The
+    /// stiffness of the next step is an option of
+    /// [`stiffness_with`](Self::stiffness_with): [`StiffnessWorkspace::next_step`]. In the
     /// vector model the slip of [the last step](Self::last_step) adds to the stiffness of cells that slip; after
     /// [`set_state`](Self::set_state) that slip is of another step, after a restart it is zero. So it is with the compliance of
     /// the cells that [entered](crate::guide::growing_contacts) the contact in the step. Cells that come into
@@ -196,12 +198,18 @@ impl History {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
         let pair = self.bodies.pair();
+        // In the next step no cell has slipped or entered yet.
+        let (slip, entered) = if workspace.is_of_next_step() {
+            (None, &[][..])
+        } else {
+            (Some(self.last_step().slip()), &*self.entered)
+        };
         if self.state.is_joint() {
             let coupled = Coupled {
                 pressure: self.pressure(),
                 traction: self.traction(),
-                slip: self.last_step().slip(),
-                entered: &self.entered,
+                slip,
+                entered,
                 friction: self.friction(),
                 hardness: self.state.hardness.as_ref(),
                 window: self.state.press_window,
@@ -211,8 +219,8 @@ impl History {
         let sheared = Sheared {
             zones: self.zones(),
             traction: self.traction(),
-            slip: self.last_step().slip(),
-            entered: &self.entered,
+            slip,
+            entered,
             window: self.state.contact.as_ref().map(|memory| memory.window),
         };
         let pressed = Pressed {

@@ -24,8 +24,8 @@ type Found = (TangentialStiffness, [Option<f64>; 3]);
 pub(crate) struct Sheared<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step.
-    pub(crate) slip: [&'a Field; 2],
+    /// Slip of the step; `None` of a step that is to come.
+    pub(crate) slip: Option<[&'a Field; 2]>,
     /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
     pub(crate) entered: &'a [f64],
     /// Where it was found, if that is known.
@@ -75,9 +75,10 @@ impl Cells {
         };
         collect(region, zone, &mut self.zone)?;
         for axis in [0, 1] {
-            let [q, s] = [sheared.traction, sheared.slip].map(|v| v[axis].as_slice());
+            let q = sheared.traction[axis].as_slice();
             collect(region, |i| q[i], &mut self.traction[axis])?;
-            collect(region, |i| s[i], &mut self.slip[axis])?;
+            let s = sheared.slip.map(|slip| slip[axis].as_slice());
+            collect(region, |i| s.map_or(0.0, |s| s[i]), &mut self.slip[axis])?;
         }
         let entered = |i: usize| sheared.entered.get(i).copied().unwrap_or(0.0);
         collect(region, entered, &mut self.entered)

@@ -33,8 +33,8 @@
 
 use crate::boundary::Boundary;
 use crate::buffer;
-use crate::cgm::small::Small;
 use crate::cgm::reduce::{self, larger};
+use crate::cgm::small::Small;
 use crate::cgm::vector::{at, dot, slices, slices_mut};
 use crate::cgm::{Held, LinearWorkspace, Own, Row};
 use crate::error::{Result, finite};
@@ -220,11 +220,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Computes a number of every two of the first columns, and zero of the others.
-    fn table(
-        &self,
-        count: usize,
-        entry: impl Fn(&Column<N>, &Column<N>) -> f64,
-    ) -> [[f64; 3]; 3] {
+    fn table(&self, count: usize, entry: impl Fn(&Column<N>, &Column<N>) -> f64) -> [[f64; 3]; 3] {
         let entry = |a: usize, b: usize| {
             if a < count && b < count {
                 entry(&self.columns[a], &self.columns[b])

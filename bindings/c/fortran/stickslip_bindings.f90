@@ -72,6 +72,7 @@ module stickslip_bindings
     public :: stickslip_history_set_relative_displacement
     public :: stickslip_history_stiffness
     public :: stickslip_history_stiffness_observed
+    public :: stickslip_history_next_stiffness
     public :: stickslip_history_result
     public :: stickslip_history_normal_result
     public :: stickslip_history_grid
@@ -920,7 +921,10 @@ module stickslip_bindings
     ! loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
     ! and the twist, on grids that repeat the twist.
     type, bind(c), public :: stickslip_tangential_stiffness
-        ! If the motion continues in its direction.
+        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
+        ! into contact in the step follow the motion with a compliance of their own: after a step that presses a ball it is about
+        ! two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
+        ! next step, in which they resist fully.
         real(c_double) :: loading(3, 3) = 0
         ! If the motion reverses: all cells of the contact stick.
         real(c_double) :: reversal(3, 3) = 0
@@ -2026,6 +2030,17 @@ module stickslip_bindings
             type(stickslip_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness_observed
+
+        ! The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
+        ! also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
+        ! further under the same normal load needs this. observer may be NULL.
+        function stickslip_history_next_stiffness(history, observer, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_history_next_stiffness
 
         ! The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
         ! any and after the history was made from bytes.

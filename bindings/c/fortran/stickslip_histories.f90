@@ -28,6 +28,7 @@ module stickslip_histories
         procedure :: reports => history_reports
         procedure :: warnings => history_warnings
         procedure :: stiffness => history_stiffness
+        procedure :: next_stiffness => history_next_stiffness
         procedure :: field => history_field
         procedure :: zones => history_zones
         procedure :: spots => history_spots
@@ -190,6 +191,16 @@ contains
         type(stickslip_stiffness) :: stiffness
         call report_status(stickslip_history_stiffness_observed(this%handle, observer, stiffness), status)
     end function history_stiffness
+
+    ! The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came into
+    ! contact in the last step, and cells at their limit continue to slip.
+    function history_next_stiffness(this, observer, status) result(stiffness)
+        class(contact_history), intent(in) :: this
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_stiffness) :: stiffness
+        call report_status(stickslip_history_next_stiffness(this%handle, observer, stiffness), status)
+    end function history_next_stiffness
 
     ! A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements.
     function history_field(this, which, status) result(samples)

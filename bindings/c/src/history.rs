@@ -1,6 +1,7 @@
 //! Histories: steps with memory of slip.
 
 use stickslip_rs::history::TouchRule;
+use stickslip_rs::stiffness::StiffnessWorkspace;
 use stickslip_rs::{Axis, History, TryClone};
 
 use crate::call::{Outcome, call, call_on};
@@ -292,6 +293,25 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
         tell(history, ("stiffness", stiffness), |of| {
             let observer = optional("observer", observer)?;
             Ok(of.stiffness_observed(watch(observer))?.into())
+        })
+    }
+}
+
+/// The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
+/// also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
+/// further under the same normal load needs this. observer may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_next_stiffness(
+    history: *const stickslip_history,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(history, ("stiffness", stiffness), |of| {
+            let observer = optional("observer", observer)?;
+            let mut workspace = StiffnessWorkspace::new().next_step(true);
+            Ok(of.stiffness_with(&mut workspace, watch(observer))?.into())
         })
     }
 }

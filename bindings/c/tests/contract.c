@@ -260,6 +260,9 @@ static void fields_are_not_copied(void) {
     stickslip_stiffness slope;
     OK(stickslip_history_stiffness(history, &slope));
     CHECK(slope.normal.value > 0.0 && slope.tangential.reversal[0][0] > slope.tangential.loading[0][0]);
+    stickslip_stiffness next;
+    OK(stickslip_history_next_stiffness(history, NULL, &next));
+    CHECK(next.normal.value == slope.normal.value && next.tangential.loading[0][0] > 0.0);
     stickslip_per_cell alpha = {1e-14, NULL, 0};
     double depth[CELLS] = {0};
     OK(stickslip_wear_energy(history, &alpha, depth, CELLS));

@@ -91,6 +91,9 @@ def test_stiffness_is_the_slope(scene):
     tangential = history.stiffness().tangential
     mindlin = 8.0 * scene.bodies.pair.equivalent_shear_modulus / (2.0 - scene.bodies.pair.equivalent_poisson_ratio)
     assert tangential.reversal[0][0] == pytest.approx(mindlin * scene.hertz.contact_radius, rel=0.02)
+    following = history.stiffness(next_step=True).tangential
+    assert following.loading[0][0] == pytest.approx(tangential.reversal[0][0], rel=1e-9)
+    assert tangential.loading[0][0] < 0.8 * following.loading[0][0]
 
 
 def test_dissimilar_bodies_slip_when_pressed():

@@ -85,6 +85,11 @@ class History {
     Stiffness stiffness() const {
         return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_stiffness(get(), out); });
     }
+    /// The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came
+    /// into contact in the last step, and cells at their limit continue to slip.
+    Stiffness next_stiffness() const {
+        return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_next_stiffness(get(), nullptr, out); });
+    }
     double friction_capacity() const {
         return detail::asked<double>([&](double *out) { return stickslip_history_friction_capacity(get(), out); });
     }

@@ -2587,9 +2587,17 @@ class History:
         """
         Steps taken since the start.
         """
-    def stiffness(self, /) -> ContactStiffness:
+    def stiffness(self, /, *, next_step: bool = False) -> ContactStiffness:
         """
         The stiffness: the slopes of the forces and the moment by approach, shift and twist.
+
+        Parameters
+        ----------
+        next_step : bool, default False
+            Whether ``tangential.loading`` and ``by_approach`` are derivatives in a next step, which starts from the present
+            state, instead of derivatives of the last step by its motion. In the next step cells that stick resist fully, also
+            those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
+            contact further under the same normal load needs this.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -5890,12 +5898,15 @@ class TangentialStiffness:
     @property
     def loading(self, /) -> list[list[float]]:
         """
-        Where the load goes on.
+        Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
+        direction. Cells that came into contact in the step follow the motion with a compliance of their own: after a step that
+        presses a ball it is about two thirds of Mindlin's stiffness, although all cells stick.
+        ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
         """
     @property
     def reversal(self, /) -> list[list[float]]:
         """
-        Where it turns: all contact cells stick.
+        Derivative if the motion reverses: all contact cells stick.
         """
     def through_springs(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """
