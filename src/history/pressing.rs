@@ -187,7 +187,7 @@ impl Course {
             }
         };
         let lengths = ends.map(|end| (end - origin).max(0.0).powf(1.0 / f64::from(exponent)));
-        if ends[0] == ends[1] || lengths[0] == lengths[1] {
+        if ends[1] - ends[0] == 0.0 || lengths[1] - lengths[0] == 0.0 {
             return Self::Linear;
         }
         Self::Power {

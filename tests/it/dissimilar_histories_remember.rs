@@ -305,7 +305,7 @@ fn pressing_to_a_tolerance_ends_at_two_steps_where_one_is_exact() {
             .unwrap()
     };
     let smooth = aluminium_on_steel(24, 0.0, Coupling::OneWay);
-    for (mut history, force) in [(punch(24), 0.1), (alike(24), 0.05), (smooth, 60.0)] {
+    for (mut history, force) in vec![(punch(24), 0.1), (alike(24), 0.05), (smooth, 60.0)] {
         assert_eq!(history.press(&press_to(force), 1e-4).unwrap(), 2);
         let warnings = history.last_step().warnings();
         assert!(!warnings.contains(&Warning::PressedAtOnce), "{warnings:?}");

@@ -12,9 +12,9 @@ use stickslip::{
 const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.4;
 
-fn pressed(pair: ElasticPair, model: TangentialModel, coupling: Coupling) -> History {
+fn pressed(pair: &ElasticPair, model: TangentialModel, coupling: Coupling) -> History {
     let grid = Grid::square(24, 0.30e-3).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let bodies = HalfSpace::new(grid, *pair).unwrap();
     let ball = surface::sphere(grid, 3.5e-3).unwrap();
     let friction = Friction::coulomb(FRICTION).unwrap();
     let builder = History::builder(&bodies, ball, friction).model(model);
@@ -89,7 +89,7 @@ fn slipping(history: &History) -> usize {
 #[test]
 fn next_step_after_pressing_resists_as_mindlin_says() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let history = pressed(steel(), model, Coupling::Full);
+        let history = pressed(&steel(), model, Coupling::Full);
         let [last, next] = [false, true].map(|next| stiffness_of(&history, next).tangential);
         let along = |matrix: [[Option<f64>; 3]; 3]| matrix[0][0].unwrap();
         let [loading, reversal] = [next.loading, next.reversal].map(along);
@@ -116,7 +116,7 @@ fn next_step_continues_the_slip_of_sheared_contacts() {
         (TangentialModel::Vector, [0.5, 0.5], [0.9, 0.4]),
     ];
     for (model, parts, motion) in scenes {
-        let mut history = pressed(steel(), model, Coupling::Full);
+        let mut history = pressed(&steel(), model, Coupling::Full);
         let force = parts.map(|part| part * FRICTION * FORCE);
         history.step(&LoadStep::force(force)).unwrap();
         assert!(slipping(&history) > 10);
@@ -129,7 +129,7 @@ fn next_step_continues_the_slip_of_sheared_contacts() {
 #[test]
 fn next_step_of_dissimilar_bodies_continues_their_slip() {
     for coupling in [Coupling::Full, Coupling::OneWay] {
-        let mut history = pressed(unlike(), TangentialModel::Vector, coupling);
+        let mut history = pressed(&unlike(), TangentialModel::Vector, coupling);
         history
             .step(&LoadStep::force([0.8 * FRICTION * FORCE, 0.0]))
             .unwrap();
@@ -142,7 +142,7 @@ fn next_step_of_dissimilar_bodies_continues_their_slip() {
 /// The stiffness of the next step follows from the state alone.
 #[test]
 fn next_step_after_a_restart_has_the_same_stiffness() {
-    let mut history = pressed(steel(), TangentialModel::Vector, Coupling::Full);
+    let mut history = pressed(&steel(), TangentialModel::Vector, Coupling::Full);
     history.step(&LoadStep::force([20.0, 5.0])).unwrap();
     let grid = history.grid();
     let bodies = HalfSpace::new(grid, steel()).unwrap();
