@@ -305,13 +305,16 @@ fn pressing_to_a_tolerance_ends_at_two_steps_where_one_is_exact() {
             .unwrap()
     };
     let smooth = aluminium_on_steel(24, 0.0, Coupling::OneWay);
-    for (mut history, force) in vec![(punch(24), 0.1), (alike(24), 0.05), (smooth, 60.0)] {
+    let ends_at_two_steps = |mut history: History, force: f64| {
         assert_eq!(history.press(&press_to(force), 1e-4).unwrap(), 2);
         let warnings = history.last_step().warnings();
         assert!(!warnings.contains(&Warning::PressedAtOnce), "{warnings:?}");
         let reached = history.normal().force() / force;
         assert!((reached - 1.0).abs() < 1e-8);
-    }
+    };
+    ends_at_two_steps(punch(24), 0.1);
+    ends_at_two_steps(alike(24), 0.05);
+    ends_at_two_steps(smooth, 60.0);
 }
 
 /// A load that grows from an earlier load or falls to zero goes in equal steps of the contact too.
