@@ -20,8 +20,8 @@ use stickslip::{
 const RADIUS: f64 = 10e-3;
 const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.3;
-/// Steps of equal growth of the contact radius: pressing is a history too.
-const STEPS: u32 = 64;
+/// Tolerance of the tractions of pressing, which is a history too.
+const TOLERANCE: f64 = 2e-3;
 /// Tangential force over the sliding force, to and fro.
 const TURNS: [f64; 3] = [0.6, -0.6, 0.6];
 
@@ -51,11 +51,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .coupling(Coupling::Neglected)
         .build()?;
     for history in [&mut coupled, &mut uncoupled] {
-        for step in 1..=STEPS {
-            let radius = f64::from(step) / f64::from(STEPS);
-            let press = NormalControl::Force(FORCE * radius.powi(3));
-            history.step(&LoadStep::hold().normal(press))?;
-        }
+        let press = LoadStep::hold().normal(NormalControl::Force(FORCE));
+        let steps = history.press(&press, TOLERANCE)?;
+        println!("pressed in {steps} steps");
     }
     println!("\npressed        | coupled | not coupled");
     let row = |name: &str, value: &dyn Fn(&History) -> f64| {

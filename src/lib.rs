@@ -58,6 +58,7 @@
 //! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
 //! | solve it for any direction, with both components of the traction | the same, with [`TangentialModel::Vector`] |
 //! | solve either repeatedly | [`NormalSolver`], [`TangentialSolver`] |
+//! | press bodies of different materials, in as many steps as a tolerance needs | [`History::press`], the page on [dissimilar bodies](guide::dissimilar_bodies) |
 //! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::growing_contacts) |

@@ -77,9 +77,16 @@ pub enum Warning {
         /// Cells on the radius of a contact spot of mean size that 1 % would need, where the error falls with the power 3/2.
         cells_per_radius: usize,
     },
-    /// A [coupled problem](crate::CoupledProblem) of dissimilar bodies with friction was pressed in one step, in which the
-    /// contact came to its size at once. Cells that come into contact one after the other, as under a load that grows,
-    /// slip and stick elsewhere: press a [`History`](crate::History) in steps.
+    /// Dissimilar bodies with friction were pressed in too few steps. Under a load that grows, cells come into contact one
+    /// after the other, and other cells slip and stick: press a [`History`](crate::History) by
+    /// [`press`](crate::History::press).
+    ///
+    /// A step of a history has the warning if more than a tenth of the contact came in the step. The first step from zero
+    /// load thus has the warning however small its load is. Steps that `press` or
+    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have it. A
+    /// [`CoupledProblem`](crate::CoupledProblem) presses in one step. So does a
+    /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay). It has a pressure
+    /// and no gap. Its solutions therefore have the warning for a flat punch too, where they are exact.
     PressedAtOnce,
 }
 
@@ -149,7 +156,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::PressedAtOnce => write!(
                 formatter,
-                "the bodies were pressed in one step: dissimilar bodies under a load that grows stick and slip elsewhere; press a history in steps"
+                "dissimilar bodies were pressed in too few steps: under a load that grows other cells stick and slip; press a history to a tolerance by its function press"
             ),
         }
     }

@@ -27,7 +27,8 @@
 //! Friction remembers, in pressing too: cells at the rim of a growing contact slip while those inside stick. One step
 //! from rest finds the stick radius of a pressed sphere at less than half of what many steps find (0.23 for 0.50 at
 //! $`\beta = 0.5`$, $`\mu = 0.3`$); its approach is right to 4e-4 and its peak pressure to 9e-3. For a flat punch, whose
-//! contact does not grow, one step is exact.
+//! contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps as a tolerance
+//! needs.
 //!
 //! # Forces that slide
 //!
@@ -53,6 +54,7 @@
 
 mod contraction;
 mod engine;
+mod growth;
 mod increment;
 mod nested;
 mod offset;
@@ -62,6 +64,7 @@ mod sliding;
 mod solution;
 mod solver;
 
+pub(crate) use growth::Growth;
 pub(crate) use increment::{CoupledDemand, CoupledIncrement, check_joint};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::{CoupledReport, ErrorEstimate};

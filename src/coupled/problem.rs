@@ -18,7 +18,8 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// the bodies have no coupling, and without friction. Where the contact of dissimilar bodies grows, cells that come into
 /// contact later slip less: a ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, pressed in 32
 /// steps on 0.50 ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
-/// [`PressedAtOnce`](crate::Warning::PressedAtOnce); press a [`History`](crate::History) in steps.
+/// [`PressedAtOnce`](crate::Warning::PressedAtOnce). [`History::press`](crate::History::press) takes as many steps as a
+/// tolerance needs.
 ///
 /// ```
 /// use stickslip::*;

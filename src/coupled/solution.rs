@@ -3,7 +3,7 @@
 use crate::buffer::{or_abort, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::{CoupledProblem, CoupledReport, N};
+use crate::coupled::{CoupledProblem, CoupledReport, Growth, N};
 use crate::error::Result;
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -24,8 +24,6 @@ pub struct CoupledSolution {
     tangential: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
-    /// Whether friction has held a contact that came to its size in one step.
-    is_pressed_at_once: bool,
     /// Of a slab, the elastic energy of the whole grid.
     #[cfg_attr(feature = "serde", serde(skip))]
     whole_energy: Option<f64>,
@@ -33,7 +31,7 @@ pub struct CoupledSolution {
 
 shown!(CoupledSolution: normal, tangential, elastic_energy(), report());
 
-try_clone!(CoupledSolution { normal, tangential, displacement } { report, is_pressed_at_once, whole_energy });
+try_clone!(CoupledSolution { normal, tangential, displacement } { report, whole_energy });
 
 impl PartialEq for CoupledSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -42,13 +40,11 @@ impl PartialEq for CoupledSolution {
             tangential,
             displacement,
             report: _,
-            is_pressed_at_once,
             whole_energy,
         } = self;
         *normal == other.normal
             && *tangential == other.tangential
             && *displacement == other.displacement
-            && *is_pressed_at_once == other.is_pressed_at_once
             && *whole_energy == other.whole_energy
     }
 }
@@ -62,7 +58,6 @@ struct Unchecked {
     tangential: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
-    is_pressed_at_once: bool,
     #[serde(skip)]
     whole_energy: Option<f64>,
 }
@@ -88,7 +83,6 @@ impl CoupledSolution {
             tangential: TangentialSolution::empty(bodies)?,
             displacement: try_each(|_| Field::try_zeros(grid))?,
             report: CoupledReport::unsolved(),
-            is_pressed_at_once: false,
             whole_energy: None,
         })
     }
@@ -106,19 +100,15 @@ impl CoupledSolution {
         }
         self.report.clone_from(increment.full_report());
         let layout = bodies.grid_layout();
-        self.is_pressed_at_once = pair.is_coupled() && self.has_grown(&layout, gap);
+        let growth = Growth {
+            gap: gap.as_slice(),
+            before: None,
+            pressure: self.normal.pressure().as_slice(),
+            traction: self.tangential.traction().map(Field::as_slice),
+        };
+        let is_at_once = pair.is_coupled() && growth.is_at_once(&layout);
+        self.tangential.set_pressed_at_once(is_at_once);
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
-    }
-
-    /// Whether friction has held cells that a growing load would have brought into contact one after the other: where the
-    /// gap before loading is the same all over the contact, all come at once anyway.
-    fn has_grown(&self, layout: &Layout, gap: &Field) -> bool {
-        let (pressure, gap) = (self.normal.pressure().as_slice(), gap.as_slice());
-        let [qx, qy] = self.tangential.traction().map(Field::as_slice);
-        let is_held = reduce::any(layout, |i| qx[i] != 0.0 || qy[i] != 0.0);
-        let first = reduce::least(layout, |i| (pressure[i] > 0.0).then_some((gap[i], i)));
-        let is_later = |first: f64| reduce::any(layout, |i| pressure[i] > 0.0 && gap[i] > first);
-        first.is_some_and(|(first, _)| is_later(first)) && is_held
     }
 
     /// The normal half: pressure, gap under load, approach, contact area. Its report is that of the whole.
@@ -174,9 +164,13 @@ impl CoupledSolution {
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
-        let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
         let mut warnings = self.normal.try_warnings()?;
-        warnings.extend(self.tangential.zone_warnings().chain(at_once));
+        let tangential = &self.tangential;
+        warnings.extend(
+            tangential
+                .zone_warnings()
+                .chain(tangential.pressing_warning()),
+        );
         Ok(warnings)
     }
 }

@@ -37,6 +37,10 @@ pub struct StepError {
 /// step's part of the load, else the step is shortened: an estimate, no bound. On a ball that turns its shift while
 /// it grows, the error after the load was up to 2.5 times the tolerance.
 ///
+/// Dissimilar bodies that are pressed from zero load need [`History::press`]. Their first step has an error that is large
+/// for the friction limits it has then, however short it is, and ends here as [`Error::StepTooLong`]. The error of the whole
+/// load does not depend on it as strongly, since the contact outgrows it.
+///
 /// The tolerance is that of tractions. Where cells slip while the contact grows, the energy they dissipate converges
 /// more slowly: compare [`StepError::dissipated_energy`] with the energy of the step.
 ///
@@ -171,6 +175,10 @@ impl AdaptiveSteps {
             // Less than in proportion to the part: later slip covers much of what early steps did wrong.
             let allowed = part.sqrt() * self.tolerance;
             if error <= allowed {
+                // The error replaces the growth as the measure of the steps.
+                for step in [&mut self.middle.1, &mut history.step] {
+                    step.remarks.is_pressed_at_once = false;
+                }
                 self.show(history, observer)?;
                 (start, steps) = (end, steps + 2);
                 let may_double = error <= 0.25 * allowed && (start / part) % 2.0 == 0.0;
@@ -217,22 +225,8 @@ impl AdaptiveSteps {
             force: difference(force, second.tangential_force()),
             shift: difference(shift, second.shift()),
             dissipated_energy: dissipated - halves,
-            traction: self.distance(history),
+            traction: traction_distance(history, self.whole.each_ref()),
         })
-    }
-
-    /// How far the tractions of the whole step are from those of the history, over the sum of its friction limits.
-    fn distance(&self, history: &History) -> f64 {
-        let ([x, y], [u, v]) = (self.whole.each_ref(), history.traction());
-        let sum = reduce::sum(&history.bodies.grid_layout(), |i| {
-            (x.as_slice()[i] - u.as_slice()[i]).hypot(y.as_slice()[i] - v.as_slice()[i])
-        });
-        let capacity = history.friction_capacity();
-        if capacity > 0.0 {
-            sum * history.grid().cell_area() / capacity
-        } else {
-            0.0
-        }
     }
 
     /// Shows the observer the history after the first half of the step, then after the second, and stays there.
@@ -250,5 +244,19 @@ impl AdaptiveSteps {
         history.set_state(&self.kept)?;
         outcome?;
         history.bodies.agreed_on(|| observer(history))
+    }
+}
+
+/// Returns the difference between other tractions and the tractions of a history, over the sum of its friction limits.
+pub(super) fn traction_distance(history: &History, [x, y]: [&Field; 2]) -> f64 {
+    let [u, v] = history.traction();
+    let sum = reduce::sum(&history.bodies.grid_layout(), |i| {
+        (x.as_slice()[i] - u.as_slice()[i]).hypot(y.as_slice()[i] - v.as_slice()[i])
+    });
+    let capacity = history.friction_capacity();
+    if capacity > 0.0 {
+        sum * history.grid().cell_area() / capacity
+    } else {
+        0.0
     }
 }

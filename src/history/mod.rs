@@ -48,7 +48,8 @@
 //! causes as it serves the prescribed motion. Where most of what enters slips, the error of a growing contact is of first
 //! order in its steps: the stick
 //! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.29, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
-//! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best. Approach and
+//! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best.
+//! [`History::press`](crate::History::press) takes such steps, as many as a tolerance needs. Approach and
 //! peak pressure hardly depend on them.
 //!
 //! # Rolling
@@ -132,6 +133,7 @@ mod load;
 mod memory;
 mod narrowing;
 mod path;
+mod pressing;
 mod reading;
 mod regime;
 mod relative;

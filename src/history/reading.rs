@@ -164,6 +164,9 @@ impl History {
     /// the stiffness after [`set_state`](Self::set_state) or a restart has the same bits. Cells that come into contact
     /// during further motion are not included.
     ///
+    /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
+    /// [`StiffnessWorkspace::next_step`].
+    ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
     /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
@@ -199,18 +202,19 @@ impl History {
     ) -> Result<ContactStiffness> {
         let (pair, grid) = (self.bodies.pair(), self.grid());
         let memory = self.state.contact.as_ref();
-        // Without contact there is no memory, and the last step has left nothing.
+        // Without contact there is no memory, and in the next step no cell has slipped or entered yet.
+        let step = memory.filter(|_| !workspace.is_of_next_step());
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
         let last = LastStep {
             window: window.held(grid),
-            slip: memory.map_or([&[]; 2], |memory| slices(&memory.slip)),
-            entered: memory.map_or(&[], |memory| &memory.entered),
+            slip: step.map_or([&[]; 2], |memory| slices(&memory.slip)),
+            entered: step.map_or(&[], |memory| &memory.entered),
         };
         if self.state.is_joint() {
             let coupled = Coupled {
                 pressure: self.pressure(),
                 traction: self.traction(),
-                slip: last.slip,
+                slip: step.map(|_| last.slip),
                 entered: last.entered,
                 friction: self.friction(),
                 hardness: self.state.hardness.as_ref(),

@@ -5,10 +5,16 @@ use crate::warning::{Resolution, Warning};
 
 /// What is wrong with a step, or with any step of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default)
+)]
 pub(super) struct Remarks {
     /// Whether the pressure was held although the gap had changed.
     pub(super) is_pressure_stale: bool,
+    /// Whether a contact of dissimilar bodies grew too much in the step.
+    pub(super) is_pressed_at_once: bool,
     /// Contact cells on the edge of the grid, the most of any step.
     pub(super) edge_cells: usize,
     /// Whether nothing touched.
@@ -24,6 +30,7 @@ impl Remarks {
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             is_pressure_stale: self.is_pressure_stale || other.is_pressure_stale,
+            is_pressed_at_once: self.is_pressed_at_once || other.is_pressed_at_once,
             edge_cells: self.edge_cells.max(other.edge_cells),
             is_apart: self.is_apart || other.is_apart,
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
@@ -34,6 +41,7 @@ impl Remarks {
     pub(super) fn warnings(self) -> Vec<Warning> {
         let cells = self.edge_cells;
         let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
+        let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
         let at_edge = (cells > 0).then_some(Warning::ContactAtEdge { cells });
         let apart = self.is_apart.then_some(Warning::NoContact);
         let cells = self.overloaded_cells;
@@ -44,7 +52,7 @@ impl Remarks {
             .contact_warning()
             .into_iter()
             .chain(resolution.zone_warnings());
-        all.chain(beyond).chain(zones).collect()
+        all.chain(beyond).chain(zones).chain(at_once).collect()
     }
 }
 

@@ -284,6 +284,7 @@ impl History {
             }
         }
         step.remarks = Remarks {
+            is_pressed_at_once: false,
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
@@ -326,6 +327,10 @@ impl History {
         let zones = [step.stick_cells, step.slip_cells];
         step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
             .with_zones(zones, || state.normal.edge_sides());
+        if let (Some(before), None) = (before, travel) {
+            let layout = self.bodies.grid_layout();
+            step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
+        }
         state.reach(load);
         if is_pressed {
             settle(state);

@@ -41,8 +41,14 @@ pub struct NormalStiffness {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TangentialStiffness {
-    /// If the motion continues in its direction. Of a ball, by
-    /// [Cattaneo and Mindlin](crate::analytical::CattaneoMindlin): $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
+    /// Derivative of the force of the step with respect to the motion at the end of the step, if the motion continues in its
+    /// direction. For a ball that is sheared under a constant normal load it is
+    /// [Cattaneo's and Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
+    ///
+    /// Cells that came into contact in the step follow the motion with their [own
+    /// compliance](crate::guide::growing_contacts). After a step that presses a ball from zero load, loading is therefore
+    /// about two thirds of Mindlin's stiffness, although all cells stick. The stiffness of the next step is an
+    /// [option](crate::stiffness::StiffnessWorkspace::next_step): there these cells resist fully.
     pub loading: [[Option<f64>; 3]; 3],
     /// If the motion reverses: all cells of the contact stick. Of a circle, by
     /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.

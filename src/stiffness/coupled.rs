@@ -37,8 +37,8 @@ const UNKNOWN: f64 = f64::INFINITY;
 pub(crate) struct Coupled<'a> {
     pub(crate) pressure: &'a Field,
     pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step.
-    pub(crate) slip: [&'a [f64]; 2],
+    /// Slip of the step; `None` of a step that is to come.
+    pub(crate) slip: Option<[&'a [f64]; 2]>,
     /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
@@ -151,15 +151,17 @@ impl Coupled<'_> {
             unknowns,
         } = joint;
         let [qx, qy] = self.traction.map(Field::as_slice);
-        let [sx, sy] = self.slip;
         let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
         let entered = |i: usize| self.entered.get(i).copied().unwrap_or(0.0);
-        let [known @ .., own, hardness] = &mut *cells;
-        for (cells, field) in known
-            .iter_mut()
-            .zip([self.pressure.as_slice(), qx, qy, sx, sy])
-        {
+        let [p, x, y, slip_x, slip_y, own, hardness] = &mut *cells;
+        for (cells, field) in [(p, self.pressure.as_slice()), (x, qx), (y, qy)] {
             region.gather(field, cells);
+        }
+        for (axis, cells) in [slip_x, slip_y].into_iter().enumerate() {
+            match self.slip {
+                Some(slip) => region.gather(slip[axis], cells),
+                None => cells.fill(0.0),
+            }
         }
         region.collect(|i| if slips { entered(i) } else { 0.0 }, own);
         if let PerCell::Cells(field) = limits {
@@ -260,7 +262,7 @@ impl CoupledSolution {
         let contact = Coupled {
             pressure: normal.pressure(),
             traction: tangential.traction(),
-            slip: tangential.slip().map(Field::as_slice),
+            slip: Some(tangential.slip().map(Field::as_slice)),
             entered: &[],
             friction,
             hardness: None,

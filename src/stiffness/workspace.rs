@@ -43,6 +43,7 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motio
 pub struct StiffnessWorkspace {
     tolerance: f64,
     has_reversal: bool,
+    is_of_next_step: bool,
     report: Report,
     buffers: Buffers,
 }
@@ -62,6 +63,7 @@ impl Default for StiffnessWorkspace {
         Self {
             tolerance: 1e-11,
             has_reversal: true,
+            is_of_next_step: false,
             report: Report::unsolved(),
             buffers: Buffers::default(),
         }
@@ -93,6 +95,49 @@ impl StiffnessWorkspace {
         self
     }
 
+    /// Sets whether a history returns the stiffness of its next step instead of the stiffness of its last step (default:
+    /// the last step).
+    ///
+    /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the
+    /// motion of a next step that starts from the present state. Cells that stick resist fully, also cells that came into
+    /// contact in the last step. Cells at their limit continue to slip: in the scalar model they keep their traction, in the
+    /// vector model it can turn freely. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) follows from the
+    /// same cells.
+    ///
+    /// A host that shears the contact in its next step under the same normal load needs this stiffness. Where [pressure and
+    /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach: subtract
+    /// `by_approach` times `normal_by_motion` over the normal stiffness for a constant normal force.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use stickslip::stiffness::StiffnessWorkspace;
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+    ///
+    /// let mut workspace = StiffnessWorkspace::new().next_step(true);
+    /// let next = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()))?.tangential;
+    /// // All cells stick. In the step that pressed they entered the contact, and followed its motion in part.
+    /// let [loading, reversal] = [next.loading, next.reversal].map(|matrix| matrix[0][0].unwrap_or(0.0));
+    /// assert!((loading / reversal - 1.0).abs() < 1e-9);
+    /// assert!(history.stiffness()?.tangential.loading[0][0] < Some(0.8 * loading));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn next_step(mut self, is_of_next_step: bool) -> Self {
+        self.is_of_next_step = is_of_next_step;
+        self
+    }
+
+    /// Returns whether the stiffness is that of the next step.
+    pub(crate) fn is_of_next_step(&self) -> bool {
+        self.is_of_next_step
+    }
+
     /// How the last stiffness was found: steps and products of all linear problems together, residual and status of the
     /// last; the time is not taken.
     #[must_use]
@@ -102,7 +147,7 @@ impl StiffnessWorkspace {
 
     /// `Ok` if all ranks ask for the same.
     pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
-        let settings = (self.tolerance, self.has_reversal);
+        let settings = (self.tolerance, self.has_reversal, self.is_of_next_step);
         bodies.agreed_alike(Ok(()), &[("settings of the stiffness", &settings)])
     }
 

@@ -138,6 +138,11 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// problem, which is frictionless, that is Goodman's assumption; [`Coupling`] has its errors. [`Coupling::Full`] is
     /// refused for such bodies: there the pressure is not given ([`CoupledProblem`](crate::CoupledProblem)).
     ///
+    /// The problem presses such bodies in one step. This is exact if the contact does not grow, as that of a flat punch.
+    /// Elsewhere the stick zone is not the zone of a load that grows: press a history by
+    /// [`History::press`](crate::History::press). The solution has the warning
+    /// [`PressedAtOnce`](crate::Warning::PressedAtOnce).
+    ///
     /// ```
     /// use stickslip::*;
     /// let grid = Grid::square(48, 0.30e-3)?;

@@ -37,6 +37,8 @@ pub struct TangentialSolution {
     twist: f64,
     /// Dundurs' beta of the bodies, of a half of a coupled solution.
     coupled: Option<f64>,
+    /// Whether friction has held a contact of dissimilar bodies that came to its size in one step.
+    is_pressed_at_once: bool,
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -45,7 +47,7 @@ pub struct TangentialSolution {
 
 shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), discretisation_estimate(), report);
 
-try_clone!(TangentialSolution { traction, slip, zones } { boundary, cell_value, axis, shift, twist, coupled, report, whole });
+try_clone!(TangentialSolution { traction, slip, zones } { boundary, cell_value, axis, shift, twist, coupled, is_pressed_at_once, report, whole });
 
 impl PartialEq for TangentialSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -59,6 +61,7 @@ impl PartialEq for TangentialSolution {
             shift,
             twist,
             coupled,
+            is_pressed_at_once,
             report: _,
             whole,
         } = self;
@@ -71,6 +74,7 @@ impl PartialEq for TangentialSolution {
             && *shift == other.shift
             && *twist == other.twist
             && *coupled == other.coupled
+            && *is_pressed_at_once == other.is_pressed_at_once
             && *whole == other.whole
     }
 }
@@ -89,6 +93,8 @@ struct Unchecked {
     shift: [f64; 2],
     twist: f64,
     coupled: Option<f64>,
+    #[serde(default)]
+    is_pressed_at_once: bool,
     report: Report,
     #[serde(skip)]
     whole: Option<Box<Whole>>,
@@ -125,6 +131,7 @@ impl TangentialSolution {
             shift: [0.0; 2],
             twist: 0.0,
             coupled: None,
+            is_pressed_at_once: false,
             report: Report::with_room(),
             whole: None,
         })
@@ -151,6 +158,16 @@ impl TangentialSolution {
     /// As the half of a solution of bodies in which the tractions have changed the pressure, of this Dundurs' beta.
     pub(crate) fn set_coupled(&mut self, beta: Option<f64>) {
         self.coupled = beta;
+    }
+
+    /// Sets whether friction has held a contact of dissimilar bodies that came to its size in one step.
+    pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
+        self.is_pressed_at_once = is_at_once;
+    }
+
+    /// Returns the warning of a contact that was pressed at once.
+    pub(crate) fn pressing_warning(&self) -> Option<Warning> {
+        self.is_pressed_at_once.then_some(Warning::PressedAtOnce)
     }
 
     /// `Ok` if the pressure does not follow from the tractions.
@@ -345,7 +362,7 @@ impl TangentialSolution {
     /// [`Error::Memory`].
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings();
-        warnings.extend(self.zone_warnings());
+        warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
         let radius = || self.contact_map().cells_per_radius();
         warnings.extend(Warning::of_discretisation(
             self.discretisation_estimate(),

@@ -230,7 +230,12 @@ impl TangentialSolver {
         self.report.time = conditions.start.elapsed();
         let axis = Axis::only(self.increment.axes());
         let answer = self.increment.answer();
-        solution.fill(&self.problem.bodies, axis, &answer, &self.report);
+        let TangentialProblem {
+            bodies, coupling, ..
+        } = &self.problem;
+        solution.fill(bodies, axis, &answer, &self.report);
+        let is_drawn = coupling.is_one_way(bodies.pair());
+        solution.set_pressed_at_once(is_drawn && self.increment.pressed.limits.sum > 0.0);
         self.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }

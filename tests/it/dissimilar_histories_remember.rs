@@ -2,12 +2,13 @@
 
 use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
-use stickslip::analytical::HertzSphere;
+use std::ops::ControlFlow;
+use stickslip::analytical::{HertzSphere, SpencePressing};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, TouchRule};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialControl, TangentialModel, Zone, surface,
+    Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalControl, Status, TangentialControl, TangentialModel, Warning, Zone, surface,
 };
 
 /// Of the largest pressure.
@@ -216,6 +217,158 @@ fn rough_histories_converge() {
                 "{scene}"
             );
         }
+    }
+}
+
+fn aluminium_on_steel(cells: usize, coefficient: f64, coupling: Coupling) -> History {
+    let grid = Grid::square(cells, 0.3e-3).unwrap();
+    let [aluminium, steel] =
+        [(70e9, 0.33), (210e9, 0.3)].map(|(modulus, ratio)| Material::new(modulus, ratio).unwrap());
+    let pair = ElasticPair::new(aluminium, steel).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, 3.5e-3).unwrap();
+    let builder = History::builder(&bodies, ball, Friction::coulomb(coefficient).unwrap());
+    let builder = builder.model(TangentialModel::Vector).coupling(coupling);
+    builder.build().unwrap()
+}
+
+fn press_to(force: f64) -> LoadStep {
+    LoadStep::hold().normal(NormalControl::Force(force))
+}
+
+/// The stick ratio of a pressed sphere approaches Spence's law as the tolerance falls.
+#[test]
+fn pressing_to_a_tolerance_meets_spence() {
+    let cells = kit::thorough(32, 96);
+    let exact = 0.7117;
+    let all = [(0.06, 8, 0.12), (0.03, 16, 0.08), (0.01, 32, 0.04)];
+    let mut last = f64::INFINITY;
+    for (tolerance, most, bound) in all.into_iter().take(kit::thorough(2, 3)) {
+        let mut history = aluminium_on_steel(cells, 0.1, Coupling::OneWay);
+        let spence = SpencePressing::round(history.state().pair(), 0.1).unwrap();
+        assert!((spence.stick_radius().powi(2) - exact).abs() < 1e-4);
+        let steps = history.press(&press_to(60.0), tolerance).unwrap();
+        let error = (history.last_step().stick_ratio() - exact).abs();
+        assert!(
+            steps <= most && error < bound && error < last,
+            "{steps} {error}"
+        );
+        assert_eq!(history.steps(), steps as u64);
+        last = error;
+    }
+}
+
+/// The difference from half as many steps bounds the difference from many steps.
+#[test]
+fn pressing_to_a_tolerance_estimates_its_error() {
+    let press = |load: LoadStep, tolerance: f64| {
+        let mut history = aluminium_on_steel(24, 0.1, Coupling::OneWay);
+        history.press(&load, tolerance).unwrap();
+        history
+    };
+    let loads = [
+        press_to(60.0),
+        LoadStep::hold().normal(NormalControl::Approach(3.5e-6)),
+        press_to(60.0).tangential(Axis::X, TangentialControl::Force(2.0)),
+    ];
+    for load in loads.into_iter().take(kit::thorough(1, 3)) {
+        let many = press(load, kit::thorough(0.01, 0.004));
+        for tolerance in [0.1, 0.04] {
+            let few = press(load, tolerance);
+            let [q, r] = [&few, &many].map(History::traction);
+            let [x, y] = [0, 1].map(|axis| q[axis].minus(r[axis]).unwrap());
+            let lengths = x.as_slice().iter().zip(y.as_slice());
+            let sum: f64 = lengths.map(|(x, y)| x.hypot(*y)).sum();
+            let error = sum * few.grid().cell_area() / few.friction_capacity();
+            assert!(error < tolerance, "{tolerance}: {error}");
+        }
+    }
+}
+
+/// One step is exact for equal materials, for a contact of constant size and without friction.
+#[test]
+fn pressing_to_a_tolerance_ends_at_two_steps_where_one_is_exact() {
+    let punch = |cells: usize| {
+        let grid = Grid::square(cells, 2.6).unwrap();
+        let bodies = HalfSpace::new(grid, on_rigid(0.0)).unwrap();
+        let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 });
+        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+            .build()
+            .unwrap()
+    };
+    let alike = |cells: usize| {
+        let grid = Grid::square(cells, 2.6).unwrap();
+        let bodies = HalfSpace::new(grid, kit::unit_pair(0.3)).unwrap();
+        let gap = surface::sphere(grid, 10.0).unwrap();
+        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+            .build()
+            .unwrap()
+    };
+    let smooth = aluminium_on_steel(24, 0.0, Coupling::OneWay);
+    let ends_at_two_steps = |mut history: History, force: f64| {
+        assert_eq!(history.press(&press_to(force), 1e-4).unwrap(), 2);
+        let warnings = history.last_step().warnings();
+        assert!(!warnings.contains(&Warning::PressedAtOnce), "{warnings:?}");
+        let reached = history.normal().force() / force;
+        assert!((reached - 1.0).abs() < 1e-8);
+    };
+    ends_at_two_steps(punch(24), 0.1);
+    ends_at_two_steps(alike(24), 0.05);
+    ends_at_two_steps(smooth, 60.0);
+}
+
+/// A load that grows from an earlier load or falls to zero goes in equal steps of the contact too.
+#[test]
+fn pressing_to_a_tolerance_continues_from_a_load_and_unloads() {
+    let mut history = aluminium_on_steel(24, 0.1, Coupling::OneWay);
+    history.press(&press_to(20.0), 0.05).unwrap();
+    history.press(&press_to(60.0), 0.05).unwrap();
+    let mut direct = aluminium_on_steel(24, 0.1, Coupling::OneWay);
+    direct.press(&press_to(60.0), 0.05).unwrap();
+    let [a, b] = [&history, &direct].map(|history| history.last_step().stick_ratio());
+    assert!((a - b).abs() < 0.06, "{a} {b}");
+    history.press(&press_to(0.0), 0.05).unwrap();
+    assert!(history.normal().force() == 0.0 && history.pressure().max() == 0.0);
+}
+
+/// A call that fails or is cancelled leaves the state bitwise unchanged.
+#[test]
+fn pressing_to_a_tolerance_that_fails_leaves_the_state_unchanged() {
+    let mut history = aluminium_on_steel(16, 0.1, Coupling::OneWay);
+    history.step(&press_to(20.0)).unwrap();
+    let before = history.to_bytes();
+    let load = press_to(60.0);
+    for tolerance in [0.0, 1.0, f64::NAN] {
+        let outcome = history.press(&load, tolerance);
+        assert!(matches!(outcome, Err(Error::Tolerance(_))));
+    }
+    let outcome = history.press(&press_to(f64::NAN), 0.05);
+    assert!(
+        matches!(outcome, Err(Error::Negative { .. })),
+        "{outcome:?}"
+    );
+    // The first step succeeds, a later one slides.
+    let slide = load.tangential(Axis::X, TangentialControl::Force(1e3));
+    let outcome = history.press(&slide, 0.05);
+    assert!(matches!(outcome, Err(Error::BeyondFrictionCapacity { .. })));
+    assert!(history.to_bytes() == before);
+    let mut seen = 0;
+    let outcome = history.press_observed(&load, 0.01, |_| {
+        seen += 1;
+        if seen < 20 {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    });
+    let Err(Error::NotConverged(report)) = outcome else {
+        panic!("{outcome:?}");
+    };
+    assert!(report.status == Status::Cancelled && history.to_bytes() == before);
+    if kit::thorough(false, true) {
+        let outcome = history.press(&load, 1e-9);
+        assert!(matches!(outcome, Err(Error::StepTooLong { .. })));
+        assert!(history.to_bytes() == before);
     }
 }
 

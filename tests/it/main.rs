@@ -118,6 +118,7 @@ mod steady_rolling;
 mod stick_zones_of_histories_have_edges;
 mod stiffness_is_the_slope_of_solves;
 mod stiffness_of_sheared_histories;
+mod stiffness_of_the_next_step;
 mod stresses_below_the_surface;
 mod stresses_in_coated_bodies;
 mod superposition_is_exact;

@@ -4,9 +4,9 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::Cycle;
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
-    Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem,
-    TangentialSolution, Warning, Zone, surface,
+    Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -213,12 +213,82 @@ fn pressing_dissimilar_bodies_at_once_is_remarked() {
         let press = LoadStep::hold().normal(NormalControl::Force(force));
         history.step(&press).unwrap();
     }
+    // Each of these steps brings more than a tenth of the contact.
+    let is_coarse = |history: &History| {
+        let warnings = history.last_step().warnings();
+        warnings.contains(&Warning::PressedAtOnce)
+    };
+    assert!(is_coarse(&history));
     let at_once = solve(unlike, &ball, 0.3);
+    assert!(
+        at_once
+            .tangential()
+            .warnings()
+            .contains(&Warning::PressedAtOnce)
+    );
     let (few, many) = (
         at_once.tangential().stick_ratio(),
         history.last_step().stick_ratio(),
     );
     assert!(few < 0.6 * many, "{few} {many}");
+
+    // Steps that hold the load, short steps and steps to a tolerance do not have the warning.
+    history.step(&LoadStep::hold()).unwrap();
+    assert!(!is_coarse(&history));
+    let press = |force: f64| LoadStep::hold().normal(NormalControl::Force(force));
+    history.step(&press(0.066)).unwrap();
+    assert!(!is_coarse(&history));
+    history.press(&press(0.1), 0.05).unwrap();
+    assert!(!is_coarse(&history));
+}
+
+/// Histories and tangential problems whose contact of dissimilar bodies comes in one step have the same warning as coupled
+/// problems, whatever the coupling, and a cycle has the warning of its steps.
+#[test]
+fn pressing_dissimilar_histories_at_once_is_remarked() {
+    let grid = Grid::square(20, 2.8).unwrap();
+    let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let (ball, punch) = (
+        surface::sphere(grid, 20.0).unwrap(),
+        Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 }),
+    );
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let is_remarked = |pair: ElasticPair, gap: &Field, coefficient: f64, coupling| {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let builder = History::builder(&bodies, gap, friction).coupling(coupling);
+        let mut history = builder.build().unwrap();
+        let mut cycle = Cycle::new(&history);
+        let step = history.step(&press(0.06)).unwrap().warnings();
+        cycle.add(&history).unwrap();
+        history.step(&press(0.05)).unwrap();
+        cycle.add(&history).unwrap();
+        let found = step.contains(&Warning::PressedAtOnce);
+        assert_eq!(cycle.warnings().contains(&Warning::PressedAtOnce), found);
+        found
+    };
+    for coupling in [Coupling::Full, Coupling::OneWay] {
+        assert!(is_remarked(unlike, &ball, 0.3, coupling));
+        assert!(!is_remarked(unlike, &punch, 0.3, coupling));
+        assert!(!is_remarked(unlike, &ball, 0.0, coupling));
+        assert!(!is_remarked(kit::unit_pair(0.3), &ball, 0.3, coupling));
+    }
+    assert!(!is_remarked(unlike, &ball, 0.3, Coupling::Neglected));
+
+    let sheared = |pair: ElasticPair, coefficient: f64, coupling| {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.06));
+        let normal = normal.build().unwrap().solve().unwrap();
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let still = TangentialLoad::force([0.0; 2]);
+        let problem = TangentialProblem::builder(&bodies, &normal, friction, still);
+        let solution = problem.coupling(coupling).build().unwrap().solve().unwrap();
+        solution.warnings().contains(&Warning::PressedAtOnce)
+    };
+    assert!(sheared(unlike, 0.3, Coupling::OneWay));
+    assert!(!sheared(unlike, 0.3, Coupling::Neglected));
+    assert!(!sheared(unlike, 0.0, Coupling::OneWay));
+    assert!(!sheared(kit::unit_pair(0.3), 0.3, Coupling::OneWay));
 }
 
 /// On the surface the tension at the edge of a sheared contact falls short of the closed form, and the plane says so; a side

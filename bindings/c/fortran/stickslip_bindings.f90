@@ -65,12 +65,14 @@ module stickslip_bindings
     public :: stickslip_history_clone
     public :: stickslip_history_free
     public :: stickslip_history_step
+    public :: stickslip_history_press
     public :: stickslip_history_set_gap
     public :: stickslip_history_set_friction
     public :: stickslip_history_set_settings
     public :: stickslip_history_set_relative_displacement
     public :: stickslip_history_stiffness
     public :: stickslip_history_stiffness_observed
+    public :: stickslip_history_next_stiffness
     public :: stickslip_history_result
     public :: stickslip_history_normal_result
     public :: stickslip_history_grid
@@ -919,7 +921,10 @@ module stickslip_bindings
     ! loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
     ! and the twist, on grids that repeat the twist.
     type, bind(c), public :: stickslip_tangential_stiffness
-        ! If the motion continues in its direction.
+        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
+        ! into contact in the step follow the motion with a compliance of their own: after a step that presses a ball it is about
+        ! two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
+        ! next step, in which they resist fully.
         real(c_double) :: loading(3, 3) = 0
         ! If the motion reverses: all cells of the contact stick.
         real(c_double) :: reversal(3, 3) = 0
@@ -1959,6 +1964,21 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_step
 
+        ! Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
+        ! taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
+        ! present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
+        ! observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
+        ! state of the history is unchanged; its last step is the last one that succeeded.
+        function stickslip_history_press(history, load, tolerance, observer, taken) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            real(c_double), value :: tolerance
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_size_t), intent(out), optional :: taken
+            integer(c_int32_t) :: answer
+        end function stickslip_history_press
+
         ! Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
         ! gives a normal load again.
         function stickslip_history_set_gap(history, gap, count) result(answer) bind(c)
@@ -2010,6 +2030,17 @@ module stickslip_bindings
             type(stickslip_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness_observed
+
+        ! The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
+        ! also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
+        ! further under the same normal load needs this. observer may be NULL.
+        function stickslip_history_next_stiffness(history, observer, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_history_next_stiffness
 
         ! The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
         ! any and after the history was made from bytes.

@@ -16,6 +16,7 @@ module stickslip_histories
         procedure :: new => history_new
         procedure :: clone => history_clone
         procedure :: step => history_step
+        procedure :: press => history_press
         procedure :: set_gap => history_set_gap
         procedure :: set_friction => history_set_friction
         procedure :: set_settings => history_set_settings
@@ -27,6 +28,7 @@ module stickslip_histories
         procedure :: reports => history_reports
         procedure :: warnings => history_warnings
         procedure :: stiffness => history_stiffness
+        procedure :: next_stiffness => history_next_stiffness
         procedure :: field => history_field
         procedure :: zones => history_zones
         procedure :: spots => history_spots
@@ -84,6 +86,18 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call report_status(stickslip_history_step(this%handle, load, observer), status)
     end subroutine history_step
+
+    ! Takes a load in as many steps as a tolerance needs, and writes their number to taken. A contact of dissimilar bodies must
+    ! be pressed so.
+    subroutine history_press(this, load, tolerance, taken, observer, status)
+        class(contact_history), intent(in) :: this
+        type(stickslip_load_step), intent(in) :: load
+        real(c_double), intent(in) :: tolerance
+        integer(c_size_t), intent(out), optional :: taken
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_history_press(this%handle, load, tolerance, observer, taken), status)
+    end subroutine history_press
 
     subroutine history_set_gap(this, gap, status)
         class(contact_history), intent(in) :: this
@@ -177,6 +191,16 @@ contains
         type(stickslip_stiffness) :: stiffness
         call report_status(stickslip_history_stiffness_observed(this%handle, observer, stiffness), status)
     end function history_stiffness
+
+    ! The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came into
+    ! contact in the last step, and cells at their limit continue to slip.
+    function history_next_stiffness(this, observer, status) result(stiffness)
+        class(contact_history), intent(in) :: this
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_stiffness) :: stiffness
+        call report_status(stickslip_history_next_stiffness(this%handle, observer, stiffness), status)
+    end function history_next_stiffness
 
     ! A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements.
     function history_field(this, which, status) result(samples)

@@ -905,7 +905,10 @@ typedef struct {
 // loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
 // and the twist, on grids that repeat the twist.
 typedef struct {
-    // If the motion continues in its direction.
+    // Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
+    // into contact in the step follow the motion with a compliance of their own: after a step that presses a ball it is about
+    // two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
+    // next step, in which they resist fully.
     double loading[3][3];
     // If the motion reverses: all cells of the contact stick.
     double reversal[3][3];
@@ -1706,6 +1709,17 @@ stickslip_status stickslip_history_step(stickslip_history *history,
                                         const stickslip_load_step *load,
                                         const stickslip_observer *observer);
 
+// Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
+// taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
+// present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
+// observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
+// state of the history is unchanged; its last step is the last one that succeeded.
+stickslip_status stickslip_history_press(stickslip_history *history,
+                                         const stickslip_load_step *load,
+                                         double tolerance,
+                                         const stickslip_observer *observer,
+                                         size_t *taken);
+
 // Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
 // gives a normal load again.
 stickslip_status stickslip_history_set_gap(stickslip_history *history, const double *gap, size_t count);
@@ -1728,6 +1742,13 @@ stickslip_status stickslip_history_stiffness(const stickslip_history *history, s
 stickslip_status stickslip_history_stiffness_observed(const stickslip_history *history,
                                                       const stickslip_observer *observer,
                                                       stickslip_stiffness *stiffness);
+
+// The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
+// also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
+// further under the same normal load needs this. observer may be NULL.
+stickslip_status stickslip_history_next_stiffness(const stickslip_history *history,
+                                                  const stickslip_observer *observer,
+                                                  stickslip_stiffness *stiffness);
 
 // The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
 // any and after the history was made from bytes.

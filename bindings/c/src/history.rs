@@ -1,6 +1,7 @@
 //! Histories: steps with memory of slip.
 
 use stickslip_rs::history::TouchRule;
+use stickslip_rs::stiffness::StiffnessWorkspace;
 use stickslip_rs::{Axis, History, TryClone};
 
 use crate::call::{Outcome, call, call_on};
@@ -183,6 +184,32 @@ pub unsafe extern "C" fn stickslip_history_step(
     })
 }
 
+/// Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
+/// taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
+/// present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
+/// observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
+/// state of the history is unchanged; its last step is the last one that succeeded.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_press(
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    tolerance: f64,
+    observer: *const stickslip_observer,
+    taken: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(history, || unsafe {
+        let place = Place::if_asked("taken", taken)?;
+        let (load, observer) = (input("load", load)?, optional("observer", observer)?);
+        let (mut history, load, observer) = (changing(history)?, load.checked()?, watch(observer));
+        let count = history.press_observed(&load, tolerance, observer)?;
+        if let Some(place) = place {
+            place.put(count);
+        }
+        Ok(())
+    })
+}
+
 /// Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
 /// gives a normal load again.
 #[unsafe(no_mangle)]
@@ -266,6 +293,25 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
         tell(history, ("stiffness", stiffness), |of| {
             let observer = optional("observer", observer)?;
             Ok(of.stiffness_observed(watch(observer))?.into())
+        })
+    }
+}
+
+/// The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
+/// also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
+/// further under the same normal load needs this. observer may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_next_stiffness(
+    history: *const stickslip_history,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(history, ("stiffness", stiffness), |of| {
+            let observer = optional("observer", observer)?;
+            let mut workspace = StiffnessWorkspace::new().next_step(true);
+            Ok(of.stiffness_with(&mut workspace, watch(observer))?.into())
         })
     }
 }

@@ -260,6 +260,9 @@ static void fields_are_not_copied(void) {
     stickslip_stiffness slope;
     OK(stickslip_history_stiffness(history, &slope));
     CHECK(slope.normal.value > 0.0 && slope.tangential.reversal[0][0] > slope.tangential.loading[0][0]);
+    stickslip_stiffness next;
+    OK(stickslip_history_next_stiffness(history, NULL, &next));
+    CHECK(next.normal.value == slope.normal.value && next.tangential.loading[0][0] > 0.0);
     stickslip_per_cell alpha = {1e-14, NULL, 0};
     double depth[CELLS] = {0};
     OK(stickslip_wear_energy(history, &alpha, depth, CELLS));
@@ -405,6 +408,11 @@ static void loads_are_cut_into_steps(void) {
     OK(stickslip_history_result(copy, &result));
     CHECK(fabs(result.normal_force - 50.0) < 1e-6);
     OK(stickslip_adaptive_steps_free(steps));
+    load = press(100.0);
+    CHECK(stickslip_history_press(copy, &load, 2.0, NULL, NULL) == STICKSLIP_TOLERANCE);
+    OK(stickslip_history_press(copy, &load, 0.01, NULL, &taken));
+    OK(stickslip_history_result(copy, &result));
+    CHECK(taken == 2 && fabs(result.normal_force - 100.0) < 1e-6);
     OK(stickslip_history_free(copy));
     OK(stickslip_history_free(history));
     OK(stickslip_half_space_free(bodies));

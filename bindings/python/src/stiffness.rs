@@ -53,13 +53,16 @@ pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::Tangentia
 
 #[pymethods]
 impl TangentialStiffness {
-    /// Where the load goes on.
+    /// Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
+    /// direction. Cells that came into contact in the step follow the motion with a compliance of their own: after a step that
+    /// presses a ball it is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
     #[getter]
     fn loading(&self) -> [[f64; 3]; 3] {
         numbers(&self.0.loading)
     }
 
-    /// Where it turns: all contact cells stick.
+    /// Derivative if the motion reverses: all contact cells stick.
     #[getter]
     fn reversal(&self) -> [[f64; 3]; 3] {
         numbers(&self.0.reversal)

@@ -91,6 +91,9 @@ def test_stiffness_is_the_slope(scene):
     tangential = history.stiffness().tangential
     mindlin = 8.0 * scene.bodies.pair.equivalent_shear_modulus / (2.0 - scene.bodies.pair.equivalent_poisson_ratio)
     assert tangential.reversal[0][0] == pytest.approx(mindlin * scene.hertz.contact_radius, rel=0.02)
+    following = history.stiffness(next_step=True).tangential
+    assert following.loading[0][0] == pytest.approx(tangential.reversal[0][0], rel=1e-9)
+    assert tangential.loading[0][0] < 0.8 * following.loading[0][0]
 
 
 def test_dissimilar_bodies_slip_when_pressed():
@@ -209,6 +212,25 @@ def test_adaptive_steps_halve_the_error(scene):
     assert history.to_bytes() == before
     cycle = ss.history.Cycle(history)
     assert steps.step(history, load, cycle=cycle) == cycle.steps > 1
+
+
+def test_pressing_in_steps_to_a_tolerance_meets_spence():
+    grid = ss.Grid.square(40, 0.3)
+    bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    history = ss.History(bodies, ss.surface.sphere(grid, 3.5), 0.1)
+    before = history.to_bytes()
+    with pytest.raises(ss.errors.Tolerance):
+        history.press(normal_force=60.0, tolerance=0.0)
+    with pytest.raises(TypeError, match="not both"):
+        history.press(ss.LoadStep(normal_force=60.0), normal_force=60.0, tolerance=0.05)
+    assert history.to_bytes() == before
+    with pytest.warns(ss.errors.StickslipWarning, match="too few steps"):
+        assert history.step(normal_force=60.0).stick_ratio == 1.0
+    history = ss.History.from_bytes(bodies, before)
+    steps = history.press(normal_force=60.0, tolerance=0.03)
+    exact = ss.analytical.SpencePressing.round(bodies.pair, 0.1).stick_radius
+    assert steps == 16 and history.last_step.stick_ratio**0.5 == pytest.approx(exact, abs=0.04)
+    assert not [remark for remark in history.last_step.warnings if remark.kind == "pressed_at_once"]
 
 
 def test_many_histories_at_once(scene):

@@ -58,6 +58,15 @@ class History {
         });
         return result();
     }
+    /// Takes a load in as many steps as a tolerance needs, and returns their number. A contact of dissimilar bodies must be
+    /// pressed so.
+    std::size_t press(const LoadStep &load, double tolerance, const Observe &observe = nullptr) {
+        std::size_t taken = 0;
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_history_press(get(), &load, tolerance, observer, &taken);
+        });
+        return taken;
+    }
     void set_gap(Field gap) { check(stickslip_history_set_gap(get(), gap.data(), gap.size())); }
     void set_friction(const stickslip_friction &friction) { check(stickslip_history_set_friction(get(), &friction)); }
     void set_settings(const Settings &settings) { check(stickslip_history_set_settings(get(), &settings)); }
@@ -75,6 +84,11 @@ class History {
     }
     Stiffness stiffness() const {
         return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_stiffness(get(), out); });
+    }
+    /// The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came
+    /// into contact in the last step, and cells at their limit continue to slip.
+    Stiffness next_stiffness() const {
+        return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_next_stiffness(get(), nullptr, out); });
     }
     double friction_capacity() const {
         return detail::asked<double>([&](double *out) { return stickslip_history_friction_capacity(get(), out); });

@@ -2450,6 +2450,39 @@ class History:
         """
         The normal contact, a copy.
         """
+    def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
+        """
+        Takes a load in as many steps of equal growth of the contact as a tolerance needs. A contact of dissimilar bodies must
+        be pressed so: which cells stick and slip depends on how the contact grows.
+
+        It takes the load in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from those of half as many
+        steps by no more than the tolerance. A call that fails, or that Ctrl-C ends, leaves the state unchanged; the last step is
+        then the last one that succeeded.
+
+        Parameters
+        ----------
+        load : LoadStep, optional
+            The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
+        tolerance : float
+            Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
+            0.01 is a good choice. At least about a hundred times the tolerance of the settings.
+        normal_force, approach : optional
+            As of :class:`LoadStep`.
+        progress : callable or bool, optional
+            As of :meth:`NormalProblem.solve`.
+        warn : bool, default True
+            Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+
+        Returns
+        -------
+        int
+            The number of steps.
+
+        Raises
+        ------
+        Tolerance, StepTooLong
+            And what :meth:`step` raises.
+        """
     @property
     def pressure(self, /) -> NDArray[float64]:
         """
@@ -2503,7 +2536,8 @@ class History:
         """
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
-        Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held.
+        Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
+        :meth:`press`.
 
         Parameters
         ----------
@@ -2553,9 +2587,17 @@ class History:
         """
         Steps taken since the start.
         """
-    def stiffness(self, /) -> ContactStiffness:
+    def stiffness(self, /, *, next_step: bool = False) -> ContactStiffness:
         """
         The stiffness: the slopes of the forces and the moment by approach, shift and twist.
+
+        Parameters
+        ----------
+        next_step : bool, default False
+            Whether ``tangential.loading`` and ``by_approach`` are derivatives in a next step, which starts from the present
+            state, instead of derivatives of the last step by its motion. In the next step cells that stick resist fully, also
+            those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
+            contact further under the same normal load needs this.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -5370,7 +5412,8 @@ class StepResult:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``. Those on the contact
+        Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
+        ``pressed_at_once`` and those on contacts and zones of too few cells. Those on the contact
         spots, which are not looked for in every step, are in ``history.normal.warnings``.
         """
 
@@ -5855,12 +5898,15 @@ class TangentialStiffness:
     @property
     def loading(self, /) -> list[list[float]]:
         """
-        Where the load goes on.
+        Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
+        direction. Cells that came into contact in the step follow the motion with a compliance of their own: after a step that
+        presses a ball it is about two thirds of Mindlin's stiffness, although all cells stick.
+        ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
         """
     @property
     def reversal(self, /) -> list[list[float]]:
         """
-        Where it turns: all contact cells stick.
+        Derivative if the motion reverses: all contact cells stick.
         """
     def through_springs(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use stickslip::Axis;
+use stickslip::stiffness::StiffnessWorkspace;
 
 use crate::array::{Array, contact, copy, zones};
 use crate::boundary::Boundary;
@@ -174,11 +175,21 @@ impl History {
     }
 
     /// The stiffness: the slopes of the forces and the moment by approach, shift and twist.
-    fn stiffness(&self, py: Python<'_>) -> PyResult<ContactStiffness> {
+    ///
+    /// Parameters
+    /// ----------
+    /// next_step : bool, default False
+    ///     Whether ``tangential.loading`` and ``by_approach`` are derivatives in a next step, which starts from the present
+    ///     state, instead of derivatives of the last step by its motion. In the next step cells that stick resist fully, also
+    ///     those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
+    ///     contact further under the same normal load needs this.
+    #[pyo3(signature = (*, next_step=false))]
+    fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
+        let mut workspace = StiffnessWorkspace::new().next_step(next_step);
         let found = observed_on(py, self.grid(), |observer| {
-            history.stiffness_observed(watch(observer))
+            history.stiffness_with(&mut workspace, watch(observer))
         });
         found.map(ContactStiffness)
     }

@@ -241,7 +241,8 @@ impl StepResult {
         self.numbers.tangential_report.clone().map(Report)
     }
 
-    /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``. Those on the contact
+    /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
+    /// ``pressed_at_once`` and those on contacts and zones of too few cells. Those on the contact
     /// spots, which are not looked for in every step, are in ``history.normal.warnings``.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {

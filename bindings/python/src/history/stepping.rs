@@ -20,7 +20,8 @@ use crate::work::solve;
 
 #[pymethods]
 impl History {
-    /// Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held.
+    /// Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
+    /// :meth:`press`.
     ///
     /// Parameters
     /// ----------
@@ -89,6 +90,65 @@ impl History {
         drop(work);
         self::warn(py, warn, || step.warnings_of())?;
         Ok(step)
+    }
+
+    /// Takes a load in as many steps of equal growth of the contact as a tolerance needs. A contact of dissimilar bodies must
+    /// be pressed so: which cells stick and slip depends on how the contact grows.
+    ///
+    /// It takes the load in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from those of half as many
+    /// steps by no more than the tolerance. A call that fails, or that Ctrl-C ends, leaves the state unchanged; the last step is
+    /// then the last one that succeeded.
+    ///
+    /// Parameters
+    /// ----------
+    /// load : LoadStep, optional
+    ///     The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
+    /// tolerance : float
+    ///     Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
+    ///     0.01 is a good choice. At least about a hundred times the tolerance of the settings.
+    /// normal_force, approach : optional
+    ///     As of :class:`LoadStep`.
+    /// progress : callable or bool, optional
+    ///     As of :meth:`NormalProblem.solve`.
+    /// warn : bool, default True
+    ///     Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     The number of steps.
+    ///
+    /// Raises
+    /// ------
+    /// Tolerance, StepTooLong
+    ///     And what :meth:`step` raises.
+    #[pyo3(signature = (load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=true))]
+    fn press<'py>(
+        slf: &Bound<'py, Self>,
+        load: Option<LoadStep>,
+        tolerance: Real,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<usize> {
+        let py = slf.py();
+        let normal = load::normal(normal_force, approach)?;
+        let load = Keywords::new((None, None, None), [None; 2], [None; 2], [None, None], None)
+            .step_or(load, normal, None, None)?;
+        let progress = Progress::of(progress.as_ref())?;
+        let own = slf.get();
+        let mut work = lock(&own.work, NAME)?;
+        let tried = &mut *work;
+        let outcome = solve(py, own.cells(), progress, |observer| {
+            let seen = |iteration: &_| observer(Some(iteration));
+            tried.tried(|history| history.press_observed(&load, tolerance.0, seen))
+        })?;
+        let steps = outcome.or_raise(py)?;
+        let warnings = work.history.last_step().warnings();
+        drop(work);
+        self::warn(py, warn, || warnings)?;
+        Ok(steps)
     }
 
     /// Takes a step of each of many histories, at once.
