@@ -40,6 +40,28 @@ impl<const N: usize> CirculantInverse<N> {
         kernels: [[&Kernel; N]; N],
         floor: f64,
     ) -> Result<Self> {
+        Self::with_mean((size, share), kernels, floor, false)
+    }
+
+    /// Creates the inverse for displacements that are known up to a uniform one, on a grid that repeats along y: a mean
+    /// weighs as much as the longest wave, whatever the datum of the displacements.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(crate) fn up_to_mean(
+        size: [usize; 2],
+        kernels: [[&Kernel; N]; N],
+        floor: f64,
+    ) -> Result<Self> {
+        Self::with_mean((size, None), kernels, floor, true)
+    }
+
+    fn with_mean(
+        (size, share): ([usize; 2], Option<Arc<Share>>),
+        kernels: [[&Kernel; N]; N],
+        floor: f64,
+        is_up_to_mean: bool,
+    ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
         let torus = std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
             (cells, true) => cells,
@@ -52,7 +74,9 @@ impl<const N: usize> CirculantInverse<N> {
         let high = if high > 0.0 { high } else { 1.0 };
         // A datum that is too near makes the mean of a grid that repeats along y negative.
         let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
-        let symbol = if repeats == [true; 2] || is_mean_unbounded {
+        let symbol = if is_up_to_mean {
+            symbol.with_mean_of_longest_wave()
+        } else if repeats == [true; 2] || is_mean_unbounded {
             symbol.with_mean(high)
         } else {
             symbol

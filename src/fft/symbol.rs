@@ -181,6 +181,18 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
+    /// With the matrix of the longest wave along x for the mean, if all columns are here and there are two.
+    pub(super) fn with_mean_of_longest_wave(mut self) -> Self {
+        let stride = self.shape.stride();
+        if self.first == 0 && self.values.len() >= 2 * stride {
+            for (i, j) in upper_triangle::<N>() {
+                let entry = self.shape.entry(i, j).start;
+                self.values[entry] = self.values[stride + entry];
+            }
+        }
+        self
+    }
+
     /// With a multiple of the identity for the mean.
     pub(super) fn with_mean(mut self, value: f64) -> Self {
         let has_mean = self.first == 0 && !self.values.is_empty();

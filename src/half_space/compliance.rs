@@ -23,6 +23,9 @@ pub(crate) struct Compliance<const N: usize> {
     pub(crate) inverse: ElasticPreconditioner<N>,
 }
 
+/// A preconditioner for displacements that are known up to a uniform one.
+struct UpToMean<const N: usize>(ElasticPreconditioner<N>);
+
 /// An estimate from below of the eigenvalues of all rectangles of the cells.
 struct LeastOfLattice(f64);
 
@@ -56,6 +59,25 @@ impl HalfSpace {
             operator,
             inverse: ElasticPreconditioner(inverse),
         })
+    }
+
+    /// Returns the preconditioner for displacements that are known up to a uniform one: on a grid that repeats along y it
+    /// does not depend on the datum, on others it is that of [`compliance`](Self::compliance).
+    pub(crate) fn inverse_up_to_mean<const N: usize>(
+        &self,
+        directions: [Direction; N],
+        size: [usize; 2],
+    ) -> Result<ElasticPreconditioner<N>> {
+        let Compliance { operator, inverse } = self.compliance(directions, size)?;
+        if self.boundary().repeats() != [false, true] || self.kernel().user_operators().is_some() {
+            return Ok(inverse);
+        }
+        let (least, _) = operator.bound_without_mean();
+        let made = self.made(tensor(directions), size, |size, _, kernels| {
+            let inverse = CirculantInverse::up_to_mean(size, kernels, least)?;
+            Ok(UpToMean(ElasticPreconditioner(Arc::new(inverse))))
+        })?;
+        Ok(made.0.clone())
     }
 
     /// `Ok` if tractions along these directions can be found: operators of a user have them all, and state a bound where

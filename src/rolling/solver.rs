@@ -78,9 +78,9 @@ shown!(RollingSolver: problem);
 impl RollingSolver {
     pub(super) fn new(problem: RollingProblem) -> Result<Self> {
         let step = problem.step;
-        let Compliance { operator, inverse } = problem
-            .bodies
-            .compliance([Direction::X, Direction::Y], step.size)?;
+        let (bodies, directions) = (&problem.bodies, [Direction::X, Direction::Y]);
+        let Compliance { operator, .. } = bodies.compliance(directions, step.size)?;
+        let inverse = bodies.inverse_up_to_mean(directions, step.size)?;
         let alone = self_compliance(&operator, step)?;
         let operator = SteadyOperator::new(operator, step, problem.chain, alone);
         let inverse = SteadyInverse::new(inverse, step);

@@ -99,6 +99,7 @@ mod ranks_share_stresses;
 mod ranks_with_other_inputs_are_told;
 mod repeated_solves_start_near_the_answer;
 mod rolling_carries_the_memory;
+mod rolling_lines_by_force;
 mod rolling_loads_follow_their_creepages;
 mod rolling_meets_closed_forms;
 mod rough_contacts_follow_theory;
