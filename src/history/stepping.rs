@@ -178,7 +178,16 @@ impl History {
         }
         match whole {
             Some(whole) => self.state = whole,
-            None => self.state.clone_from(state),
+            None => {
+                self.state.clone_from(state);
+                // A state that was read from bytes has none.
+                let State {
+                    normal,
+                    pressed_gap,
+                    ..
+                } = &mut self.state;
+                normal.measure_scale(&self.bodies, pressed_gap);
+            }
         }
         Ok(())
     }
@@ -206,8 +215,9 @@ impl History {
     /// [`Error::NotFinite`], [`Error::Negative`],
     /// [`Error::NotPositive`],
     /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::NotModelled`] for the load; [`Error::Below`] if the grid ends less than a rolled step ahead of the
-    /// contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::NotModelled`] for the load; [`Error::GridTooShort`] if the grid ends less than a rolled step ahead of
+    /// the contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::EmptyContact`] for a tangential force while no cell carries pressure;
     /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
@@ -294,7 +304,7 @@ impl History {
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
-            resolution: Resolution::default(),
+            ..Remarks::default()
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
@@ -305,6 +315,8 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         let moved = motion.since(state.motion).shift;
+        let [x, y] = state.force;
+        let force_before = x.hypot(y);
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let before = self.candidate.held().map(NormalSolution::pressure);
         commit(
@@ -330,6 +342,11 @@ impl History {
         if is_pressed {
             settle(state);
             state.gather_capacity(&self.bodies);
+            state.normal.measure_scale(&self.bodies, &state.pressed_gap);
+        }
+        step.remarks.scale = state.normal.scale();
+        if load.holds_shift() && !step.remarks.is_apart {
+            step.remarks.lost_per_cent = lost_per_cent(force_before, step);
         }
         step.energy = step.energy.plus(&pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
@@ -413,6 +430,19 @@ impl TryClone for History {
 
     fn has_room_for(&self, _: &Self) -> bool {
         false
+    }
+}
+
+/// Returns the part of the tangential force that a step lost, in per cent; zero for a force that is round-off of the normal
+/// force.
+fn lost_per_cent(before: f64, step: &StepResult) -> usize {
+    const ROUND_OFF: f64 = 1e-3;
+    let [x, y] = step.force;
+    let lost = 1.0 - x.hypot(y) / before;
+    if before > ROUND_OFF * step.normal_force && lost > 0.0 {
+        (100.0 * lost).round() as usize
+    } else {
+        0
     }
 }
 

@@ -130,7 +130,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         NotFinite { quantity, value }
         Sample { quantity, index, value, rule }
         TooManyLayers { found, limit }
-        Coated { quantity, remedy }
+        Coated { quantity, bodies, remedy }
         NotDefinite { eigenvalue, sides }
         CoupledMaterials { beta }
         CellsTooLong { sides }
@@ -141,12 +141,12 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Method { method, quantity }
         Bounds { index, lower, upper }
         Total { total, lower, upper }
-        BeyondFrictionCapacity { force, limit }
+        BeyondFrictionCapacity { force, limit, remedy }
         BeyondFrictionMoment { moment, limit }
         BeyondHardness { force, capacity }
         Yielded { quantity, cells }
         ObliqueLoad { x, y }
-        NotModelled { quantity, value, remedy }
+        NotModelled { model, quantity, value, remedy }
         MaterialMismatch { quantity }
         ApproachBeyondMeanGap { approach, mean_gap }
         TooManyCells { cells, limit }
@@ -156,6 +156,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Range { quantity, start, end, count }
         BeyondSamples { axis, reach, limit }
         Below { quantity, value, least_is, least }
+        GridTooShort { side, needed, found }
         EmptyBand { longest, shortest }
         HeightsNotReached { skewness, kurtosis, reached }
         StepNotNew { step, last }
