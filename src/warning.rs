@@ -96,7 +96,8 @@ pub enum Warning {
     ///
     /// Both follow from the slopes of the gap before loading between cells in contact: 1/R is their regression on the
     /// position along x or along y, and a is twice the standard deviation of the position. On a sphere a/R is right to
-    /// 10 % for a radius of five cells or more, on a cylinder it is 15 % too large.
+    /// 10 % for a radius of five cells or more, on a cylinder it is 15 % too large. Roughness, whose slopes do not follow
+    /// the position, has no such warning.
     LargeContactRadius {
         /// The larger one of a/R along x and along y, in thousandths.
         per_mille: usize,

@@ -202,7 +202,7 @@ impl LoadStep {
         self.rolling.as_ref()
     }
 
-    /// Whether the shift is held along both axes while nothing but the normal load may change.
+    /// Whether the shift is held along both axes, and only the normal load may change.
     pub(super) fn holds_shift(&self) -> bool {
         self.tangential == [TangentialControl::Hold; 2]
             && self.twist.is_none()

@@ -176,18 +176,17 @@ impl History {
             self.take_back()?;
             return Err(error);
         }
-        match whole {
-            Some(whole) => self.state = whole,
-            None => {
-                self.state.clone_from(state);
-                // A state that was read from bytes has none.
-                let State {
-                    normal,
-                    pressed_gap,
-                    ..
-                } = &mut self.state;
-                normal.measure_scale(&self.bodies, pressed_gap);
-            }
+        if let Some(whole) = whole {
+            self.state = whole;
+        } else {
+            self.state.clone_from(state);
+            // A state that was read from bytes has no scale.
+            let State {
+                normal,
+                pressed_gap,
+                ..
+            } = &mut self.state;
+            normal.measure_scale(&self.bodies, pressed_gap);
         }
         Ok(())
     }
@@ -435,6 +434,11 @@ impl TryClone for History {
 
 /// Returns the part of the tangential force that a step lost, in per cent; zero for a force that is round-off of the normal
 /// force.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the number lies between 0 and 100"
+)]
 fn lost_per_cent(before: f64, step: &StepResult) -> usize {
     const ROUND_OFF: f64 = 1e-3;
     let [x, y] = step.force;

@@ -101,14 +101,22 @@ impl Scale {
     }
 }
 
-/// Returns the contact radius times the regression of the slope on the position. Of positions in a disc the radius is twice
-/// the standard deviation, of positions on a line half its length is the root of three times as long.
-fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, _]: Slopes) -> f64 {
-    let [x, xx, s, xs] = [x, xx, s, xs].map(|sum| sum / count);
-    let deviation = (xx - x * x).sqrt();
+/// Least part of the variance of the slope that the position has to explain: roughness has slopes, and no curvature.
+const EXPLAINED: f64 = 0.5;
+
+/// Returns the contact radius times the regression of the slope on the position; zero where the position does not explain
+/// the slope. The radius follows from the standard deviation of the position: twice for a disc, the root of three for a
+/// line.
+fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
+    let [x, xx, s, xs, ss] = [x, xx, s, xs, ss].map(|sum| sum / count);
+    let (deviation, spread) = ((xx - x * x).sqrt(), (ss - s * s).sqrt());
+    let correlation = (xs - x * s) / deviation / spread;
+    if correlation * correlation < EXPLAINED {
+        return 0.0;
+    }
     let is_line = grid.size().contains(&1);
     let reach = if is_line { 3.0_f64.sqrt() } else { 2.0 };
-    reach * (xs - x * s) / deviation
+    reach * correlation * spread
 }
 
 /// Returns the nearest integer; zero if the number is negative or not finite, as where nothing touches.

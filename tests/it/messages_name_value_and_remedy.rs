@@ -142,7 +142,7 @@ fn force_on_an_empty_contact_is_an_empty_contact() {
     let load = TangentialLoad::force([0.01, 0.0]);
     let press = NormalControl::Force(0.0);
     let problem =
-        CoupledProblem::builder(&dissimilar, &ball(&dissimilar), friction(), press, load).build();
+        CoupledProblem::builder(&dissimilar, ball(&dissimilar), friction(), press, load).build();
     let outcome = problem.and_then(|problem| problem.solve());
     assert_eq!(outcome.unwrap_err(), Error::EmptyContact);
 }
@@ -249,10 +249,11 @@ fn refusals_of_operators_name_operators() {
         assert_eq!(text, expected);
     }
     let grid = bodies.grid();
-    let mut refusals = Threads::run(1, Duration::from_secs(60), |rank| {
+    let refusals = Threads::run(2, Duration::from_secs(60), |rank| {
         HalfSpace::distributed(grid, &kernel, Boundary::NonPeriodic, Arc::new(rank)).map(|_| ())
     });
-    let text = message(refusals.remove(0));
+    let of_itself = |refused: &Result<()>| matches!(refused, Err(Error::Coated { .. }));
+    let text = message(refusals.into_iter().find(of_itself).unwrap());
     assert!(
         text.starts_with("a grid that ranks share is not modelled for user-defined operators: "),
         "{text}"
@@ -387,7 +388,7 @@ fn small_spots_of_rough_surfaces_matter_together() {
         let gap = surface::gap_from_heights(rough.heights()).unwrap();
         let bodies =
             HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
-        pressed(&bodies, &gap, 0.008)
+        pressed(&bodies, &gap, 0.004)
     };
     let coarse = press(64, 2.0 / 64.0);
     let share = |contact: &NormalSolution| {
@@ -426,31 +427,24 @@ fn small_spots_of_rough_surfaces_matter_together() {
 #[test]
 fn narrow_slip_in_small_spots_is_not_remarked() {
     let grid = Grid::square(64, 64.0).unwrap();
-    // Many balls of a contact radius of three cells.
-    let wave = |x: f64| (std::f64::consts::TAU * x / 16.0).cos();
-    let gap = Field::from_fn(grid, |x, y| 0.05 * (2.0 - wave(x) - wave(y)));
+    // Four of infinitely many balls.
+    let wave = |x: f64| (std::f64::consts::TAU * x / 32.0).cos();
+    let gap = Field::from_fn(grid, |x, y| 0.4 * (2.0 - wave(x) - wave(y)));
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
     let is_narrow = |warning: &Warning| matches!(warning, Warning::NarrowSlip { .. });
-    let mut found = Vec::new();
-    for force in [8.0, 60.0] {
+    for (force, radius, is_remarked) in [(2.2, 3.0, false), (45.0, 9.0, true)] {
         let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
         let press = LoadStep::hold().normal(NormalControl::Force(force));
         history.step(&press).unwrap();
-        let step = history.step(&LoadStep::force([0.1 * force, 0.0])).unwrap();
-        let spots = history.spots().as_slice().iter().count();
-        assert_eq!(spots, 16);
-        let cells = history.normal().contact_cells() / spots;
-        found.push((
-            cells,
-            step_warns(&history, is_narrow),
-            history.last_step().is_gross_slip(),
-        ));
+        let drag = LoadStep::force([0.25 * force, 0.0]);
+        let ratio = history.step(&drag).unwrap().stick_ratio();
+        let area = history.normal().contact_area() / 4.0;
+        let found = (area / std::f64::consts::PI).sqrt();
+        assert_eq!(history.spots().as_slice().len(), 4);
+        assert!((found / radius - 1.0).abs() < 0.1, "{found} {radius}");
+        assert!(ratio > 0.0 && ratio < 1.0 && found * (1.0 - ratio.sqrt()) < 2.0);
+        assert_eq!(step_warns(&history, is_narrow), is_remarked, "{found}");
     }
-    let [(few, in_few, _), (many, in_many, _)] = found[..] else {
-        panic!("{found:?}")
-    };
-    assert!(few < 36 && !in_few, "{found:?}");
-    assert!(many > 60 && in_many, "{found:?}");
 }
 
 fn step_warns(history: &History, is_meant: impl Fn(&Warning) -> bool) -> bool {
@@ -508,7 +502,7 @@ fn contact_radius_beyond_a_third_of_the_curvature_is_remarked() {
         let restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
         assert_eq!(stated_radius(&restored.normal().warnings()), found);
     }
-    // A punch has steps at its edge, but no curvature in the contact; nor has a flat with a hollow.
+    // A punch has steps at its edge and no curvature in the contact. A hollow has a negative curvature.
     let bodies = bodies(24);
     let punch = Field::from_fn(
         bodies.grid(),
@@ -522,8 +516,8 @@ fn contact_radius_beyond_a_third_of_the_curvature_is_remarked() {
         let contact = pressed(&bodies, &gap, 0.5);
         assert_eq!(stated_radius(&contact.warnings()), None);
     }
-    // Of a line.
-    let line = Grid::line(60, 2.8).unwrap();
+    // A cylinder on a line of cells.
+    let line = Grid::line(60, 2.8 / 60.0).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
     let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();
     let gap = Field::from_fn(line, |x, _| x * x / 4.0);
@@ -657,7 +651,7 @@ fn held_shift_that_loses_the_force_is_remarked() {
             .step(&press(0.15).tangential(Axis::X, TangentialControl::Shift(0.0)))
             .unwrap();
         assert_eq!(lost(&history), None);
-        // Nor is the round-off of no force.
+        // The round-off of a force of zero does not count.
         let mut history = start();
         history.step(&LoadStep::force([0.0; 2])).unwrap();
         history.step(&press(0.3)).unwrap();

@@ -457,7 +457,7 @@ module stickslip_bindings
     ! Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
     ! different inputs, which the message names.
     integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
-    ! A rolled step needs more cells (expected) beside the contact than the grid has there (found): ahead of it or behind it.
+    ! A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
     integer(c_int32_t), parameter, public :: STICKSLIP_GRID_TOO_SHORT = 90
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127

@@ -463,7 +463,7 @@
 // different inputs, which the message names.
 #define STICKSLIP_RANKS_APART 89
 
-// A rolled step needs more cells (expected) beside the contact than the grid has there (found): ahead of it or behind it.
+// A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
 #define STICKSLIP_GRID_TOO_SHORT 90
 
 // Any other refusal: the message says which.

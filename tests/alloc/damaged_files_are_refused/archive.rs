@@ -249,7 +249,7 @@ fn headers() {
         (
             "1e-6",
             "-1e-6",
-            "X3P, in main.xml: cell side dx must be positive and finite, got -0.000001",
+            "X3P, in main.xml: cell side dx must be positive and finite, got -1e-6",
         ),
         (
             "1e-6",
