@@ -155,10 +155,7 @@ impl Report {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(format!(
-            "Report({})",
-            in_python(py, &self.0.to_string(), &[])?
-        ))
+        Ok(format!("Report({})", in_python(py, &self.0.to_string())?))
     }
 }
 
