@@ -106,7 +106,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         } else if along_x || along_y {
             warnings.push(Warning::ContactAcross { along_x, along_y });
         }
-        if spots.unresolved == 0 {
+        if spots.unresolved == 0 || 10 * spots.unresolved_cells < cells {
             let contact = Resolution::of_contact(self.grid, cells);
             warnings.extend(contact.contact_warning());
         } else {
@@ -118,16 +118,18 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         warnings
     }
 
-    /// Cells on the radius of a spot of mean size, of a line on half its width; zero without spots.
-    pub(crate) fn cells_per_radius(&self) -> f64 {
+    /// Cells on the radius of a spot of mean size, of a line on half its width, zero without spots; and the number of
+    /// spots.
+    pub(crate) fn mean_spot(&self) -> (f64, usize) {
         let counts = self.counts();
         let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
         let is_line = self.grid.size().contains(&1);
-        if is_line {
+        let radius = if is_line {
             0.5 * cells
         } else {
             (cells / std::f64::consts::PI).sqrt()
-        }
+        };
+        (radius, counts.spots.all)
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {

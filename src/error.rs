@@ -7,8 +7,8 @@ mod result;
 mod show;
 
 pub(crate) use check::{
-    all_finite, all_non_negative, at_least, finite, length, memory, non_negative, not_converged,
-    poisson_ratio, positive, samples_obey,
+    SLIDE, all_finite, all_non_negative, at_least, finite, length, memory, non_negative,
+    not_converged, of_rolling, poisson_ratio, positive, samples_obey,
 };
 pub use {place::Place, ranks::RankFailure, result::Result};
 
@@ -31,7 +31,7 @@ pub enum Error {
         ny: usize,
     },
     /// Memory for a quantity cannot be allocated; [nothing has changed](crate::guide::embedding#when-memory-runs-out).
-    #[error("cannot allocate {bytes} bytes for {quantity}")]
+    #[error("cannot allocate {} for {quantity}", show::size(*bytes))]
     Memory {
         /// The quantity that needs the memory, in words.
         quantity: &'static str,
@@ -39,7 +39,7 @@ pub enum Error {
         bytes: u128,
     },
     /// A quantity that must be positive and finite is not.
-    #[error("{quantity} must be positive and finite, got {value}")]
+    #[error("{quantity} must be positive and finite, got {value:?}")]
     NotPositive {
         /// The quantity, in words.
         quantity: &'static str,
@@ -47,7 +47,7 @@ pub enum Error {
         value: f64,
     },
     /// A quantity that must be zero or positive, and finite, is not.
-    #[error("{quantity} must be non-negative and finite, got {value}")]
+    #[error("{quantity} must be non-negative and finite, got {value:?}")]
     Negative {
         /// The quantity, in words.
         quantity: &'static str,
@@ -55,7 +55,7 @@ pub enum Error {
         value: f64,
     },
     /// A quantity that must be finite is not.
-    #[error("{quantity} must be finite, got {value}")]
+    #[error("{quantity} must be finite, got {value:?}")]
     NotFinite {
         /// The quantity, in words.
         quantity: &'static str,
@@ -63,7 +63,7 @@ pub enum Error {
         value: f64,
     },
     /// A sample of a field violates a rule for that field.
-    #[error("{quantity} at index {index} is {value}: {rule}")]
+    #[error("{quantity} at index {index} is {value:?}: {rule}")]
     Sample {
         /// The field, in words.
         quantity: &'static str,
@@ -75,7 +75,7 @@ pub enum Error {
         rule: &'static str,
     },
     /// Poisson's ratio lies outside `(-1, 1/2]`, the range in which an isotropic body is stable.
-    #[error("Poisson's ratio must lie in (-1, 0.5], got {0}")]
+    #[error("Poisson's ratio must lie in (-1, 0.5], got {0:?}")]
     PoissonRatio(f64),
     /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
@@ -88,11 +88,14 @@ pub enum Error {
         /// Layers allowed.
         limit: usize,
     },
-    /// Asked of coated bodies, or of a [`Kernel`](crate::Kernel), but known of homogeneous bodies alone.
-    #[error("{quantity} is not modelled for coated bodies and kernels: {remedy}")]
+    /// A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this
+    /// [`Kernel`](crate::Kernel).
+    #[error("{quantity} is not modelled for {bodies}: {remedy}")]
     Coated {
-        /// What was asked for, in words.
+        /// The requested quantity, in words.
         quantity: &'static str,
+        /// The bodies for which it is not modelled, in words.
+        bodies: &'static str,
         /// What to do instead.
         remedy: &'static str,
     },
@@ -103,7 +106,7 @@ pub enum Error {
     /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
     /// grid: nothing could be certified. The page of [`kernel`](crate::kernel#certificate) tells which bounds are tried.
     #[error(
-        "the least eigenvalue of the compliance, {eigenvalue:e}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
+        "the least eigenvalue of the compliance, {eigenvalue:?}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
     )]
     NotDefinite {
         /// The least eigenvalue (a length over a pressure).
@@ -130,7 +133,7 @@ pub enum Error {
     Repeats(&'static str),
     /// The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure.
     #[error(
-        "the pair couples pressure and traction (Dundurs beta = {beta:e}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
+        "the pair couples pressure and traction (Dundurs beta = {beta:?}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair; of coated bodies the like of it for the waves that couple most.
@@ -183,7 +186,7 @@ pub enum Error {
         quantity: &'static str,
     },
     /// The tolerance lies outside `(0, 1)`, where it is meaningless.
-    #[error("the tolerance must lie strictly between 0 and 1, got {0}")]
+    #[error("the tolerance must lie strictly between 0 and 1, got {0:?}")]
     Tolerance(f64),
     /// The iteration limit is zero.
     #[error("the iteration limit must be at least 1")]
@@ -200,7 +203,7 @@ pub enum Error {
         quantity: &'static str,
     },
     /// No finite value lies between the bounds of an entry.
-    #[error("the bounds [{lower}, {upper}] of entry {index} contain no finite value")]
+    #[error("the bounds [{lower:?}, {upper:?}] of entry {index} contain no finite value")]
     Bounds {
         /// The entry.
         index: usize,
@@ -211,7 +214,7 @@ pub enum Error {
     },
     /// No point within the bounds has the prescribed total.
     #[error(
-        "the total {total:e} is outside the range [{lower:e}, {upper:e}] allowed by the bounds"
+        "the total {total:?} is outside the range [{lower:?}, {upper:?}] allowed by the bounds"
     )]
     Total {
         /// The total prescribed.
@@ -230,16 +233,18 @@ pub enum Error {
     )]
     EmptyContact,
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
-    #[error("{}", show::beyond_capacity(*force, *limit))]
+    #[error("{}", show::beyond_capacity(*force, *limit, remedy))]
     BeyondFrictionCapacity {
         /// Magnitude of the force requested.
         force: f64,
         /// Largest force that friction can carry, the area integral of the shear limit.
         limit: f64,
+        /// The loads that are possible instead, in words.
+        remedy: &'static str,
     },
     /// The moment about the normal exceeds what friction can carry, beside the forces prescribed: no equilibrium exists.
     #[error(
-        "a moment of {moment:e} is not less than the friction limit {limit:e} beside the forces prescribed: prescribe the spin to let the body turn"
+        "a moment of {moment:?} is not less than the friction limit {limit:?} beside the forces prescribed: prescribe the spin to let the body turn"
     )]
     BeyondFrictionMoment {
         /// The moment requested, positive in the direction of the limit.
@@ -267,7 +272,7 @@ pub enum Error {
     },
     /// The load has components along both axes, which the scalar tangential model does not allow.
     #[error(
-        "the tangential load [{x:e}, {y:e}] has two components; the scalar model requires one of them to be zero"
+        "the tangential load [{x:?}, {y:?}] has two components; the scalar model requires one of them to be zero"
     )]
     ObliqueLoad {
         /// Component along x.
@@ -275,10 +280,12 @@ pub enum Error {
         /// Component along y.
         y: f64,
     },
-    /// The model of a history does not include this load.
-    #[error("the model of this history does not include a {quantity} of {value:e}: {remedy}")]
+    /// A model does not include this load, or this property of an operator.
+    #[error("{model} does not include {quantity}, got {value:?}: {remedy}")]
     NotModelled {
-        /// The load, in words.
+        /// The model, in words.
+        model: &'static str,
+        /// The load or the property, in words.
         quantity: &'static str,
         /// The value given.
         value: f64,
@@ -347,7 +354,7 @@ pub enum Error {
     },
     /// A grid extends beyond the samples it is to be filled from.
     #[error(
-        "the grid extends to {reach:e} from the centre along {axis}, the samples only to {limit:e}"
+        "the grid extends to {reach:?} from the centre along {axis}, the samples only to {limit:?}"
     )]
     BeyondSamples {
         /// The axis, x or y.
@@ -358,10 +365,10 @@ pub enum Error {
         limit: f64,
     },
     /// The Hurst exponent lies outside `[0, 1]`.
-    #[error("the Hurst exponent must lie in [0, 1], got {0}")]
+    #[error("the Hurst exponent must lie in [0, 1], got {0:?}")]
     Hurst(f64),
     /// A quantity is below its lower limit.
-    #[error("{quantity} must be at least {least_is}, {least:e}, got {value:e}")]
+    #[error("{quantity} must be at least {least:?} ({least_is}), got {value:?}")]
     Below {
         /// The quantity, in words.
         quantity: &'static str,
@@ -372,8 +379,21 @@ pub enum Error {
         /// The lower limit.
         least: f64,
     },
+    /// The grid ends too near the contact for a rolled step.
+    #[error(
+        "the grid is too small in the rolling direction: a step needs {needed} cells {side} the contact, the grid has {found}; add at least {} cells there",
+        needed.saturating_sub(*found)
+    )]
+    GridTooShort {
+        /// The side of the contact: "ahead of" or "behind".
+        side: &'static str,
+        /// Cells that a step needs there.
+        needed: usize,
+        /// Cells that the grid has there.
+        found: usize,
+    },
     /// No wave that is periodic on the surface has a wavelength within the requested band.
-    #[error("the surface has no wave with a wavelength between {shortest:e} and {longest:e}")]
+    #[error("the surface has no wave with a wavelength between {shortest:?} and {longest:?}")]
     EmptyBand {
         /// Longest wavelength requested.
         longest: f64,
@@ -438,7 +458,7 @@ pub enum Error {
     },
     /// A load was cut into the shortest steps allowed, and the error of one is still beyond its tolerance.
     #[error(
-        "a step of {part:e} of the load still has an error of {error:e}, more than its share of {tolerance:e}: raise the tolerance, or tighten that of the history"
+        "a step of {part:?} of the load still has an error of {error:?}, more than its share of {tolerance:?}: raise the tolerance, or tighten that of the history"
     )]
     StepTooLong {
         /// Length of the step, as a part of the load.

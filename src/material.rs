@@ -462,7 +462,16 @@ impl ElasticPair {
         if self.is_homogeneous() {
             Ok(())
         } else {
-            Err(Error::Coated { quantity, remedy })
+            let bodies = if self.kernel.is_some() {
+                "kernels"
+            } else {
+                "coated bodies"
+            };
+            Err(Error::Coated {
+                quantity,
+                bodies,
+                remedy,
+            })
         }
     }
 

@@ -28,6 +28,8 @@ pub(crate) struct Spots {
     pub(crate) all: usize,
     /// Those of too few cells.
     pub(crate) unresolved: usize,
+    /// Cells of these.
+    pub(crate) unresolved_cells: usize,
     /// Whether any goes from the first column to the last, and from the first row to the last.
     pub(crate) is_across: [bool; 2],
 }
@@ -71,7 +73,7 @@ struct Spot {
 type Head = (
     [usize; 4],
     [usize; 3],
-    (usize, usize, [bool; 2]),
+    (usize, [usize; 2], [bool; 2]),
     [usize; 3],
 );
 
@@ -244,7 +246,11 @@ impl Strip {
         let head: Head = (
             [self.rows, self.cells, self.switches, self.cells_on_edge],
             self.free,
-            (closed.all, closed.unresolved, closed.is_across),
+            (
+                closed.all,
+                [closed.unresolved, closed.unresolved_cells],
+                closed.is_across,
+            ),
             [self.ends[0].len(), self.ends[1].len(), self.open.len()],
         );
         head.write(words);
@@ -264,7 +270,7 @@ impl Strip {
         let columns = width.div_ceil(64);
         let rest = words.len().checked_sub(Head::COUNT + columns)?;
         let ([rows, cells, switches, cells_on_edge], free, closed, lengths) = Head::read(words);
-        let (all, unresolved, is_across) = closed;
+        let (all, [unresolved, unresolved_cells], is_across) = closed;
         let [.., open] = lengths;
         let sizes = [3, 3, <(usize, [[bool; 2]; 2])>::COUNT];
         let wanted = lengths
@@ -302,6 +308,7 @@ impl Strip {
             closed: Spots {
                 all,
                 unresolved,
+                unresolved_cells,
                 is_across,
             },
         })
@@ -313,13 +320,17 @@ impl Spots {
         Self {
             all: self.all + other.all,
             unresolved: self.unresolved + other.unresolved,
+            unresolved_cells: self.unresolved_cells + other.unresolved_cells,
             is_across: from_fn(|axis| self.is_across[axis] || other.is_across[axis]),
         }
     }
 
     fn add(&mut self, spot: &Spot) {
         self.all += 1;
-        self.unresolved += usize::from(spot.cells < RESOLVED);
+        if spot.cells < RESOLVED {
+            self.unresolved += 1;
+            self.unresolved_cells += spot.cells;
+        }
         for (is_across, edges) in self.is_across.iter_mut().zip(spot.edges) {
             *is_across |= edges == [true; 2];
         }
@@ -429,16 +440,21 @@ fn over_ranks(slab: Strip, width: usize, team: &Team) -> Strip {
 type Counts = (
     (usize, usize, usize),
     Option<[usize; 2]>,
-    (usize, usize, [bool; 2]),
+    (usize, [usize; 2], [bool; 2]),
 );
 
 impl Survey {
     /// That of the first rank.
     fn of_first(self, team: &Team) -> Self {
+        let found = self.spots;
         let (counts, extent, spots): Counts = team.of_first((
             (self.cells, self.switches, self.cells_on_edge),
             self.extent,
-            (self.spots.all, self.spots.unresolved, self.spots.is_across),
+            (
+                found.all,
+                [found.unresolved, found.unresolved_cells],
+                found.is_across,
+            ),
         ));
         Self {
             cells: counts.0,
@@ -447,7 +463,8 @@ impl Survey {
             extent,
             spots: Spots {
                 all: spots.0,
-                unresolved: spots.1,
+                unresolved: spots.1[0],
+                unresolved_cells: spots.1[1],
                 is_across: spots.2,
             },
         }

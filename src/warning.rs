@@ -14,8 +14,8 @@ pub enum Warning {
         /// Contact cells in the ring.
         cells: usize,
     },
-    /// Some contact spots are smaller than five cells: their area is overestimated and their stick
-    /// fraction means little.
+    /// Contact spots smaller than five cells have a tenth of the contact cells or more: their area is overestimated and
+    /// their stick fraction means little. Rough surfaces always have some small spots, which matter only together.
     UnresolvedSpots {
         /// Spots of fewer than five cells.
         unresolved: usize,
@@ -62,7 +62,7 @@ pub enum Warning {
     /// The zone that slips, a ring along the edge of the contact, is narrower than two cells. On a sphere the energy that slip
     /// dissipates is right to 2 % from two cells on and to 12 % from one; below half a cell it is anything from nothing to
     /// several times the right one. Where no cell slips, which a ring narrower than a cell may come to, there is no such
-    /// remark.
+    /// remark, nor where the mean radius of the contact spots is less than four cells: a ring of two cells has no room there.
     NarrowSlip {
         /// Mean width of the zone in tenths of a cell: its cells over the sides of cells along the edge of the contact,
         /// which on a grid of rows and columns are counted as $`\pi/4`$ each.
@@ -70,12 +70,16 @@ pub enum Warning {
     },
     /// The cells leave an error of more than 5 % in the pressure, or in the traction, by the estimate of
     /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or that of the tangential
-    /// solution.
+    /// solution. For more than ten spots, as on a rough surface, the text names how much smaller cells need to be:
+    /// [`surface::resample`](crate::surface::resample) refines the same surface, and
+    /// [`surface::GaussianFilter`](crate::surface::GaussianFilter) removes its short waves.
     DiscretisationError {
         /// The estimate, in tenths of a per cent.
         per_mille: usize,
         /// Cells on the radius of a contact spot of mean size that 1 % would need, where the error falls with the power 3/2.
         cells_per_radius: usize,
+        /// Number of contact spots.
+        spots: usize,
     },
     /// Dissimilar bodies with friction were pressed in too few steps. Under a load that grows, cells come into contact one
     /// after the other, and other cells slip and stick: press a [`History`](crate::History) by
@@ -88,12 +92,45 @@ pub enum Warning {
     /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay). It has a pressure
     /// and no gap. Its solutions therefore have the warning for a flat punch too, where they are exact.
     PressedAtOnce,
+    /// The approach from the first touch exceeds the longest side of the grid. A common cause is a unit of gap, grid or
+    /// modulus that differs from the others.
+    ApproachBeyondGrid {
+        /// The approach over the longest side of the grid, in tenths.
+        tenths: usize,
+    },
+    /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. The theory of half-spaces assumes that
+    /// a/R is small.
+    ///
+    /// Both follow from the slopes of the gap before loading between cells in contact: 1/R is their regression on the
+    /// position along x or along y, and a is twice the standard deviation of the position. On a sphere a/R is right to
+    /// 10 % for a radius of five cells or more, on a cylinder it is 15 % too large. Roughness, whose slopes do not follow
+    /// the position, has no such warning.
+    LargeContactRadius {
+        /// The larger one of a/R along x and along y, in thousandths.
+        per_mille: usize,
+    },
+    /// The rms slope of the gap before loading within the contact exceeds 0.5. The theory of half-spaces assumes that
+    /// slopes are small.
+    SteepSurface {
+        /// The rms slope between cells in contact, in thousandths.
+        per_mille: usize,
+    },
+    /// A step of a history named no tangential load. It held the shift, and the tangential force fell by more than half: a
+    /// lighter pressure or less friction cannot carry it. Steps that roll, turn or change a relative displacement have no
+    /// such warning.
+    HeldShiftLostForce {
+        /// The part of the tangential force that was lost, in per cent.
+        per_cent: usize,
+    },
 }
 
 impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::NoContact => write!(formatter, "no cell carries pressure: press further"),
+            Self::NoContact => write!(
+                formatter,
+                "the normal force is zero, no cell carries pressure: give a normal force above zero, or an approach beyond the least gap"
+            ),
             Self::ContactAtEdge { cells } => {
                 write!(
                     formatter,
@@ -102,7 +139,7 @@ impl std::fmt::Display for Warning {
             }
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
-                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells: refine the grid"
+                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells and have a tenth of the contact cells or more: refine the grid, or filter out the short waves of the surface"
             ),
             Self::LineOfCells => write!(
                 formatter,
@@ -146,8 +183,18 @@ impl std::fmt::Display for Warning {
                 tenths % 10
             ),
             Self::DiscretisationError {
+                per_mille, spots, ..
+            } if *spots > MANY_SPOTS => write!(
+                formatter,
+                "the cells leave an error of about {}.{} % in the fields of {spots} contact spots, by an estimate: for 1 % resample the surface onto cells {:.1} times smaller, or filter out its short waves",
+                per_mille / 10,
+                per_mille % 10,
+                refinement(1e-3 * *per_mille as f64)
+            ),
+            Self::DiscretisationError {
                 per_mille,
                 cells_per_radius,
+                ..
             } => write!(
                 formatter,
                 "the cells leave an error of about {}.{} % in the fields, by an estimate: for 1 % take {cells_per_radius} cells to the radius of a contact spot",
@@ -158,6 +205,26 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "dissimilar bodies were pressed in too few steps: under a load that grows other cells stick and slip; press a history to a tolerance by its function press"
             ),
+            Self::ApproachBeyondGrid { tenths } => write!(
+                formatter,
+                "the approach is {}.{} times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
+                tenths / 10,
+                tenths % 10
+            ),
+            Self::LargeContactRadius { per_mille } => write!(
+                formatter,
+                "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
+                1e-3 * *per_mille as f64
+            ),
+            Self::SteepSurface { per_mille } => write!(
+                formatter,
+                "the rms slope of the surface within the contact is {:.2}, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
+                1e-3 * *per_mille as f64
+            ),
+            Self::HeldShiftLostForce { per_cent } => write!(
+                formatter,
+                "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
+            ),
         }
     }
 }
@@ -166,8 +233,17 @@ impl std::fmt::Display for Warning {
 const LARGEST_ERROR: f64 = 0.05;
 const SMALL_ERROR: f64 = 0.01;
 
+/// Spots above which a contact counts as rough: nobody chooses their radius.
+const MANY_SPOTS: usize = 10;
+
+/// Returns how much smaller cells need to be for a small discretisation error.
+fn refinement(estimate: f64) -> f64 {
+    (estimate / SMALL_ERROR).cbrt().powi(2)
+}
+
 impl Warning {
-    /// Of an estimate of the discretisation error, and of the cells on the radius of a contact spot.
+    /// Returns the warning of an estimate of the discretisation error; `contact` has the cells on the radius of a contact
+    /// spot and the number of spots.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -175,13 +251,14 @@ impl Warning {
     )]
     pub(crate) fn of_discretisation(
         estimate: Option<f64>,
-        radius: impl FnOnce() -> f64,
+        contact: impl FnOnce() -> (f64, usize),
     ) -> Option<Self> {
         let estimate = estimate.filter(|estimate| *estimate > LARGEST_ERROR)?;
-        let finer = (estimate / SMALL_ERROR).cbrt().powi(2);
+        let (radius, spots) = contact();
         Some(Self::DiscretisationError {
             per_mille: (1e3 * estimate).round() as usize,
-            cells_per_radius: (radius() * finer).ceil() as usize,
+            cells_per_radius: (radius * refinement(estimate)).ceil() as usize,
+            spots,
         })
     }
 }
@@ -196,6 +273,9 @@ const RESOLVED_LINE: [usize; 2] = [20, 10];
 
 /// Tenths of a cell that a resolved slip zone is wide.
 const RESOLVED_WIDTH: usize = 20;
+
+/// Cells on the mean radius of contact spots in which a slip zone of the resolved width has room.
+const LEAST_RADIUS: usize = 4;
 
 /// What the zones of a contact, or of some steps, tell of its resolution; `None` of what there is not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -230,7 +310,9 @@ impl Resolution {
             // The edge of a disc has 4/pi times its length in sides of cells, 452/355 within 1e-7.
             let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
             let edge = length * edge();
-            (edge > 0).then(|| (20 * sides * slip + edge) / (2 * edge))
+            // The radius of a disc is twice its area over its edge.
+            let has_room = self.is_line || 2 * sides * (stick + slip) >= LEAST_RADIUS * edge;
+            (edge > 0 && has_room).then(|| (20 * sides * slip + edge) / (2 * edge))
         };
         Self {
             stick: (stick > 0).then_some(stick),

@@ -32,6 +32,7 @@ impl HeldForce {
             return Err(Error::BeyondFrictionCapacity {
                 force: magnitude,
                 limit,
+                remedy: "lower the force, or raise the friction or the load",
             });
         }
         let (fraction, reserve) = if magnitude < limit {

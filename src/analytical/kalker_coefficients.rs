@@ -64,12 +64,17 @@ impl KalkerCoefficients {
         let shorter = ratio.min(1.0 / ratio);
         let least = 0.5_f64.powi(OCTAVES);
         at_least(
-            "that of the table",
+            "the least of the table",
             least,
             "ratio of the shorter semi-axis to the longer",
             shorter,
         )?;
-        at_least("zero", 0.0, "Poisson's ratio", poisson_ratio)?;
+        at_least(
+            "the least of the table",
+            0.0,
+            "Poisson's ratio",
+            poisson_ratio,
+        )?;
         if poisson_ratio > 0.5 {
             return Err(Error::PoissonRatio(poisson_ratio));
         }

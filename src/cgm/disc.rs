@@ -20,7 +20,7 @@ use crate::cgm::small::Small;
 use crate::cgm::turn::Turn;
 use crate::cgm::vector::{at, dot, norm, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, reduce};
-use crate::error::{Error, Result, non_negative};
+use crate::error::{Error, Result, SLIDE, non_negative};
 use crate::layout::Layout;
 use crate::report::Status;
 
@@ -175,7 +175,11 @@ impl Linearised<2> for Disc {
         let total = sums.map(|sum| sum.unwrap_or(0.0));
         let size = norm(total);
         if size.is_nan() || size > limit * (1.0 + EDGE) {
-            return Err(Error::BeyondFrictionCapacity { force: size, limit });
+            return Err(Error::BeyondFrictionCapacity {
+                force: size,
+                limit,
+                remedy: SLIDE,
+            });
         }
         Ok(if size > 0.0 && size >= limit * (1.0 - EDGE) {
             Reach::Extreme(total.map(|total| total / size))

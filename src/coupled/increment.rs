@@ -6,7 +6,7 @@ use crate::cgm::{Total, reduce};
 use crate::contact::{self, Conditions, OnWindow, Seen, Windows, multipliers};
 use crate::coupled::engine::{Engine, Start, Task};
 use crate::coupled::{CoupledReport, N};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, SLIDE};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -345,7 +345,11 @@ fn check_force(demand: &CoupledDemand<'_>, limit: f64) -> Result<()> {
     let [x, y] = demand.tangential.force();
     let force = x.hypot(y);
     if force >= limit && force > 0.0 {
-        return Err(Error::BeyondFrictionCapacity { force, limit });
+        return Err(Error::BeyondFrictionCapacity {
+            force,
+            limit,
+            remedy: SLIDE,
+        });
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use crate::cgm::{Total, reduce};
 use crate::contact::Conditions;
 use crate::coupled::engine::{Start, Task};
 use crate::coupled::increment::CoupledIncrement;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, SLIDE};
 use crate::report::Status;
 
 /// Shift at which the bodies slide, over the largest displacement: the slip of the cells differs in direction by one over
@@ -40,7 +40,11 @@ impl CoupledIncrement {
             let limit = self.pressed.limits.sum * self.bodies.grid().cell_area();
             if force >= limit {
                 self.forget();
-                return Err(Error::BeyondFrictionCapacity { force, limit });
+                return Err(Error::BeyondFrictionCapacity {
+                    force,
+                    limit,
+                    remedy: SLIDE,
+                });
             }
         }
         self.tractions = kept;

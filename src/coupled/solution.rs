@@ -90,6 +90,7 @@ impl CoupledSolution {
     pub(super) fn fill(&mut self, of: &CoupledProblem, increment: &CoupledIncrement) {
         let (bodies, gap) = (&of.bodies, &of.gap);
         increment.write(gap, of.hardness.as_ref(), &mut self.normal);
+        self.normal.measure_scale(bodies, gap);
         self.tangential
             .fill(bodies, None, &increment.answer(), increment.report());
         let pair = bodies.pair();

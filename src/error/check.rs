@@ -146,3 +146,19 @@ pub(crate) fn at_least(
 
 /// Fraction by which a value meant to equal its lower limit may fall short of it.
 const ROUND_OFF: f64 = 1e-9;
+
+/// The loads that are possible beyond the friction limit.
+pub(crate) const SLIDE: &str = "prescribe a shift or a spring to let the body slide";
+const ROLL: &str = "prescribe the creepage, or lower the force";
+
+/// Replaces the remedy of a force beyond friction by the remedy of bodies that roll.
+pub(crate) fn of_rolling(error: Error) -> Error {
+    match error {
+        Error::BeyondFrictionCapacity { force, limit, .. } => Error::BeyondFrictionCapacity {
+            force,
+            limit,
+            remedy: ROLL,
+        },
+        other => other,
+    }
+}

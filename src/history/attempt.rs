@@ -2,7 +2,7 @@
 
 use crate::buffer::{self, TryClone};
 use crate::contact::Conditions;
-use crate::error::Result;
+use crate::error::{Result, of_rolling};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
@@ -146,7 +146,12 @@ impl History {
             None if is_rolled => Start::Near,
             None => Start::Present(state.shift()),
         };
-        increment.solve(&demand, motion, start, &mut conditions)?;
+        let solved = increment.solve(&demand, motion, start, &mut conditions);
+        if is_rolled {
+            solved.map_err(of_rolling)?;
+        } else {
+            solved?;
+        }
         Ok(increment.motion())
     }
 }

@@ -34,7 +34,8 @@ pub struct LoadStep {
 }
 
 impl LoadStep {
-    /// Everything held: pressure, shift and twist.
+    /// Everything held: pressure, shift and twist. The shift is held, not the tangential force: that falls where a lighter
+    /// pressure or less friction cannot carry it ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
     pub fn hold() -> Self {
         Self {
             normal: NormalControl::Hold,
@@ -199,6 +200,14 @@ impl LoadStep {
     /// How the bodies roll, if they do.
     pub(super) fn rolling(&self) -> Option<&Rolling> {
         self.rolling.as_ref()
+    }
+
+    /// Whether the shift is held along both axes, and only the normal load may change.
+    pub(super) fn holds_shift(&self) -> bool {
+        self.tangential == [TangentialControl::Hold; 2]
+            && self.twist.is_none()
+            && self.relative_displacement.is_none()
+            && self.rolling.is_none()
     }
 
     /// Whether a twist is prescribed.

@@ -55,7 +55,8 @@ impl State {
             }
             None if amount != 0.0 => {
                 return Err(Error::NotModelled {
-                    quantity: "relative displacement",
+                    model: "the model of this history",
+                    quantity: "a relative displacement",
                     value: amount,
                     remedy: "build it with a pattern of relative displacement",
                 });

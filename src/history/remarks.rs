@@ -1,6 +1,7 @@
 //! What a step has to be warned of, and a cycle of steps.
 
 use crate::history::Cycle;
+use crate::normal::Scale;
 use crate::warning::{Resolution, Warning};
 
 /// What is wrong with a step, or with any step of a cycle.
@@ -21,9 +22,18 @@ pub(super) struct Remarks {
     pub(super) is_apart: bool,
     /// Cells pressed beyond the hardness a material states, the most of any step.
     pub(super) overloaded_cells: usize,
+    /// Approach, contact radius and slope, the largest of any step.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub(super) scale: Scale,
+    /// Part of the tangential force that a held shift has lost, in per cent, the most of any step.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub(super) lost_per_cent: usize,
     /// Cells in contact and its zones: the fewest that stick and the widest zone that slips.
     pub(super) resolution: Resolution,
 }
+
+/// Largest part of the tangential force that a held shift may lose without a warning, in per cent.
+const LARGEST_LOSS: usize = 50;
 
 impl Remarks {
     /// With those of another step.
@@ -34,6 +44,8 @@ impl Remarks {
             edge_cells: self.edge_cells.max(other.edge_cells),
             is_apart: self.is_apart || other.is_apart,
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
+            scale: self.scale.max(other.scale),
+            lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
             resolution: self.resolution.and(other.resolution),
         }
     }
@@ -52,7 +64,14 @@ impl Remarks {
             .contact_warning()
             .into_iter()
             .chain(resolution.zone_warnings());
-        all.chain(beyond).chain(zones).chain(at_once).collect()
+        let per_cent = self.lost_per_cent;
+        let lost = (per_cent > LARGEST_LOSS).then_some(Warning::HeldShiftLostForce { per_cent });
+        all.chain(beyond)
+            .chain(zones)
+            .chain(self.scale.warnings())
+            .chain(lost)
+            .chain(at_once)
+            .collect()
     }
 }
 

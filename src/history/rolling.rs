@@ -129,29 +129,31 @@ impl Rolling {
         finite("spin", self.spin)?;
         let refused = |quantity, value, remedy| {
             Err(Error::NotModelled {
+                model: "the model of rolling",
                 quantity,
                 value,
                 remedy,
             })
         };
-        let what = "cells that a step rolls";
         if bodies.is_shared() {
-            return refused(what, cells, "roll bodies that no ranks share");
+            let remedy = "roll bodies on a grid that ranks do not share";
+            return refused("bodies on a grid that ranks share", cells, remedy);
         }
         if state.is_joint() {
             let remedy = "roll bodies of one material, or build the history with one-way coupling";
-            return refused(what, cells, remedy);
+            return refused("two-way coupling of pressure and traction", cells, remedy);
         }
         if state.relative.is_some() {
             let remedy = "build the history without a relative displacement";
-            return refused(what, cells, remedy);
+            return refused("a relative displacement", cells, remedy);
         }
         if state.yielded.is_some() {
-            return refused(what, cells, "build the history without a permanent set");
+            let remedy = "build the history without a permanent set";
+            return refused("a permanent set", cells, remedy);
         }
         if load.names_twist() {
-            let remedy = "give the spin of a rolled step, not its twist";
-            return refused(what, cells, remedy);
+            let twist = load.demand(0.0).twist;
+            return refused("a twist", twist, "give the spin of a rolled step instead");
         }
         for (axis, control) in Axis::BOTH.iter().zip(load.demand(0.0).controls) {
             let creepage = self.creepage[axis.index()];
@@ -160,12 +162,12 @@ impl Rolling {
                 TangentialControl::Force(_) if creepage == 0.0 => {}
                 TangentialControl::Force(_) => {
                     let remedy = "name the force along an axis or its creepage";
-                    return refused("creepage along an axis of a force", creepage, remedy);
+                    return refused("both creepage and force along one axis", creepage, remedy);
                 }
                 TangentialControl::Shift(_) | TangentialControl::Spring { .. } => {
                     let remedy = "name forces or creepages in a rolled step";
                     let (_, value) = control.checked(*axis)?;
-                    return refused("shift or spring of a rolled step", value, remedy);
+                    return refused("a shift or a spring", value, remedy);
                 }
             }
             if creepage != 0.0 && !state.axes.contains(axis) {
@@ -192,7 +194,8 @@ impl LoadStep {
     pub(super) fn check_still(&self) -> Result<()> {
         self.rolling().map_or(Ok(()), |rolling| {
             Err(Error::NotModelled {
-                quantity: "cells that adaptive steps roll",
+                model: "the method of adaptive steps",
+                quantity: "steps that roll",
                 value: rolling.cells as f64,
                 remedy: "roll cell by cell",
             })

@@ -94,7 +94,7 @@ impl<'de> serde::Deserialize<'de> for StepResult {
             for counted in [read.stick_cells, read.slip_cells] {
                 let (counted, cells) = (counted as f64, grid.cells() as f64);
                 at_least(
-                    "those that stick or slip",
+                    "cells that stick or slip",
                     counted,
                     "number of cells",
                     cells,
@@ -246,8 +246,9 @@ impl StepResult {
     }
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
-    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], and those of contacts and zones
-    /// of too few cells, such as [`Warning::NarrowSlip`]. Others, such as spots too small to resolve, are among the warnings
+    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], those of contacts and zones
+    /// of too few cells, such as [`Warning::NarrowSlip`], those of large approaches and slopes, and
+    /// [`Warning::HeldShiftLostForce`]. Others, such as spots too small to resolve, are among the warnings
     /// of [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {

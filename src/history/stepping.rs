@@ -173,9 +173,17 @@ impl History {
             self.take_back()?;
             return Err(error);
         }
-        match whole {
-            Some(whole) => self.state = whole,
-            None => self.state.clone_from(state),
+        if let Some(whole) = whole {
+            self.state = whole;
+        } else {
+            self.state.clone_from(state);
+            // A state that was read from bytes has no scale.
+            let State {
+                normal,
+                pressed_gap,
+                ..
+            } = &mut self.state;
+            normal.measure_scale(&self.bodies, pressed_gap);
         }
         Ok(())
     }
@@ -203,8 +211,9 @@ impl History {
     /// [`Error::NotFinite`], [`Error::Negative`],
     /// [`Error::NotPositive`],
     /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::NotModelled`] for the load; [`Error::Below`] if the grid ends less than a rolled step ahead of the
-    /// contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::NotModelled`] for the load; [`Error::GridTooShort`] if the grid ends less than a rolled step ahead of
+    /// the contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
+    /// [`Error::EmptyContact`] for a tangential force while no cell carries pressure;
     /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
@@ -289,7 +298,7 @@ impl History {
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
-            resolution: Resolution::default(),
+            ..Remarks::default()
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
@@ -300,6 +309,8 @@ impl History {
         step.tangential_report
             .clone_from(report.unwrap_or(&Report::unsolved()));
         let moved = motion.since(state.motion).shift;
+        let [x, y] = state.force;
+        let force_before = x.hypot(y);
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let before = self.candidate.held().map(NormalSolution::pressure);
         commit(
@@ -335,6 +346,11 @@ impl History {
         if is_pressed {
             settle(state);
             state.gather_capacity(&self.bodies);
+            state.normal.measure_scale(&self.bodies, &state.pressed_gap);
+        }
+        step.remarks.scale = state.normal.scale();
+        if load.holds_shift() && !step.remarks.is_apart {
+            step.remarks.lost_per_cent = lost_per_cent(force_before, step);
         }
         step.energy = step.energy.plus(&pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
@@ -417,6 +433,24 @@ impl TryClone for History {
 
     fn has_room_for(&self, _: &Self) -> bool {
         false
+    }
+}
+
+/// Returns the part of the tangential force that a step lost, in per cent; zero for a force that is round-off of the normal
+/// force.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the number lies between 0 and 100"
+)]
+fn lost_per_cent(before: f64, step: &StepResult) -> usize {
+    const ROUND_OFF: f64 = 1e-3;
+    let [x, y] = step.force;
+    let lost = 1.0 - x.hypot(y) / before;
+    if before > ROUND_OFF * step.normal_force && lost > 0.0 {
+        (100.0 * lost).round() as usize
+    } else {
+        0
     }
 }
 

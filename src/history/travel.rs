@@ -1,6 +1,6 @@
 //! The way of the particles of rolling bodies through the contact in one step.
 
-use crate::error::{Error, Result, at_least, finite, positive};
+use crate::error::{Error, Result, finite, positive};
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -90,7 +90,8 @@ impl Travel {
         bodies.kernel().check_no_operators("rolling")?;
         if bodies.boundary().repeats()[self.edge.axis().index()] {
             return Err(Error::NotModelled {
-                quantity: "rolling by a step along an axis on which the grid repeats",
+                model: "the model of rolling",
+                quantity: "a step along an axis on which the grid repeats",
                 value: length,
                 remedy: "roll along the other axis, or on a grid that does not repeat",
             });
@@ -161,16 +162,16 @@ impl Travel {
 
     /// Where the particles of a window were before the step.
     pub(crate) fn ahead(&self, window: Window) -> Result<Window> {
-        self.moved(window, true, "cells ahead of the contact")
+        self.moved(window, true, "ahead of")
     }
 
     /// Where a window has come to after the step.
     fn behind(&self, window: Window) -> Result<Window> {
-        self.moved(window, false, "cells behind the contact")
+        self.moved(window, false, "behind")
     }
 
     /// A window that lies a step ahead or behind.
-    fn moved(&self, window: Window, ahead: bool, rest: &'static str) -> Result<Window> {
+    fn moved(&self, window: Window, ahead: bool, side: &'static str) -> Result<Window> {
         let (axis, mut corner) = (self.edge.axis().index(), window.corner());
         let is_up = ahead == self.edge.is_positive();
         let room = if is_up {
@@ -178,7 +179,13 @@ impl Travel {
         } else {
             corner[axis]
         };
-        at_least("those of a step", self.cells as f64, rest, room as f64)?;
+        if room < self.cells {
+            return Err(Error::GridTooShort {
+                side,
+                needed: self.cells,
+                found: room,
+            });
+        }
         corner[axis] = if is_up {
             corner[axis] + self.cells
         } else {

@@ -13,6 +13,7 @@ impl State {
             let yielded = hardness.reached_cells(bodies, self.pressure().as_slice());
             self.normal.set_yielded_cells(yielded);
         }
+        self.normal.measure_scale(bodies, &self.pressed_gap);
         self.gather_capacity(bodies);
     }
 

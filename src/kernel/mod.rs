@@ -91,7 +91,7 @@ use crate::layers::Response;
 use crate::material::{ElasticPair, KernelMark};
 
 pub(crate) use check::check_thickness;
-use check::{check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
+use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
 
 /// Two bodies by their response, or a pair of materials as it is; the page of [`kernel`](crate::kernel) tells more.
 ///
@@ -247,8 +247,8 @@ impl Kernel {
             let beside = base.with(isotropic.far, |base, far| (base - far).abs());
             let most = beside.normal.max(beside.along).max(beside.across);
             let found = most.max(beside.coupling) / self.pair.compliances().normal;
-            let quantity = "most over found difference of the long waves from the response";
-            at_least("one", 1.0, quantity, ALIKE / found.max(ALIKE))?;
+            let quantity = "allowed over found difference of the long waves from the response";
+            at_least(AS_ALLOWED, 1.0, quantity, ALIKE / found.max(ALIKE))?;
             isotropic.far = base;
         }
         Ok(self)
@@ -386,7 +386,8 @@ impl Kernel {
             None => Ok(()),
             Some(_) => Err(Error::Coated {
                 quantity,
-                remedy: "operators of a user are known on the cells of their grid alone",
+                bodies: "user-defined operators",
+                remedy: "describe the bodies by materials, layers or a response, which are known beyond the cells of one grid",
             }),
         }
     }
@@ -442,7 +443,8 @@ impl Kernel {
                 waves_of(grid).try_for_each(check)
             }
             Some(Given::Orthotropic(_)) => Err(Error::Coated {
-                quantity: "a grid that does not repeat along both axes, under an orthotropic response,",
+                quantity: "a grid that does not repeat along both axes",
+                bodies: "an orthotropic response",
                 remedy: REPEATING,
             }),
             Some(Given::Operators(operators)) => {
@@ -450,7 +452,8 @@ impl Kernel {
             }
             Some(Given::Table(table)) if boundary == Boundary::NonPeriodic => table.check_on(grid),
             Some(Given::Table(_)) => Err(Error::Coated {
-                quantity: "a grid that repeats, under a table of coefficients,",
+                quantity: "a grid that repeats",
+                bodies: "a table of coefficients",
                 remedy: "take a grid that does not repeat, or a response to waves",
             }),
         }
@@ -466,9 +469,9 @@ impl Isotropic {
             finite("response of the kernel", value)?;
         }
         let most = beside.normal.max(beside.along).max(beside.across);
-        let quantity = "most over found difference of the response from the half-space near, at 20 over the thickness,";
+        let quantity = "allowed over found difference of the response from the half-space near, at 20 over the thickness,";
         let found = most.max(beside.coupling) / near.normal;
-        at_least("one", 1.0, quantity, CLOSE / found.max(CLOSE))?;
+        at_least(AS_ALLOWED, 1.0, quantity, CLOSE / found.max(CLOSE))?;
         Ok(())
     }
 }

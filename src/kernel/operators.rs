@@ -134,13 +134,17 @@ impl Operators {
     }
 }
 
+/// The model that operators must obey, as errors name it.
+const MODEL: &str = "the model of user-defined operators";
+
 /// Numbers of the products of two fields without mean, if they are those of a compliance: both energies, and what each does
 /// on the displacements of the other, over their mean.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {
         return Err(Error::NotModelled {
-            quantity: "directions of an operator that is not symmetric",
+            model: MODEL,
+            quantity: "operators that are not symmetric (value: number of directions)",
             value: directions.len() as f64,
             remedy: "give an operator that obeys reciprocity, and says so",
         });
@@ -155,14 +159,20 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
     if asymmetry > ROUNDED {
         return Err(Error::NotModelled {
-            quantity: "difference of the works of two tractions on each other's displacements, over their energies,",
+            model: MODEL,
+            quantity: "a difference between the works of two tractions on each other's displacements (relative to their energies)",
             value: asymmetry,
             remedy: "give an operator that obeys reciprocity",
         });
     }
     let bound = finite("lower bound of an operator", given.lower_bound())?;
     let quantity = "energy of a field of tractions under an operator";
-    at_least("that by its lower bound", bound * dot(&x, &x), quantity, xx)?;
+    at_least(
+        "the energy by its lower bound",
+        bound * dot(&x, &x),
+        quantity,
+        xx,
+    )?;
     Ok([xx, yy, xy / mean])
 }
 
@@ -181,7 +191,8 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     let coupled = finite("product of an operator", (others / square(&u[own])).sqrt())?;
     if coupled > ROUNDED {
         return Err(Error::NotModelled {
-            quantity: "tangential displacement by pressure under an operator, over the normal one,",
+            model: MODEL,
+            quantity: "a tangential displacement by pressure (relative to the normal one)",
             value: coupled,
             remedy: "give half-spaces near that are coupled too",
         });
@@ -202,7 +213,8 @@ fn check_means(given: &UserOperator) -> Result<()> {
             / (dot(&u, &u) / dot(&x, &x)).sqrt();
         if cells > 1 && finite("product of an operator", ratio)? > ROUNDED {
             return Err(Error::NotModelled {
-                quantity: "displacement by a uniform traction on a grid that repeats, over that by others,",
+                model: MODEL,
+                quantity: "a displacement by a uniform traction on a grid that repeats (relative to that by others)",
                 value: ratio,
                 remedy: "give an operator of displacements without mean, or a grid that does not repeat",
             });

@@ -79,6 +79,7 @@ impl NormalSolution {
         let mut warnings = self.contact_map().warnings();
         warnings.extend(beyond);
         warnings.extend(self.discretisation_warning());
+        warnings.extend(self.scale().warnings());
         Ok(warnings)
     }
 

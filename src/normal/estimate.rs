@@ -56,7 +56,7 @@ impl NormalSolution {
 
     /// What the estimate has to be remarked on.
     pub(super) fn discretisation_warning(&self) -> Option<Warning> {
-        let radius = || self.contact_map().cells_per_radius();
-        Warning::of_discretisation(self.discretisation_estimate(), radius)
+        let contact = || self.contact_map().mean_spot();
+        Warning::of_discretisation(self.discretisation_estimate(), contact)
     }
 }

@@ -12,6 +12,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::influence::Component;
 use crate::material::ElasticPair;
+use crate::normal::scale::Scale;
 use crate::normal::whole::Whole;
 use crate::operator::Operator;
 use crate::parallel;
@@ -32,6 +33,8 @@ pub struct NormalSolution {
     yielded_cells: usize,
     /// Whether tractions that were found together with the pressure have changed it.
     is_coupled: bool,
+    /// Its approach, radius and slopes, for warnings.
+    scale: Scale,
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -49,11 +52,12 @@ clone_in_place!(NormalSolution {
     approach,
     yielded_cells,
     is_coupled,
+    scale,
     report,
     whole,
 });
 
-try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approach, yielded_cells, is_coupled, report, whole });
+try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approach, yielded_cells, is_coupled, scale, report, whole });
 
 impl PartialEq for NormalSolution {
     fn eq(&self, other: &Self) -> bool {
@@ -66,6 +70,7 @@ impl PartialEq for NormalSolution {
             approach,
             yielded_cells,
             is_coupled,
+            scale: _,
             report: _,
             whole,
         } = self;
@@ -94,6 +99,8 @@ struct Unchecked {
     approach: f64,
     yielded_cells: usize,
     is_coupled: bool,
+    #[serde(default)]
+    scale: Scale,
     report: Report,
     #[serde(skip)]
     whole: Option<Box<Whole>>,
@@ -132,6 +139,7 @@ impl NormalSolution {
             approach: 0.0,
             yielded_cells: 0,
             is_coupled: false,
+            scale: Scale::default(),
             report: Report::with_room(),
             whole: None,
         })
@@ -153,6 +161,7 @@ impl NormalSolution {
         });
         Ok(Self {
             whole: Whole::of(bodies, &pressure),
+            scale: Scale::of(bodies, initial_gap, &pressure, approach),
             pressure: Field::from_vec(initial.grid(), pressure)?,
             gap: Field::from_vec(initial.grid(), gap)?,
             boundary: bodies.boundary(),
@@ -168,6 +177,16 @@ impl NormalSolution {
     /// With what all ranks have found, which is not among the fields of a slab.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.whole = Whole::of(bodies, self.pressure.as_slice());
+    }
+
+    /// Measures approach, radius and slopes over the gap before loading.
+    pub(crate) fn measure_scale(&mut self, bodies: &HalfSpace, initial: &Field) {
+        let pressure = self.pressure.as_slice();
+        self.scale = Scale::of(bodies, initial.as_slice(), pressure, self.approach);
+    }
+
+    pub(crate) fn scale(&self) -> Scale {
+        self.scale
     }
 
     /// As the half of a solution in which tractions have changed the pressure.

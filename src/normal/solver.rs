@@ -115,6 +115,7 @@ impl NormalSolver {
         if has_iterate(&outcome) {
             parallel::copy(&self.pressure, solution.pressure_mut());
             self.press.finish(&of, solution);
+            solution.measure_scale(of.bodies, of.gap);
         }
         outcome
     }

@@ -2,7 +2,7 @@
 
 use crate::buffer::{TryClone, filled, try_clone, try_each, zeros};
 use crate::cgm::{Settings, settings_methods};
-use crate::error::{Error, RankFailure, Result, finite};
+use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
 use crate::half_space::HalfSpace;
 use crate::history::rolling_entry::entering;
 use crate::history::{Passage, TouchRule, Travel};
@@ -102,6 +102,7 @@ impl RollingProblem {
         finite(name, turn)?;
         if spin != SpinControl::Spin(0.0) && !self.bodies.boundary().may_turn() {
             return Err(Error::NotModelled {
+                model: "the model of rolling",
                 quantity: name,
                 value: turn,
                 remedy: "a grid that repeats cannot turn, with any option",
@@ -126,12 +127,16 @@ impl RollingProblem {
                 }
             }
         }
-        self.pressed.limits.check(force, area)?;
+        self.pressed.limits.check(force, area).map_err(of_rolling)?;
         let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
         let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
         // A force that slides the whole contact leaves its creepage open.
         if controls.iter().any(is_force) && is_at_limit(size, limit) {
-            return Err(Error::BeyondFrictionCapacity { force: size, limit });
+            return Err(of_rolling(Error::BeyondFrictionCapacity {
+                force: size,
+                limit,
+                remedy: SLIDE,
+            }));
         }
         if let SpinControl::Moment(moment) = spin {
             let sums = controls.map(|control| match control {
@@ -213,7 +218,7 @@ impl RollingProblemBuilder<'_> {
     /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
     /// [`Error::NotModelled`] for rolling along an axis on which the grid repeats, or spin on such a grid;
     /// [`Error::Coated`] for operators of a user;
-    /// [`Error::Below`] if the grid ends less than a step ahead of the contact;
+    /// [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding, and
     /// [`Error::BeyondFrictionMoment`] for such a moment, beside the forces prescribed;
     /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies

@@ -47,7 +47,8 @@ pub(super) struct Constants {
 pub(super) fn check_described(pair: &ElasticPair) -> Result<()> {
     if pair.stands_for_kernel() {
         return Err(Error::Coated {
-            quantity: "stress below the surface of a kernel",
+            quantity: "stress below the surface",
+            bodies: "kernels",
             remedy: "describe the bodies by materials and layers",
         });
     }

@@ -134,7 +134,10 @@ impl Planes {
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         let rule = "must be non-negative and finite";
         let is_depth = |depth: f64| depth >= 0.0 && depth.is_finite();
-        let checked = check_described(bodies.pair())
+        let checked = bodies
+            .kernel()
+            .check_no_operators("stress below the surface")
+            .and_then(|()| check_described(bodies.pair()))
             .and_then(|()| samples_obey("depths", depths, rule, is_depth))
             .and_then(|()| {
                 samples_obey("depths", depths, TOO_FAR, |depth| {

@@ -112,6 +112,7 @@ pub fn at_points_observed<'a>(
     if constants.coated().is_some() {
         return Err(Error::Coated {
             quantity: "stress at points",
+            bodies: "coated bodies",
             remedy: "take planes of cell centres (subsurface::Planes)",
         });
     }

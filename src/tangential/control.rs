@@ -209,6 +209,7 @@ impl Demand {
                     Axis::Y => "build it with y as its axis, or with the vector model",
                 };
                 return Err(Error::NotModelled {
+                    model: "the model of this contact",
                     quantity,
                     value,
                     remedy,
@@ -225,6 +226,7 @@ impl Demand {
             return Ok(());
         }
         Err(Error::NotModelled {
+            model: "the model of this contact",
             quantity,
             value,
             remedy,
@@ -280,10 +282,7 @@ impl Demand {
             let shift = &mut motion.shift[axis.index()];
             *shift = match self.control(axis) {
                 TangentialControl::Force(force) if force != 0.0 => {
-                    return Err(Error::BeyondFrictionCapacity {
-                        force: force.abs(),
-                        limit: 0.0,
-                    });
+                    return Err(Error::EmptyContact);
                 }
                 TangentialControl::Force(_) | TangentialControl::Hold => *shift,
                 TangentialControl::Shift(shift) => shift,

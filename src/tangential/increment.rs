@@ -240,8 +240,8 @@ impl Increment {
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
     fn prescribe(&mut self, demand: &Demand) -> Result<[Total; 2]> {
         let (cell_area, force) = (self.bodies.grid().cell_area(), demand.force());
+        self.pressed.check(force, cell_area)?;
         let limits = &self.pressed.limits;
-        limits.check(force, cell_area)?;
         let sums = (limits.sum > 0.0).then(|| limits.sums(force, cell_area));
         let measured = (self.datum(), cell_area);
         demand.prescribe(self.axes, sums, measured, &mut self.motion)

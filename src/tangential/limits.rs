@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::buffer::{self, try_clone};
 use crate::cgm::cone::Cone;
 use crate::cgm::reduce;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, SLIDE, finite};
 use crate::half_space::{HalfSpace, Region};
 use crate::layout::Layout;
 use crate::parallel;
@@ -58,6 +58,24 @@ impl Pressed {
     /// Changes the friction alone.
     pub(crate) fn set_friction(&mut self, friction: &Friction) {
         self.limits.set(friction, &self.region, &self.pressure);
+    }
+
+    /// Checks that friction can carry a force.
+    ///
+    /// # Errors
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - The errors of [`Limits::check`].
+    pub(crate) fn check(&self, force: [f64; 2], cell_area: f64) -> Result<()> {
+        let checked = self.limits.check(force, cell_area);
+        let is_carried = || reduce::any(self.region.layout(), |i| self.pressure[i] > 0.0);
+        if matches!(
+            checked,
+            Err(Error::BeyondFrictionCapacity { limit: 0.0, .. })
+        ) && !is_carried()
+        {
+            return Err(Error::EmptyContact);
+        }
+        checked
     }
 }
 
@@ -117,7 +135,11 @@ impl Limits {
         finite("sum of the friction limits", self.sum)?;
         let (force, limit) = (x.hypot(y), self.sum * cell_area);
         if force > limit * (1.0 + SLIDING) {
-            return Err(Error::BeyondFrictionCapacity { force, limit });
+            return Err(Error::BeyondFrictionCapacity {
+                force,
+                limit,
+                remedy: SLIDE,
+            });
         }
         Ok(())
     }

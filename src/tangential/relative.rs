@@ -151,6 +151,7 @@ impl RelativeDisplacement {
             let first = values.iter().find(|w| **w != 0.0);
             if let (Some(&value), false) = (first, axes.contains(&axis)) {
                 return Err(Error::NotModelled {
+                    model: "the model of this contact",
                     quantity: match axis {
                         Axis::X => "relative displacement along x",
                         Axis::Y => "relative displacement along y",

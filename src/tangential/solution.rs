@@ -363,10 +363,10 @@ impl TangentialSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings();
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
-        let radius = || self.contact_map().cells_per_radius();
+        let contact = || self.contact_map().mean_spot();
         warnings.extend(Warning::of_discretisation(
             self.discretisation_estimate(),
-            radius,
+            contact,
         ));
         Ok(warnings)
     }

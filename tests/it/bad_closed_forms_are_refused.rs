@@ -212,7 +212,9 @@ fn tangential_contacts() {
         });
         assert_checked("tangential force", Finite, |value| contact(0.5, value));
         let refused = contact(0.5, 0.6).unwrap_err();
-        assert!(matches!(refused, Error::BeyondFrictionCapacity { force, limit } if force > limit));
+        assert!(
+            matches!(refused, Error::BeyondFrictionCapacity { force, limit, .. } if force > limit)
+        );
     }
     assert_checked("contact radius", Positive, |value| {
         Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift())

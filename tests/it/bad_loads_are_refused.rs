@@ -155,7 +155,7 @@ fn tangential_loads() {
         build(TangentialLoad::force([0.1, 0.2])),
         Some(Error::ObliqueLoad { x: 0.1, y: 0.2 })
     );
-    let Some(Error::BeyondFrictionCapacity { force, limit }) =
+    let Some(Error::BeyondFrictionCapacity { force, limit, .. }) =
         build(TangentialLoad::force([0.0, -0.51]))
     else {
         panic!("more than friction holds");

@@ -194,7 +194,7 @@ fn forces_that_slide_the_bodies_are_refused() {
             let along_both = TangentialLoad::force([part * sliding, 0.0]);
             let across_held = along_both.along(Axis::Y, TangentialControl::Shift(0.0));
             for load in [along_both, across_held] {
-                let Err(Error::BeyondFrictionCapacity { force, limit }) = solve(load) else {
+                let Err(Error::BeyondFrictionCapacity { force, limit, .. }) = solve(load) else {
                     panic!("{part} of {sliding} under {press:?}");
                 };
                 assert!(force == part * sliding && (limit / sliding - 1.0).abs() < 1e-4);

@@ -78,6 +78,7 @@ mod lines_are_plane_strain;
 mod load_paths_close_and_turn_exactly;
 mod long_calls_stop_when_told;
 mod measured_surfaces_are_prepared;
+mod messages_name_value_and_remedy;
 mod methods_agree;
 mod moments_and_energies_follow_from_the_fields;
 mod one_way_coupling_is_goodmans;

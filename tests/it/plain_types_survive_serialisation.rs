@@ -226,6 +226,7 @@ fn answers_and_what_is_said_about_them() {
             spots: 2,
         },
         Warning::StalePressure,
+        Warning::LargeContactRadius { per_mille: 450 },
     ] {
         survives(&warning);
     }
@@ -419,7 +420,7 @@ fn answers_that_contradict_themselves_are_refused() {
     let spots = spoilt(&normal.spots(), "/labels/7", json!(99));
     is(
         spots,
-        "number of contact spots must be at least the largest label, 9.9e1",
+        "number of contact spots must be at least 99.0 (the largest label)",
     );
     let slip = spoilt(&shear, "/slip/1/grid/ny", json!(19));
     is(slip, "field has 480 entries, expected 456");
@@ -451,7 +452,7 @@ fn answers_that_contradict_themselves_are_refused() {
         let counted = spoilt(history.last_step(), count, json!(u64::MAX));
         is(
             counted,
-            "number of cells must be at least those that stick or slip",
+            "number of cells must be at least 1.8446744073709552e19 (cells that stick or slip)",
         );
     }
 

@@ -610,7 +610,10 @@ fn a_step_that_fails_leaves_no_trace() {
     assert_eq!(history.state().to_bytes(), before);
     // The contact would be larger than the grid leaves room for, ahead of it.
     let refused = history.step(&press(1.35 * load).roll(Rolling::new(2)));
-    assert!(matches!(refused, Err(Error::Below { .. })), "{refused:?}");
+    assert!(
+        matches!(refused, Err(Error::GridTooShort { needed: 2, .. })),
+        "{refused:?}"
+    );
     assert_eq!(history.state().to_bytes(), before);
     history.step(&rolled).unwrap();
 }
@@ -643,7 +646,7 @@ fn bad_rolling_is_refused() {
     for cells in [9, usize::MAX] {
         let refused = rolled.step(&LoadStep::hold().roll(Rolling::new(cells)));
         assert!(
-            matches!(refused, Err(Error::Below { value, .. }) if value < 5.0),
+            matches!(refused, Err(Error::GridTooShort { needed, found, .. }) if needed == cells && found < 5),
             "{refused:?}"
         );
     }

@@ -237,7 +237,7 @@ fn warnings_are_values() {
         .unwrap();
     assert_eq!(shear.warnings(), point.warnings());
     assert!(
-        press(&surface::sphere(grid, 0.1).unwrap(), 0.1)
+        press(&surface::sphere(grid, 1.0).unwrap(), 0.01)
             .warnings()
             .is_empty()
     );

@@ -492,15 +492,15 @@ fn bad_rolling_is_refused() {
     ));
     assert!(matches!(
         builder().step(9).build(),
-        Err(Error::Below { .. })
+        Err(Error::GridTooShort { .. })
     ));
     assert!(matches!(
         builder().step(usize::MAX).build(),
-        Err(Error::Below { .. })
+        Err(Error::GridTooShort { .. })
     ));
     assert!(matches!(
         builder().leading_edge(LeadingEdge::MinusY).step(9).build(),
-        Err(Error::Below { .. })
+        Err(Error::GridTooShort { .. })
     ));
     assert!(matches!(
         builder()

@@ -95,6 +95,7 @@ fn large_errors_are_remarked_on_with_the_cells_that_a_small_one_needs() {
                 Warning::DiscretisationError {
                     per_mille,
                     cells_per_radius,
+                    ..
                 } => Some((per_mille, cells_per_radius)),
                 _ => None,
             });

@@ -12,7 +12,8 @@ use stickslip::{Boundary, Error, Field, Grid, HalfSpace, Identity, Result};
 fn bytes<T>(outcome: Result<T>) -> u128 {
     match outcome.map(|_| ()) {
         Err(error @ Error::Memory { bytes, .. }) => {
-            assert!(error.to_string().contains(&format!("{bytes} bytes")));
+            let gib = bytes as f64 / f64::from(1 << 30);
+            assert!(error.to_string().contains(&format!(" {gib:.1} GiB ")));
             bytes
         }
         other => panic!("{other:?}"),

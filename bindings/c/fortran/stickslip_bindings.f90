@@ -312,7 +312,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NO_CONTACT = 1
     ! Contact cells (cells) lie on the edge of the grid.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CONTACT_AT_EDGE = 2
-    ! Contact spots (cells) of all (of) are smaller than five cells.
+    ! Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNRESOLVED_SPOTS = 3
     ! The grid is a line of cells that does not repeat.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LINE_OF_CELLS = 4
@@ -333,6 +333,14 @@ module stickslip_bindings
     ! The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
     ! radius of a contact spot.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_DISCRETISATION_ERROR = 12
+    ! The approach exceeds the longest side of the grid.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_APPROACH_BEYOND_GRID = 13
+    ! The contact radius exceeds 0.3 of the radius of curvature.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_CONTACT_RADIUS = 14
+    ! The rms slope of the surface within the contact exceeds 0.5.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STEEP_SURFACE = 15
+    ! A step of a history held the shift, and the tangential force fell by more than half.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE = 16
     ! Any other: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
@@ -451,6 +459,8 @@ module stickslip_bindings
     ! Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
     ! different inputs, which the message names.
     integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
+    ! A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
+    integer(c_int32_t), parameter, public :: STICKSLIP_GRID_TOO_SHORT = 90
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
     ! Body 1, into which z points.
@@ -2384,7 +2394,7 @@ module stickslip_bindings
         end function stickslip_rolling_options_default
 
         ! Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
-        ! the contact, else STICKSLIP_BELOW. load (no creepage, no spin) and options (the defaults) may be NULL.
+        ! the contact, else STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options (the defaults) may be NULL.
         function stickslip_rolling_solver_new(half_space, normal, friction, load, options, &
             solver) result(answer) bind(c)
             import

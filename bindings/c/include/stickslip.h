@@ -245,7 +245,7 @@
 // Contact cells (cells) lie on the edge of the grid.
 #define STICKSLIP_WARNING_CONTACT_AT_EDGE 2
 
-// Contact spots (cells) of all (of) are smaller than five cells.
+// Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
 #define STICKSLIP_WARNING_UNRESOLVED_SPOTS 3
 
 // The grid is a line of cells that does not repeat.
@@ -275,6 +275,18 @@
 // The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
 // radius of a contact spot.
 #define STICKSLIP_WARNING_DISCRETISATION_ERROR 12
+
+// The approach exceeds the longest side of the grid.
+#define STICKSLIP_WARNING_APPROACH_BEYOND_GRID 13
+
+// The contact radius exceeds 0.3 of the radius of curvature.
+#define STICKSLIP_WARNING_LARGE_CONTACT_RADIUS 14
+
+// The rms slope of the surface within the contact exceeds 0.5.
+#define STICKSLIP_WARNING_STEEP_SURFACE 15
+
+// A step of a history held the shift, and the tangential force fell by more than half.
+#define STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE 16
 
 // Any other: the message says which.
 #define STICKSLIP_WARNING_OTHER 127
@@ -450,6 +462,9 @@
 // Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
 // different inputs, which the message names.
 #define STICKSLIP_RANKS_APART 89
+
+// A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
+#define STICKSLIP_GRID_TOO_SHORT 90
 
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
@@ -1932,7 +1947,7 @@ uint64_t *stickslip_block_room(stickslip_block *block, size_t words);
 stickslip_rolling_options stickslip_rolling_options_default(void);
 
 // Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
-// the contact, else STICKSLIP_BELOW. load (no creepage, no spin) and options (the defaults) may be NULL.
+// the contact, else STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options (the defaults) may be NULL.
 stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_space,
                                               const stickslip_normal_solution *normal,
                                               const stickslip_friction *friction,

@@ -159,6 +159,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::NothingToHold => STICKSLIP_NOTHING_TO_HOLD,
         Error::Method { .. } => STICKSLIP_METHOD,
         Error::Below { .. } => STICKSLIP_BELOW,
+        Error::GridTooShort { .. } => STICKSLIP_GRID_TOO_SHORT,
         Error::Format { .. } => STICKSLIP_FORMAT,
         Error::RigidBody(_) => STICKSLIP_RIGID_BODY,
         Error::Repeats(_) => STICKSLIP_REPEATS,
@@ -183,6 +184,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         Error::BeyondFrictionCapacity {
             force: value,
             limit,
+            ..
         }
         | Error::BeyondFrictionMoment {
             moment: value,
@@ -229,6 +231,11 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         ) => numbers.index = index,
         Error::Length {
             expected, found, ..
+        }
+        | Error::GridTooShort {
+            needed: expected,
+            found,
+            ..
         } => (numbers.expected, numbers.found) = (expected, found),
         Error::GridMismatch {
             expected_cells,

@@ -109,7 +109,7 @@ pub(crate) fn unsolved() -> stickslip_report {
 pub const STICKSLIP_WARNING_NO_CONTACT: i32 = 1;
 /// Contact cells (cells) lie on the edge of the grid.
 pub const STICKSLIP_WARNING_CONTACT_AT_EDGE: i32 = 2;
-/// Contact spots (cells) of all (of) are smaller than five cells.
+/// Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
 pub const STICKSLIP_WARNING_UNRESOLVED_SPOTS: i32 = 3;
 /// The grid is a line of cells that does not repeat.
 pub const STICKSLIP_WARNING_LINE_OF_CELLS: i32 = 4;
@@ -130,6 +130,14 @@ pub const STICKSLIP_WARNING_PRESSED_AT_ONCE: i32 = 11;
 /// The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
 /// radius of a contact spot.
 pub const STICKSLIP_WARNING_DISCRETISATION_ERROR: i32 = 12;
+/// The approach exceeds the longest side of the grid.
+pub const STICKSLIP_WARNING_APPROACH_BEYOND_GRID: i32 = 13;
+/// The contact radius exceeds 0.3 of the radius of curvature.
+pub const STICKSLIP_WARNING_LARGE_CONTACT_RADIUS: i32 = 14;
+/// The rms slope of the surface within the contact exceeds 0.5.
+pub const STICKSLIP_WARNING_STEEP_SURFACE: i32 = 15;
+/// A step of a history held the shift, and the tangential force fell by more than half.
+pub const STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE: i32 = 16;
 /// Any other: the message says which.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -171,6 +179,10 @@ impl From<&Warning> for stickslip_warning {
             Warning::DiscretisationError {
                 cells_per_radius, ..
             } => (STICKSLIP_WARNING_DISCRETISATION_ERROR, cells_per_radius, 0),
+            Warning::ApproachBeyondGrid { .. } => (STICKSLIP_WARNING_APPROACH_BEYOND_GRID, 0, 0),
+            Warning::LargeContactRadius { .. } => (STICKSLIP_WARNING_LARGE_CONTACT_RADIUS, 0, 0),
+            Warning::SteepSurface { .. } => (STICKSLIP_WARNING_STEEP_SURFACE, 0, 0),
+            Warning::HeldShiftLostForce { .. } => (STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

@@ -139,7 +139,7 @@ pub struct stickslip_rolling_solution(Handle<RollingSolution>);
 opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solution");
 
 /// Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
-/// the contact, else STICKSLIP_BELOW. load (no creepage, no spin) and options (the defaults) may be NULL.
+/// the contact, else STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options (the defaults) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,

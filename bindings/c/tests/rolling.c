@@ -190,7 +190,7 @@ static void options_are_chosen(const stickslip_half_space *bodies, const sticksl
     whole.step = 0;
     CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_NOT_POSITIVE);
     whole.step = N;
-    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_BELOW);
+    CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_GRID_TOO_SHORT);
     whole.step = 1, whole.reserved[0] = 1;
     CHECK(stickslip_rolling_solver_new(bodies, pressed, &friction, &load, &whole, &none) == STICKSLIP_NO_SUCH_OPTION);
     CHECK(none == NULL);
@@ -329,9 +329,9 @@ static void steps_that_cannot_roll_leave_the_history(const stickslip_half_space 
     stickslip_history *history = pressed_history(bodies);
     stickslip_load_step load = {0};
     load.roll.cells = N;
-    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_BELOW);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_GRID_TOO_SHORT);
     load.roll.cells = UINT32_MAX;
-    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_BELOW);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_GRID_TOO_SHORT);
     load.roll.cells = 0, load.roll.creepage[0] = 0.1;
     CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_POSITIVE);
     load.roll.cells = 1, load.roll.leading_edge = 4;

@@ -76,7 +76,7 @@ impl Minimum {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let report = in_python(py, &self.0.report.to_string(), &[])?;
+        let report = in_python(py, &self.0.report.to_string())?;
         let multiplier = short(self.0.multiplier);
         Ok(format!("Minimum(multiplier={multiplier}, {report})"))
     }

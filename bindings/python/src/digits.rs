@@ -57,16 +57,10 @@ pub(crate) fn as_python(py: Python<'_>, value: f64) -> PyResult<String> {
     Ok(PyFloat::new(py, value).repr()?.to_string())
 }
 
-/// A sentence of the crate with its numbers as Python writes them. Those that are floating point although they are written
-/// without a point, such as one, are given too: the last of each in the sentence is the one meant.
-pub(crate) fn in_python(py: Python<'_>, sentence: &str, floating: &[f64]) -> PyResult<String> {
+/// Returns a sentence of the crate with its numbers as Python writes them. The crate writes floating-point numbers with a
+/// point or an exponent.
+pub(crate) fn in_python(py: Python<'_>, sentence: &str) -> PyResult<String> {
     let mut parts = parts(sentence);
-    for &value in floating {
-        let written = value.to_string();
-        if let Some(part) = parts.iter_mut().rev().find(|part| **part == written) {
-            *part = as_python(py, value)?;
-        }
-    }
     for part in &mut parts {
         let is_number = part.ends_with(|last: char| last.is_ascii_digit());
         let is_floating = is_number && part.contains(['.', 'e']);

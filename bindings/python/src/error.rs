@@ -1,7 +1,7 @@
 //! Exceptions: those of the module ``stickslip.errors``, one for each variant of the crate's error, with its numbers.
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat};
+use pyo3::types::PyDict;
 use stickslip::{Error, Grid, ranks::RankFailure};
 
 use crate::digits::{as_python, in_python};
@@ -130,7 +130,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         NotFinite { quantity, value }
         Sample { quantity, index, value, rule }
         TooManyLayers { found, limit }
-        Coated { quantity, remedy }
+        Coated { quantity, bodies, remedy }
         NotDefinite { eigenvalue, sides }
         CoupledMaterials { beta }
         CellsTooLong { sides }
@@ -141,12 +141,12 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Method { method, quantity }
         Bounds { index, lower, upper }
         Total { total, lower, upper }
-        BeyondFrictionCapacity { force, limit }
+        BeyondFrictionCapacity { force, limit, remedy }
         BeyondFrictionMoment { moment, limit }
         BeyondHardness { force, capacity }
         Yielded { quantity, cells }
         ObliqueLoad { x, y }
-        NotModelled { quantity, value, remedy }
+        NotModelled { model, quantity, value, remedy }
         MaterialMismatch { quantity }
         ApproachBeyondMeanGap { approach, mean_gap }
         TooManyCells { cells, limit }
@@ -156,6 +156,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Range { quantity, start, end, count }
         BeyondSamples { axis, reach, limit }
         Below { quantity, value, least_is, least }
+        GridTooShort { side, needed, found }
         EmptyBand { longest, shortest }
         HeightsNotReached { skewness, kurtosis, reached }
         StepNotNew { step, last }
@@ -222,26 +223,17 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         // The crate's error may grow.
         _ => "StickslipError",
     };
-    let message = in_words(py, &error, message, &attributes)?;
+    let message = in_words(py, &error, message)?;
     named(py, name, &message, &attributes)
 }
 
-/// The sentence of an error with its numbers as Python writes them.
-fn in_words(
-    py: Python<'_>,
-    error: &Error,
-    sentence: String,
-    attributes: &Bound<'_, PyDict>,
-) -> PyResult<String> {
+/// Returns the sentence of an error with its numbers as Python writes them.
+fn in_words(py: Python<'_>, error: &Error, sentence: String) -> PyResult<String> {
     // Names of files are no numbers, and a sample is written so already.
     if let Error::File { .. } | Error::Format { .. } | Error::Sample { .. } = error {
         return Ok(sentence);
     }
-    let numbers = attributes.values();
-    let floating = numbers
-        .iter()
-        .filter_map(|number| Some(number.cast::<PyFloat>().ok()?.value()));
-    in_python(py, &sentence, &floating.collect::<Vec<_>>())
+    in_python(py, &sentence)
 }
 
 fn one<'py>(

@@ -155,10 +155,7 @@ impl Report {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(format!(
-            "Report({})",
-            in_python(py, &self.0.to_string(), &[])?
-        ))
+        Ok(format!("Report({})", in_python(py, &self.0.to_string())?))
     }
 }
 
@@ -168,7 +165,8 @@ picklable!(Report: stickslip::Report);
 ///
 /// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
 /// ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
-/// ``pressed_at_once``, ``stress_at_edge`` or ``discretisation_error``.
+/// ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
+/// ``steep_surface`` or ``held_shift_lost_force``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -199,6 +197,10 @@ impl Warning {
             W::PressedAtOnce => "pressed_at_once",
             W::StressAtEdge => "stress_at_edge",
             W::DiscretisationError { .. } => "discretisation_error",
+            W::ApproachBeyondGrid { .. } => "approach_beyond_grid",
+            W::LargeContactRadius { .. } => "large_contact_radius",
+            W::SteepSurface { .. } => "steep_surface",
+            W::HeldShiftLostForce { .. } => "held_shift_lost_force",
             _ => "other",
         }
     }

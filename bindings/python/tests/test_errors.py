@@ -251,18 +251,34 @@ def test_a_kind_of_remark_is_warned_of_once_a_place_whatever_it_counts():
     grid = ss.Grid.square(24, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
     x, y = np.meshgrid(grid.x, grid.y)
-    solver = ss.NormalSolver(bodies, (x - 0.3) ** 2 / 2.0 + y**2 / 2.0, force=0.0)
+    solver = ss.NormalSolver(bodies, (x - 0.3) ** 2 / 4.0 + y**2 / 4.0, force=0.0)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("default")
-        counts = {remark.cells for force in (0.02, 0.04, 0.06) for remark in solver.solve(force=force).warnings}
+        counts = {remark.cells for force in (0.01, 0.02, 0.03) for remark in solver.solve(force=force).warnings}
         assert len(counts) == 3 and len(caught) == 1  # as many texts, one warning
-        solver.solve(force=0.05)
+        solver.solve(force=0.025)
         assert [warning.lineno for warning in caught] == sorted({warning.lineno for warning in caught}) and len(caught) == 2
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        for force in (0.02, 0.04, 0.06):
+        for force in (0.01, 0.02, 0.03):
             solver.solve(force=force)
         assert len({str(warning.message) for warning in caught}) == 3
+
+
+def test_a_held_shift_that_loses_the_force_is_warned_of(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    history.step(force_x=0.4 * FORCE)
+    with pytest.warns(ss.ContactWarning, match="held the shift and lost .* %"):
+        step = history.step(normal_force=0.3 * FORCE)
+    assert "held_shift_lost_force" in [remark.kind for remark in step.warnings]
+
+
+def test_lengths_in_other_units_are_warned_of(scene):
+    # The heights are in micrometres on a grid in millimetres.
+    problem = ss.NormalProblem(scene.bodies, scene.ball * 1e3, force=FORCE)
+    kinds = {remark.kind for remark in problem.solve(warn=False).warnings}
+    assert {"large_contact_radius", "steep_surface"} <= kinds
 
 
 def test_a_loop_warns_where_it_is_run(scene):

@@ -209,7 +209,7 @@ def test_what_cannot_roll_is_refused(ball):
     assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
     # The contact reaches the edge of the grid, where particles would enter.
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
-    with pytest.raises(ss.errors.Below, match="cells ahead of the contact"):
+    with pytest.raises(ss.errors.GridTooShort, match="cells ahead of the contact, the grid has 0; add at least 1 cells"):
         RollingProblem(ball.bodies, flat, FRICTION)
 
 

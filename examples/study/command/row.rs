@@ -1,6 +1,6 @@
 //! A row of the table: the key of a case, its results, and the reports of both solves.
 
-use stickslip::{NormalSolution, Report, Status, TangentialSolution, Warning};
+use stickslip::{NormalSolution, Report, Status, TangentialSolution};
 
 /// Which case it is.
 pub(super) const KEY: [&str; 7] = [
@@ -136,9 +136,10 @@ fn number(value: f64) -> String {
 
 /// Contact spots too small to be resolved.
 fn unresolved(normal: &NormalSolution) -> usize {
-    let of = |warning: &Warning| match *warning {
-        Warning::UnresolvedSpots { unresolved, .. } => unresolved,
-        _ => 0,
-    };
-    normal.warnings().iter().map(of).sum()
+    let spots = normal.spots();
+    spots
+        .as_slice()
+        .iter()
+        .filter(|spot| spot.cells < 5)
+        .count()
 }

@@ -249,7 +249,7 @@ fn headers() {
         (
             "1e-6",
             "-1e-6",
-            "X3P, in main.xml: cell side dx must be positive and finite, got -0.000001",
+            "X3P, in main.xml: cell side dx must be positive and finite, got -1e-6",
         ),
         (
             "1e-6",
@@ -319,7 +319,7 @@ fn headers() {
         (
             "<SizeX>3",
             "<SizeX>9999999999999999999",
-            "X3P, in main.xml: cannot allocate 2559999999999999999744 bytes for a padded grid",
+            "X3P, in main.xml: cannot allocate 2384185791015.6 GiB for a padded grid",
         ),
         (
             "<SizeX>3",

@@ -85,11 +85,11 @@ fn npy() {
     for (shape, expected) in [
         (
             "(9999999999, 9999999999)",
-            "NPY, at byte 10: cannot allocate 12799999997440000000128 bytes for a padded grid",
+            "NPY, at byte 10: cannot allocate 11920928952693.9 GiB for a padded grid",
         ),
         (
             "(18446744073709551615, 2)",
-            "NPY, at byte 10: cannot allocate 4722366482869645213440 bytes for a padded grid",
+            "NPY, at byte 10: cannot allocate 4398046511104.0 GiB for a padded grid",
         ),
         (
             "(99999999999999999999, 2)",

@@ -217,7 +217,7 @@ fn sdf_in_text() {
         ),
         (
             with("NumPoints = 9999999999999999999"),
-            "SDF, on line 8: cannot allocate 2559999999999999999744 bytes for a padded grid",
+            "SDF, on line 8: cannot allocate 2384185791015.6 GiB for a padded grid",
         ),
         (
             with("NumProfiles = 1000000000"),

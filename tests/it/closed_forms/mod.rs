@@ -149,7 +149,9 @@ fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
         ));
     }
     for beyond in [1.000001 * limit, -1.000001 * limit] {
-        let Err(Error::BeyondFrictionCapacity { force, limit: held }) = shear(FRICTION, beyond)
+        let Err(Error::BeyondFrictionCapacity {
+            force, limit: held, ..
+        }) = shear(FRICTION, beyond)
         else {
             panic!("a force beyond friction was accepted");
         };

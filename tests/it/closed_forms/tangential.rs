@@ -271,7 +271,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
     }
     assert!(matches!(shear(1e307, 1.0), Some(Error::NotFinite { .. })));
     for beyond in [50.000001, -50.000001] {
-        let Some(Error::BeyondFrictionCapacity { force, limit }) = shear(0.5, beyond) else {
+        let Some(Error::BeyondFrictionCapacity { force, limit, .. }) = shear(0.5, beyond) else {
             panic!("a force beyond friction was accepted");
         };
         assert_close(force, 50.000001);

@@ -2539,6 +2539,9 @@ class History:
         Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
         :meth:`press`.
 
+        A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
+        less friction cannot carry it: name the force in each step to keep it.
+
         Parameters
         ----------
         load : LoadStep, optional
@@ -2557,7 +2560,8 @@ class History:
 
         Raises
         ------
-        NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, NotConverged
+        NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, EmptyContact,
+        GridTooShort, NotConverged
         """
     @staticmethod
     def step_all(histories: Sequence[History], loads: Sequence[LoadStep], *, warn: bool = True) -> list[tuple[int, Any]]:
@@ -4528,7 +4532,7 @@ class RollingProblem:
     Raises
     ------
     NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
-    NotModelled, Below, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
+    NotModelled, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
 
     Examples
     --------
@@ -6041,7 +6045,8 @@ class Warning:
 
     ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
     ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
-    ``pressed_at_once``, ``stress_at_edge`` or ``discretisation_error``.
+    ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
+    ``steep_surface`` or ``held_shift_lost_force``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

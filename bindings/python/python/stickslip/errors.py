@@ -130,10 +130,12 @@ class TooManyLayers(StickslipError, ValueError):
 
 
 class Coated(StickslipError, ValueError):
-    """Asked of coated bodies or of a kernel, but known of homogeneous ones alone."""
+    """A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this kernel."""
 
     quantity: str
-    """The question, in words."""
+    """The requested quantity, in words."""
+    bodies: str
+    """The bodies for which it is not modelled, in words."""
     remedy: str
     """The way round it, in words."""
 
@@ -271,6 +273,8 @@ class BeyondFrictionCapacity(StickslipError, ValueError):
     """Magnitude of the force requested."""
     limit: float
     """Largest force that friction can carry, the area integral of the shear limit."""
+    remedy: str
+    """The loads that are possible instead, in words."""
 
 
 class BeyondFrictionMoment(StickslipError, ValueError):
@@ -310,10 +314,12 @@ class ObliqueLoad(StickslipError, ValueError):
 
 
 class NotModelled(StickslipError, ValueError):
-    """The model of a history does not include this load."""
+    """A model does not include this load, or this property of an operator."""
 
+    model: str
+    """The model, in words."""
     quantity: str
-    """The load, in words."""
+    """The load or the property, in words."""
     value: float
     """The value given."""
     remedy: str
@@ -416,6 +422,17 @@ class Below(StickslipError, ValueError):
     """The meaning of the lower limit, in words."""
     least: float
     """The lower limit."""
+
+
+class GridTooShort(StickslipError, ValueError):
+    """The grid ends too near the contact for a rolled step."""
+
+    side: str
+    """The side of the contact: "ahead of" or "behind"."""
+    needed: int
+    """Cells that a step needs there."""
+    found: int
+    """Cells that the grid has there."""
 
 
 class EmptyBand(StickslipError, ValueError):

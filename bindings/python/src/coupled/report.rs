@@ -101,7 +101,7 @@ impl CoupledReport {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         Ok(format!(
             "CoupledReport({}, pressure error <= {}, traction error <= {} as halves)",
-            in_python(py, &self.0.work.to_string(), &[])?,
+            in_python(py, &self.0.work.to_string())?,
             rough(self.0.pressure_error_bound),
             rough(self.0.traction_error_bound)
         ))

@@ -23,6 +23,9 @@ impl History {
     /// Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
     /// :meth:`press`.
     ///
+    /// A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
+    /// less friction cannot carry it: name the force in each step to keep it.
+    ///
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
@@ -41,7 +44,8 @@ impl History {
     ///
     /// Raises
     /// ------
-    /// NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, NotConverged
+    /// NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, EmptyContact,
+    /// GridTooShort, NotConverged
     #[pyo3(signature = (load=None, *, normal_force=None, approach=None, force=None, shift=None, spring=None,
         force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
         relative_displacement=None, roll=None, progress=None, warn=true))]

@@ -57,7 +57,7 @@ use crate::work::unobserved_on;
 /// Raises
 /// ------
 /// NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
-/// NotModelled, Below, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
+/// NotModelled, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
 ///
 /// Examples
 /// --------

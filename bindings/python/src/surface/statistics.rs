@@ -64,7 +64,7 @@ impl Statistics {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         Ok(format!(
             "Statistics({})",
-            in_python(py, &self.0.to_string(), &[])?
+            in_python(py, &self.0.to_string())?
         ))
     }
 }

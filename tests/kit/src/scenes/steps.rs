@@ -98,7 +98,9 @@ impl Story {
                 Act::Force(parts) => {
                     let asked = parts[0].hypot(parts[1]) * friction_capacity;
                     let limit = now * history.grid().cell_area();
-                    if asked > (1.0 + 1e-12) * limit {
+                    if asked > 0.0 && history.normal().contact_cells() == 0 {
+                        Expected::Refused("EmptyContact")
+                    } else if asked > (1.0 + 1e-12) * limit {
                         Expected::Refused("BeyondFrictionCapacity")
                     } else if asked > (1.0 - 1e-7) * limit && axis.is_none() {
                         Expected::AnswerOrRoundOff

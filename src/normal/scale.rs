@@ -1,0 +1,134 @@
+//! Lengths and slopes of a contact compared with the limits of the small-slope theory.
+
+use crate::cgm::reduce::{self, Tally};
+use crate::grid::Grid;
+use crate::half_space::HalfSpace;
+use crate::warning::Warning;
+
+/// Approach, contact radius and slope, as integers that warnings compare and state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(crate) struct Scale {
+    /// Approach from the first touch over the longest side of the grid, in tenths.
+    approach_tenths: usize,
+    /// Contact radius over the radius of curvature, in thousandths.
+    radius_per_mille: usize,
+    /// Rms slope within the contact, in thousandths.
+    slope_per_mille: usize,
+}
+
+/// Largest values without a warning.
+const LARGEST_APPROACH: usize = 10;
+const LARGEST_RADIUS: usize = 300;
+const LARGEST_SLOPE: usize = 500;
+
+/// Sums over pairs of neighbours along an axis that are both in contact: of 1, x, x^2, s, x s and s^2, where x is the
+/// middle of the pair and s the slope of the gap between them.
+type Slopes = [f64; 6];
+
+impl Scale {
+    /// Measures the contact of a pressure over a gap before loading. Pairs of rows on different ranks do not count.
+    pub(super) fn of(bodies: &HalfSpace, gap: &[f64], pressure: &[f64], approach: f64) -> Self {
+        let grid = bodies.grid();
+        let ([nx, ny], sides) = (grid.size(), [grid.dx(), grid.dy()]);
+        let (slopes, least) = reduce::fold(
+            &bodies.grid_layout(),
+            |cells| {
+                let (mut slopes, mut least) = ([Slopes::default(); 2], f64::INFINITY);
+                for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
+                    least = least.min(gap[cell]);
+                    let (column, row) = (cell % nx, cell / nx);
+                    let next = [
+                        (column + 1 < nx).then_some(cell + 1),
+                        (row + 1 < ny).then_some(cell + nx),
+                    ];
+                    for (axis, next) in next.into_iter().enumerate() {
+                        let Some(next) = next.filter(|next| pressure[*next] > 0.0) else {
+                            continue;
+                        };
+                        let x = grid.position(column, row)[axis] + 0.5 * sides[axis];
+                        let s = (gap[next] - gap[cell]) / sides[axis];
+                        slopes[axis] = slopes[axis].plus([1.0, x, x * x, s, x * s, s * s]);
+                    }
+                }
+                (slopes, least)
+            },
+            |(a, least), (b, other)| (a.plus(b), least.min(other)),
+        );
+        let grid = grid.whole();
+        let longest = (grid.dx() * grid.nx() as f64).max(grid.dy() * grid.ny() as f64);
+        let radius = slopes.map(|slopes| radius_over_curvature(grid, slopes));
+        let squared = slopes.map(|[count, .., squares]| squares / f64::max(count, 1.0));
+        Self {
+            approach_tenths: whole(10.0 * (approach - least) / longest),
+            radius_per_mille: whole(1e3 * radius[0].max(radius[1])),
+            slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
+        }
+    }
+
+    /// Returns the larger value of each quantity.
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self {
+            approach_tenths: self.approach_tenths.max(other.approach_tenths),
+            radius_per_mille: self.radius_per_mille.max(other.radius_per_mille),
+            slope_per_mille: self.slope_per_mille.max(other.slope_per_mille),
+        }
+    }
+
+    /// Returns the warnings of the values that are too large.
+    pub(crate) fn warnings(self) -> impl Iterator<Item = Warning> {
+        let Self {
+            approach_tenths,
+            radius_per_mille,
+            slope_per_mille,
+        } = self;
+        let approach = Warning::ApproachBeyondGrid {
+            tenths: approach_tenths,
+        };
+        let radius = Warning::LargeContactRadius {
+            per_mille: radius_per_mille,
+        };
+        let slope = Warning::SteepSurface {
+            per_mille: slope_per_mille,
+        };
+        [
+            (approach_tenths > LARGEST_APPROACH).then_some(approach),
+            (radius_per_mille > LARGEST_RADIUS).then_some(radius),
+            (slope_per_mille > LARGEST_SLOPE).then_some(slope),
+        ]
+        .into_iter()
+        .flatten()
+    }
+}
+
+/// Least part of the variance of the slope that the position has to explain: roughness has slopes, and no curvature.
+const EXPLAINED: f64 = 0.5;
+
+/// Returns the contact radius times the regression of the slope on the position; zero where the position does not explain
+/// the slope. The radius follows from the standard deviation of the position: twice for a disc, the root of three for a
+/// line.
+fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
+    let [x, xx, s, xs, ss] = [x, xx, s, xs, ss].map(|sum| sum / count);
+    let (deviation, spread) = ((xx - x * x).sqrt(), (ss - s * s).sqrt());
+    let correlation = (xs - x * s) / deviation / spread;
+    if correlation * correlation < EXPLAINED {
+        return 0.0;
+    }
+    let is_line = grid.size().contains(&1);
+    let reach = if is_line { 3.0_f64.sqrt() } else { 2.0 };
+    reach * correlation * spread
+}
+
+/// Returns the nearest integer; zero if the number is negative or not finite, as where nothing touches.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a negative number becomes zero, and a large one saturates"
+)]
+fn whole(value: f64) -> usize {
+    if value.is_finite() {
+        value.round() as usize
+    } else {
+        0
+    }
+}
