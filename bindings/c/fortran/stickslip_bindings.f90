@@ -449,6 +449,8 @@ module stickslip_bindings
     ! Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
     ! different inputs, which the message names.
     integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
+    ! A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EXTREME_NUMBER = 90
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
     ! Body 1, into which z points.

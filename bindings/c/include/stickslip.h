@@ -451,6 +451,9 @@
 // different inputs, which the message names.
 #define STICKSLIP_RANKS_APART 89
 
+// A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+#define STICKSLIP_EXTREME_NUMBER 90
+
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
 

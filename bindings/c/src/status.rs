@@ -100,5 +100,7 @@ pub const STICKSLIP_CELL_VALUE_MISMATCH: i32 = 88;
 /// Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
 /// different inputs, which the message names.
 pub const STICKSLIP_RANKS_APART: i32 = 89;
+/// A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+pub const STICKSLIP_EXTREME_NUMBER: i32 = 90;
 /// Any other refusal: the message says which.
 pub const STICKSLIP_REFUSED: i32 = 127;
