@@ -142,9 +142,10 @@ impl HalfSpace {
     /// Ranks call it alike. On a grid with [`Boundary::Periodic`] values are those at the centres in any case: its symbols
     /// are those of waves, which no cell smooths.
     ///
-    /// With values at the centres and [`edges`](crate::edges), smooth contacts have their pressure, traction and areas to 1 %
-    /// with 11 cells on a contact radius at a tolerance of 1e-3, to 0.1 % with 43; of uniform cells as they are, 1 % takes 21
-    /// to 43, 0.1 % takes 170 for the tractions and more for the areas. [A table](crate#accuracy-and-cost) has the times.
+    /// With values at the centres and [`edges`](crate::edges), a sphere has its pressure, its traction at 40 % of the sliding
+    /// force and its areas to 1 % with 11 cells on a contact radius at a tolerance of 1e-3, to 0.1 % with 43. [Narrow slip
+    /// rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without edges need 21
+    /// to 43 for 1 %, and for 0.1 % they need 170 for the tractions and more for the areas. [A table](crate#accuracy-and-cost) has the times.
     /// Kernels cost 4 % more time, solves as much as before or less.
     ///
     /// ```
