@@ -7,8 +7,8 @@ mod result;
 mod show;
 
 pub(crate) use check::{
-    SLIDE, all_finite, all_non_negative, at_least, finite, length, memory, non_negative,
-    not_converged, of_rolling, poisson_ratio, positive, samples_obey,
+    SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
+    non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
 };
 pub use {place::Place, ranks::RankFailure, result::Result};
 
@@ -61,6 +61,22 @@ pub enum Error {
         quantity: &'static str,
         /// The value given.
         value: f64,
+    },
+    /// A number is so small or so large that squares of it leave the range of numbers, and no error could be certified.
+    #[error(
+        "{quantity} is {value:e}, and must lie between {least:e} and {most:e}, where its squares are numbers: {remedy}"
+    )]
+    ExtremeNumber {
+        /// The quantity, in words.
+        quantity: &'static str,
+        /// The value found.
+        value: f64,
+        /// The least value allowed.
+        least: f64,
+        /// The largest value allowed.
+        most: f64,
+        /// The remedy, in words.
+        remedy: &'static str,
     },
     /// A sample of a field violates a rule for that field.
     #[error("{quantity} at index {index} is {value:?}: {rule}")]

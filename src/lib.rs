@@ -166,9 +166,10 @@
 //! | cone, pressure | 128, 4.1 | 6.7e-4, 5.7e-3 | 64, 2.7 | 6.3e-4, 2.1e-4 |
 //! | sphere, shear traction | 512, 42 | 5.0e-4, 1.6e-3 | 128, 7.8 | 5.6e-4, 8.9e-5 |
 //!
-//! For 1 % of pressure, traction and areas N = 32 does, 11 cells on a contact radius, with values at the centres and edges;
-//! uniform cells as they are need 64 to 128 for it. Both at a tolerance of 1e-3: less brings nothing there, and 1e-2 leaves up
-//! to 1 % whatever the grid. The example `grid_against_error` of the package `stickslip-kit` measures this.
+//! For 1 % of all of these N = 32 does, 11 cells on a contact radius, with values at the centres and edges; uniform cells
+//! without edges need 64 to 128 for it. The slip ring of the traction is then 1.7 cells wide. Narrower rings need more cells: at the
+//! same force and N = 32 a gap r^4 has a [ring of one cell](edges#narrow-slip-rings), and a traction error of 3 %. All of these
+//! are at a tolerance of 1e-3: less brings nothing there, and 1e-2 leaves up to 1 % whatever the grid. The example `grid_against_error` of the package `stickslip-kit` measures this.
 //!
 //! A tolerance a hundred times
 //! below this error brings no improvement, unless steps are subtracted from one another, as in wear and friction

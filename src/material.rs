@@ -347,6 +347,7 @@ impl ElasticPair {
         };
         positive("contact modulus of the pair", pair.contact_modulus())?;
         positive("shear modulus of the pair", pair.equivalent_shear_modulus())?;
+        positive("tangential modulus of the pair", pair.tangential_modulus())?;
         finite("Dundurs' beta of the pair", pair.dundurs_beta())?;
         pair.check_layers()?;
         pair.coupling = pair.strongest_coupling();
@@ -429,11 +430,18 @@ impl ElasticPair {
     /// length); of homogeneous bodies the constants of the [`influence`](crate::influence) page over k.
     ///
     /// # Errors
-    /// [`Error::NotPositive`]; [`Error::KernelMissing`] of a pair that stands for a [`Kernel`](crate::Kernel).
+    /// - [`Error::NotPositive`] for the wave number, and for a response that over- or underflows at this wave number.
+    /// - [`Error::NotFinite`] for a coupling that overflows.
+    /// - [`Error::KernelMissing`] if the pair stands for a [`Kernel`](crate::Kernel).
     pub fn response(&self, k: f64) -> Result<Response> {
         self.check_no_kernel()?;
         positive("wave number", k)?;
-        Ok(self.times_k(k).map(|value| value / k))
+        let response = self.times_k(k).map(|value| value / k);
+        positive("response to waves of pressure", response.normal)?;
+        positive("response to traction along waves", response.along)?;
+        positive("response to traction across waves", response.across)?;
+        finite("coupling of pressure and traction", response.coupling)?;
+        Ok(response)
     }
 
     /// The wave number k > 0 times the response to waves of it.

@@ -2,6 +2,8 @@
 //!
 //! The page of the module [`cgm`](crate::cgm) derives the bound.
 
+use std::ops::RangeInclusive;
+
 use crate::cgm::motion::Linearised;
 use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
@@ -77,11 +79,15 @@ pub(crate) fn examine<const N: usize>(
     Certificate {
         displacement,
         residual: ratio(shown.forbidden, displacement),
-        gap: ratio(shown.bound * shown.bound, shown.measured_energy()),
+        gap: shown.gap(),
         load_error: shown.load_error,
         free: shown.free,
     }
 }
+
+/// Sizes of unknowns and displacements whose squares, and those of small parts, neither overflow nor vanish in a sum over
+/// all cells.
+const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 
 /// What a feasible iterate shows, in the units of its problem.
 #[derive(Debug, Clone, Copy)]
@@ -91,6 +97,9 @@ pub(crate) struct Shown {
     /// Largest displacement among the cells that can move, and what replaces it where it is less.
     displacement: f64,
     least_displacement: f64,
+    /// Largest components among the same cells: of the unknowns, displacements and gradients that complementarity does not
+    /// allow.
+    sizes: [f64; 3],
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
     /// `x' C x`, and what replaces it where it is less.
@@ -111,6 +120,25 @@ impl Shown {
     /// The energy that the square of the bound is relative to.
     pub(crate) fn measured_energy(&self) -> f64 {
         larger(self.energy, self.least_energy)
+    }
+
+    /// Returns the square of the bound over the energy, or infinity if sums of squares have left the range of numbers.
+    fn gap(&self) -> f64 {
+        if self.has_squares() {
+            ratio(self.bound * self.bound, self.measured_energy())
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Returns whether the squares of unknowns and displacements, and of small parts of them, are numbers. A size that is
+    /// NaN counts as ordinary: what is made of it is NaN.
+    pub(crate) fn has_squares(&self) -> bool {
+        let [unknown, displacement, gradient] = self.sizes;
+        // A gradient that is small compared with the displacements is a small residual.
+        let moved = larger(displacement, gradient);
+        let is_ordinary = |size: f64| size == 0.0 || size.is_nan() || ORDINARY.contains(&size);
+        is_ordinary(unknown) && is_ordinary(moved)
     }
 }
 
@@ -189,6 +217,7 @@ pub(crate) fn measure<const N: usize>(
     Shown {
         forbidden: found.forbidden,
         displacement: found.displacement,
+        sizes: found.sizes,
         least_displacement: larger(least_displacement, slope),
         bound,
         energy: sums.energy,
@@ -302,6 +331,8 @@ struct Findings<const N: usize> {
     forbidden: f64,
     largest: f64,
     free: usize,
+    /// Largest components of the unknowns, displacements and forbidden gradients.
+    sizes: [f64; 3],
     /// The two shares of the bound, `A` and `B^2`.
     dual: f64,
     squares: f64,
@@ -310,12 +341,13 @@ struct Findings<const N: usize> {
 }
 
 impl<const N: usize> Words for Findings<N> {
-    const COUNT: usize = 6 + N;
+    const COUNT: usize = 9 + N;
     const ZERO: Self = Self {
         displacement: 0.0,
         forbidden: 0.0,
         largest: 0.0,
         free: 0,
+        sizes: [0.0; 3],
         dual: 0.0,
         squares: 0.0,
         pushed: [0.0; N],
@@ -323,17 +355,18 @@ impl<const N: usize> Words for Findings<N> {
 
     fn write(self, words: &mut Vec<u64>) {
         (self.displacement, self.forbidden, self.largest, self.free).write(words);
-        (self.dual, self.squares, self.pushed).write(words);
+        (self.sizes, self.dual, self.squares, self.pushed).write(words);
     }
 
     fn read(words: &mut &[u64]) -> Self {
         let (displacement, forbidden, largest, free) = Words::read(words);
-        let (dual, squares, pushed) = Words::read(words);
+        let (sizes, dual, squares, pushed) = Words::read(words);
         Self {
             displacement,
             forbidden,
             largest,
             free,
+            sizes,
             dual,
             squares,
             pushed,
@@ -359,6 +392,9 @@ impl<const N: usize> Findings<N> {
         self.displacement = larger(self.displacement, norm(u));
         self.forbidden = larger(self.forbidden, forbidden);
         self.largest = larger(self.largest, norm(x));
+        for (size, of) in self.sizes.iter_mut().zip([x, u, pushing]) {
+            *size = of.iter().fold(*size, |size, part| larger(size, part.abs()));
+        }
         self.free += usize::from(set.is_inside(x));
         if forbidden != 0.0 {
             // Either share is valid; each is taken where it is the smaller.
@@ -383,6 +419,7 @@ impl<const N: usize> Findings<N> {
             forbidden: larger(self.forbidden, other.forbidden),
             largest: larger(self.largest, other.largest),
             free: self.free + other.free,
+            sizes: [0, 1, 2].map(|k| larger(self.sizes[k], other.sizes[k])),
             dual: self.dual + other.dual,
             squares: self.squares + other.squares,
             pushed: self.pushed.plus(other.pushed),

@@ -64,6 +64,8 @@ pub(super) struct Fit {
     pub(super) missed: f64,
     /// Values that it is made of.
     pub(super) count: usize,
+    /// Whether any of them lies outside the set.
+    pub(super) has_outside: bool,
 }
 
 impl Fit {
@@ -81,6 +83,7 @@ impl Fit {
             gradient,
             missed: f64::INFINITY,
             count: 0,
+            has_outside: false,
         };
         for round in 1..=ROUNDS {
             let sample = fit.sample(stencil, values, modulus(fit.normal()), round > 1)?;
@@ -89,6 +92,7 @@ impl Fit {
             if round == ROUNDS || fit.distance([0.0; 2]) < -FAR_OUTSIDE {
                 let counts = sample.trusted.iter().flatten();
                 fit.count = counts.filter(|weight| **weight > 0.0).count();
+                fit.has_outside = dot(&sample.trusted, &sample.squares) > 0.0;
                 fit.missed = sample.missed(stencil, solution);
                 break;
             }

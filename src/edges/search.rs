@@ -14,6 +14,9 @@ use crate::parallel::{self, Blocks};
 
 /// Largest root mean square by which a fit may miss the values, in cells, of a contact and of a zone of a first loading.
 pub(super) const LARGEST_MISS: f64 = 0.05;
+/// Largest root mean square by which a fit to values inside alone may miss them, in cells. Such a fit is extrapolated to
+/// the edge: only what is nearly a quadratic inside, as under a sphere, leads there.
+const LARGEST_MISS_INSIDE: f64 = 0.01;
 /// Fewest values of a fit.
 const FEWEST: usize = 10;
 /// Distances of a centre from the edge, in cells, that contradict the state of the cell, and from which on its own value is
@@ -135,7 +138,12 @@ impl Search<'_> {
             };
             // A strip of two cells has two edges in one.
             let is_wide = values.is_core.as_flattened().contains(&true);
-            agrees && is_wide && fit.missed <= self.largest_miss && fit.count >= FEWEST
+            let largest_miss = if fit.has_outside {
+                self.largest_miss
+            } else {
+                LARGEST_MISS_INSIDE.min(self.largest_miss)
+            };
+            agrees && is_wide && fit.missed <= largest_miss && fit.count >= FEWEST
         });
         let Some(fit) = fit else {
             return self.refused(index);

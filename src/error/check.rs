@@ -1,5 +1,7 @@
 //! Checks of arguments, each with the error it returns.
 
+use std::ops::RangeInclusive;
+
 use crate::error::{Error, Result};
 use crate::report::{Report, Status};
 
@@ -27,6 +29,25 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
         Ok(value)
     } else {
         Err(Error::NotFinite { quantity, value })
+    }
+}
+
+/// The numbers whose squares, and products of up to three with others of them, are summed over all cells without leaving
+/// the range of numbers.
+const WITH_SQUARES: RangeInclusive<f64> = 1e-130..=1e130;
+
+/// Returns an error if the squares of a positive value, and of small parts of it, leave the range of numbers.
+pub(crate) fn has_squares(quantity: &'static str, value: f64, remedy: &'static str) -> Result<f64> {
+    if WITH_SQUARES.contains(&value) {
+        Ok(value)
+    } else {
+        Err(Error::ExtremeNumber {
+            quantity,
+            value,
+            least: *WITH_SQUARES.start(),
+            most: *WITH_SQUARES.end(),
+            remedy,
+        })
     }
 }
 

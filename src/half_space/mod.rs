@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::boundary::Boundary;
 use crate::cell_value::CellValue;
-use crate::error::{Error, Result, at_least, finite, memory};
+use crate::error::{Error, Result, at_least, finite, has_squares, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
 use crate::influence::{Added, Component, Direction, Kernel};
@@ -92,7 +92,8 @@ impl HalfSpace {
     ///
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
-    /// to compare; [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::Below`] for a layer
+    /// to compare; [`Error::ExtremeNumber`] if the side of a cell over the contact modulus lies outside 1e-130 to 1e130;
+    /// [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::Below`] for a layer
     /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::Coated`] on grids that they do not take;
     /// [`Error::Below`] for an isotropic one that is not near its half-space; [`Error::GridMismatch`] for a table of other
     /// cells or of too few; [`Error::Length`] for operators of another number of cells, [`Error::NotModelled`] for those that
@@ -141,9 +142,10 @@ impl HalfSpace {
     /// Ranks call it alike. On a grid with [`Boundary::Periodic`] values are those at the centres in any case: its symbols
     /// are those of waves, which no cell smooths.
     ///
-    /// With values at the centres and [`edges`](crate::edges), smooth contacts have their pressure, traction and areas to 1 %
-    /// with 11 cells on a contact radius at a tolerance of 1e-3, to 0.1 % with 43; of uniform cells as they are, 1 % takes 21
-    /// to 43, 0.1 % takes 170 for the tractions and more for the areas. [A table](crate#accuracy-and-cost) has the times.
+    /// With values at the centres and [`edges`](crate::edges), a sphere has its pressure, its traction at 40 % of the sliding
+    /// force and its areas to 1 % with 11 cells on a contact radius at a tolerance of 1e-3, to 0.1 % with 43. [Narrow slip
+    /// rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without edges need 21
+    /// to 43 for 1 %, and for 0.1 % they need 170 for the tractions and more for the areas. [A table](crate#accuracy-and-cost) has the times.
     /// Kernels cost 4 % more time, solves as much as before or less.
     ///
     /// ```
@@ -341,6 +343,11 @@ impl HalfSpace {
         })
     }
 
+    /// Returns about how far a unit pressure on a cell displaces the cell.
+    pub(crate) fn cell_compliance(&self) -> f64 {
+        cell_compliance(self.grid(), self.pair())
+    }
+
     /// `Ok` if what has a meaning of the values of cells has that of these.
     pub(crate) fn check_values(&self, quantity: &'static str, cell_value: CellValue) -> Result<()> {
         if cell_value == self.cell_value() {
@@ -391,10 +398,20 @@ impl HalfSpace {
     }
 }
 
+/// Returns about how far a unit pressure on a cell displaces the cell.
+fn cell_compliance(grid: Grid, pair: &ElasticPair) -> f64 {
+    grid.cell_area().sqrt() / pair.contact_modulus()
+}
+
 /// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
 fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
     let pair = kernel.pair();
+    has_squares(
+        "the side of a cell over the contact modulus",
+        cell_compliance(grid, pair),
+        "choose other units of length or pressure",
+    )?;
     let bodies = pair.bodies();
     for layer in bodies.iter().flat_map(Material::layers) {
         kernel::check_thickness(layer.thickness(), grid)?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::boundary::Boundary;
 use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, Total, settings_methods};
-use crate::error::{Error, Result, finite, non_negative};
+use crate::error::{Error, Result, finite, has_squares, non_negative};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::Direction;
@@ -57,6 +57,8 @@ impl NormalControl {
                 non_negative("normal force", force)?;
                 let pressure = force / gap.grid().cell_area();
                 finite("normal force over the area of a cell", pressure)?;
+                let mean = force / bodies.grid().whole().area();
+                check_size(force, [mean, mean * bodies.cell_compliance()])?;
             }
             Self::Approach(approach) => {
                 finite("approach", approach)?;
@@ -65,11 +67,25 @@ impl NormalControl {
                     let mean_gap = mean_gap();
                     return Err(Error::ApproachBeyondMeanGap { approach, mean_gap });
                 }
+                let depth = (approach - bodies.least(gap)).max(0.0);
+                check_size(depth, [depth / bodies.cell_compliance(), depth])?;
             }
             Self::Hold => return Err(Error::NothingToHold),
         }
         hardness.map_or(Ok(()), |hardness| hardness.check_load(bodies, self))
     }
+}
+
+/// Returns an error if a load is not zero, and the squares of the pressures or of the displacements that it causes leave the
+/// range of numbers.
+fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
+    if load == 0.0 {
+        return Ok(());
+    }
+    let remedy = "choose other units of length or pressure, or a load that is zero";
+    has_squares("the pressure that the normal load causes", pressure, remedy)?;
+    let quantity = "the displacement that the normal load causes";
+    has_squares(quantity, displacement, remedy).map(drop)
 }
 
 /// Bodies, gap and load of a normal contact.
@@ -173,7 +189,8 @@ impl NormalProblemBuilder<'_> {
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
     /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
-    /// [`Error::BeyondHardness`]; [`Error::Ranks`].
+    /// [`Error::BeyondHardness`]; [`Error::ExtremeNumber`] if the load is not zero, and the pressure or the displacement that
+    /// it causes lies outside 1e-130 to 1e130; [`Error::Ranks`].
     pub fn build(self) -> Result<NormalProblem> {
         let hardness = self.hardness.as_ref();
         self.bodies.agreed_alike(

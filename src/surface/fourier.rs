@@ -212,6 +212,18 @@ impl Waves {
             }
         });
     }
+
+    /// Makes the amplitudes of opposite rows conjugates in the columns that are their own mirror image. The amplitude of
+    /// the positive row is kept.
+    pub(super) fn pair_opposite_rows(&mut self) {
+        let (first, nx, ny) = (self.first, self.grid.nx(), self.grid.ny());
+        let columns = (first..).zip(self.amplitudes.chunks_exact_mut(ny));
+        for (_, values) in columns.filter(|(column, _)| *column == 0 || 2 * column == nx) {
+            for row in 1..ny.div_ceil(2) {
+                values[ny - row] = values[row].conj();
+            }
+        }
+    }
 }
 
 /// How the columns of waves of a grid are dealt out to the ranks that share it.

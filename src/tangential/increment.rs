@@ -7,7 +7,7 @@ use crate::cgm::vector::slices;
 use crate::cgm::{Own, Total, reduce};
 use crate::contact::{Conditions, Trend, multipliers};
 use crate::coupling::Coupling;
-use crate::error::Result;
+use crate::error::{Result, has_squares};
 use crate::half_space::HalfSpace;
 use crate::parallel;
 use crate::report::Report;
@@ -182,6 +182,7 @@ impl Increment {
         };
         let totals = self.prescribe(demand)?;
         self.set_linear();
+        self.check_size(demand, totals)?;
         let outcome = self.minimise(totals, start, conditions);
         let beyond = self.engine.multiplier();
         self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
@@ -245,6 +246,45 @@ impl Increment {
         let sums = (limits.sum > 0.0).then(|| limits.sums(force, cell_area));
         let measured = (self.datum(), cell_area);
         demand.prescribe(self.axes, sums, measured, &mut self.motion)
+    }
+
+    /// Returns an error if the squares of the tractions or of the displacements that the load causes leave the range of
+    /// numbers. Tractions that are measured in a unit are compared with it.
+    fn check_size(&self, demand: &Demand, totals: [Total; 2]) -> Result<()> {
+        let Pressed { region, limits, .. } = &self.pressed;
+        if limits.sum <= 0.0 {
+            return Ok(());
+        }
+        let (layout, own) = (region.layout(), self.bodies.cell_compliance());
+        let moved = reduce::max(layout, |i| {
+            let [x, y] = at(&self.linear, i).map(f64::abs);
+            if limits.cells[i] > 0.0 { x.max(y) } else { 0.0 }
+        });
+        let cells = layout.of_all_ranks() as f64;
+        let pulled = totals.map(|total| match total {
+            Total::Free => 0.0,
+            Total::Sum(sum) => (sum / cells).abs(),
+            Total::Spring {
+                far_end,
+                compliance,
+            } => (far_end / (own + cells * compliance)).abs(),
+        });
+        // A force that is not zero may vanish where it is spread over the cells.
+        let is_pulled = demand.force().iter().any(|force| *force != 0.0);
+        let is_idle = !is_pulled && totals.iter().all(|total| total.is_idle());
+        if moved == 0.0 && is_idle {
+            return Ok(());
+        }
+        let traction = pulled.into_iter().fold(moved / own, f64::max);
+        let remedy = "choose other units of length or pressure, or a load that is zero";
+        if let Some(unit) = limits.unit() {
+            let quantity = "the traction that the tangential load causes, over the friction limit,";
+            return has_squares(quantity, traction / unit, remedy).map(drop);
+        }
+        let quantity = "the traction that the tangential load causes";
+        has_squares(quantity, traction, remedy)?;
+        let quantity = "the displacement that the tangential load causes";
+        has_squares(quantity, traction * own, remedy).map(drop)
     }
 
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from

@@ -288,3 +288,63 @@ fn other_bodies_and_slabs_are_refused() {
     });
     assert!(outcomes.iter().all(|outcome| *outcome == (true, None)));
 }
+
+/// Relative errors of the cells and of the edges, mean over the offsets: traction, largest traction and stick area, under
+/// a force that is this part of the sliding force.
+fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
+    let grid = Grid::square(cells, 3.0).unwrap();
+    let (bodies, coefficient) = (bodies(grid, 0.0, CellValue::Centre), 0.5);
+    let friction = Friction::coulomb(coefficient).unwrap();
+    let ratio = shape.stick_radius(part).powi(2);
+    let mut sums = [[0.0; 2]; 3];
+    for [x0, y0] in OFFSETS {
+        let contact = press(&bodies, &shape.gap(grid, [x0, y0]), shape.load());
+        let load = TangentialLoad::force([part * coefficient * shape.force, 0.0]);
+        let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
+        let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+        let edges = shear.edges(&contact, &friction).unwrap();
+        let exact = Field::from_fn(grid, |x, y| {
+            coefficient * shape.traction_at(part, x - x0 * grid.dx(), y - y0 * grid.dy())
+        });
+        let counted = shear.traction()[0];
+        let errors = [
+            [counted, edges.traction()].map(|found| l1_difference(found, &exact, |_| true)),
+            [counted.max(), edges.peak_traction()].map(|found| found / exact.max() - 1.0),
+            [shear.stick_ratio(), edges.stick_ratio()].map(|found| found / ratio - 1.0),
+        ];
+        for (sum, error) in sums
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(errors.as_flattened())
+        {
+            *sum += error.abs() / OFFSETS.len() as f64;
+        }
+    }
+    sums
+}
+
+/// In a slip ring of one cell no slip shows where the stick zone ends. The edge is then extrapolated from inside, which
+/// only what is nearly quadratic there allows: under a sphere the traction gains, under a gap r^4 it stays that of the cells.
+#[test]
+fn narrow_slip_rings_never_make_the_traction_worse() {
+    let parts = kit::thorough(&[0.4][..], &[0.1, 0.2, 0.4, 0.6, 0.8]);
+    for &cells in kit::thorough(&[32][..], &[24, 32, 40, 48, 64]) {
+        for &part in parts {
+            let all = shear_errors(&Smooth::quartic(), cells, part);
+            let [[raw, found], [raw_peak, peak], [raw_stick, stick]] = all;
+            assert!(found < 1.04 * raw, "{cells} {part} {all:?}");
+            assert!(peak < 1.04 * raw_peak + 1e-3, "{cells} {part} {all:?}");
+            assert!(stick < 1.5 * raw_stick + 1e-3, "{cells} {part} {all:?}");
+            for shape in [Smooth::sphere(), Smooth::ellipse()] {
+                let all = shear_errors(&shape, cells, part);
+                let [[raw, found], [raw_peak, peak], _] = all;
+                assert!(found < 0.55 * raw, "{} {cells} {part} {all:?}", shape.name);
+                assert!(
+                    peak < 0.6 * raw_peak,
+                    "{} {cells} {part} {all:?}",
+                    shape.name
+                );
+            }
+        }
+    }
+}

@@ -4,10 +4,13 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use kit::{Random, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
+use stickslip::cgm::{self, NonNegative, Problem, Settings};
 use stickslip::influence::Rectangle;
+use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    NormalProblem, TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    Identity, LoadStep, Material, NormalControl, NormalProblem, TangentialLoad, TangentialModel,
+    TangentialProblem, surface,
 };
 
 const MODELS: [TangentialModel; 2] = [TangentialModel::Scalar, TangentialModel::Vector];
@@ -280,4 +283,162 @@ fn next_to_sliding_nothing_is_gained() {
             }
         }
     }
+}
+
+fn extreme(outcome: Result<impl Sized, Error>) -> Option<(&'static str, f64)> {
+    match outcome.map(drop) {
+        Err(Error::ExtremeNumber {
+            quantity,
+            value,
+            least,
+            most,
+            ..
+        }) => {
+            assert!(!(least..=most).contains(&value), "{quantity} {value:e}");
+            Some((quantity, value))
+        }
+        _ => None,
+    }
+}
+
+/// Bodies, loads and shears are scaled by the same unit. Solutions scale with it where squares are numbers, and elsewhere an
+/// error names the value.
+#[test]
+fn units_beyond_squares_are_rejected_before_any_work() {
+    let grid = Grid::square(16, 8.0).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let scaled = |unit: f64| Field::from_fn(grid, |x, y| unit * (x * x + y * y) / 40.0);
+    let press = |bodies: &HalfSpace, gap: &Field, load| {
+        NormalProblem::builder(bodies, gap, load).build()?.solve()
+    };
+    let bodies = |modulus: f64| {
+        let body = Material::new(modulus, 0.3).unwrap();
+        HalfSpace::new(grid, ElasticPair::new(body, body).unwrap())
+    };
+    let ordinary = bodies(1.0).unwrap();
+    let expected = press(&ordinary, &ball, NormalControl::Force(1.0)).unwrap();
+    let relative = |found: f64, unit: f64, expected: f64| found / unit / expected - 1.0;
+    for unit in [1e-120, 1e120] {
+        let stiff = bodies(unit).unwrap();
+        let found = press(&stiff, &ball, NormalControl::Force(unit)).unwrap();
+        assert!(relative(found.approach(), 1.0, expected.approach()).abs() < 1e-8);
+        let found = press(&ordinary, &scaled(unit), NormalControl::Force(unit)).unwrap();
+        assert!(relative(found.approach(), unit, expected.approach()).abs() < 1e-8);
+        let energy_error = found.report().energy_error_bound();
+        assert!(energy_error > 0.0 && energy_error < 1e-7, "{energy_error}");
+    }
+    for unit in [1e-300, 1e-200, 1e-140, 1e140, 1e200, 1e300] {
+        let (_, value) = extreme(bodies(unit)).unwrap();
+        assert!(
+            (value * unit / (0.5 * 2.0 * 0.91) - 1.0).abs() < 1e-12,
+            "{value:e}"
+        );
+        for load in [NormalControl::Force(unit), NormalControl::Approach(unit)] {
+            let refused = extreme(press(&ordinary, &scaled(unit), load));
+            let (_, value) = refused.unwrap_or_else(|| panic!("{load:?}"));
+            assert!(
+                value / unit > 1e-3 && value / unit < 1e3,
+                "{load:?} {value:e}"
+            );
+        }
+        let friction = Friction::coulomb(0.5).unwrap();
+        for model in MODELS {
+            for load in [
+                TangentialLoad::force([unit, 0.0]),
+                TangentialLoad::shift([unit, 0.0]),
+            ] {
+                let builder =
+                    TangentialProblem::builder(&ordinary, &expected, friction.clone(), load);
+                let sheared = builder.model(model).build().and_then(|of| of.solve());
+                let is_beyond = matches!(sheared, Err(Error::BeyondFrictionCapacity { .. }));
+                assert!(
+                    is_beyond || extreme(sheared).is_some(),
+                    "{model:?} {unit:e}"
+                );
+            }
+        }
+        let mut history = History::builder(&ordinary, &ball, friction)
+            .build()
+            .unwrap();
+        let step = LoadStep::hold().normal(NormalControl::Force(unit));
+        assert!(extreme(history.step(&step)).is_some(), "{unit:e}");
+    }
+    // A load of zero is accepted.
+    let none = press(&ordinary, &ball, NormalControl::Force(0.0)).unwrap();
+    assert_eq!(none.contact_cells(), 0);
+}
+
+/// Pressure and traction that are found together have the same limits.
+#[test]
+fn coupled_loads_beyond_squares_are_rejected_before_any_work() {
+    let grid = Grid::square(12, 8.0).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    for force in [1e-300, 1e-140, 1e140, 1e300] {
+        let friction = Friction::coulomb(0.5).unwrap();
+        let still = TangentialLoad::shift([0.0; 2]);
+        let press = NormalControl::Force(force);
+        let problem = CoupledProblem::builder(&bodies, &ball, friction, press, still);
+        assert!(extreme(problem.build()).is_some(), "{force:e}");
+    }
+}
+
+/// Where squares leave the range of numbers the engine certifies nothing.
+#[test]
+fn no_error_is_certified_by_squares_that_vanish() {
+    for unit in [1e-300, 1e-180, 1.0, 1e-100, 1e100, 1e180, 1e300] {
+        let operator = Identity::new(2);
+        let linear = [-2.0 * unit, unit];
+        let problem = Problem::new(operator, [&linear], NonNegative);
+        let mut x = [0.0; 2];
+        let found = cgm::minimise(&problem, &Settings::default(), [&mut x]);
+        if (1e-100..=1e100).contains(&unit) {
+            assert!(found.unwrap().report.duality_gap < 1e-16);
+            assert!((x[0] / unit - 2.0).abs() < 1e-8 && x[1] == 0.0);
+        } else {
+            let Err(Error::NotConverged(report)) = found else {
+                panic!("{unit:e}: {found:?}")
+            };
+            assert!(report.energy_error_bound().is_infinite(), "{report}");
+        }
+    }
+}
+
+/// Responses of any pair at any wave number are positive numbers, or an error.
+#[test]
+fn responses_beyond_the_doubles_are_rejected() {
+    let moduli = [1e-300, 1e-150, 1.0, 1e150, 1e300];
+    let numbers = [5e-324, 1e-310, 1e-200, 1e-10, 1.0, 1e10, 1e200, 1e308];
+    let mut rejected = 0;
+    for modulus in moduli {
+        let body = Material::new(modulus, 0.3).unwrap();
+        let layer = Layer::new(2.0 * modulus, 0.2, 1.0).unwrap();
+        let coated = body.coated(&[layer]).unwrap();
+        for body in [body, coated] {
+            let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+            for k in numbers {
+                match pair.response(k) {
+                    Ok(response) => {
+                        let parts = [response.normal, response.along, response.across];
+                        assert!(parts.iter().all(|part| *part > 0.0 && part.is_finite()));
+                        assert!(response.coupling.is_finite(), "{modulus:e} {k:e}");
+                    }
+                    Err(Error::NotPositive { value, .. } | Error::NotFinite { value, .. }) => {
+                        assert!(value == 0.0 || !value.is_finite(), "{value:e}");
+                        rejected += 1;
+                    }
+                    Err(error) => panic!("{modulus:e} {k:e}: {error}"),
+                }
+            }
+        }
+    }
+    assert!(rejected > 20, "{rejected}");
+    let soft = Material::new(1e-300, 0.3).unwrap();
+    let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
+    let error = pair.response(1e-200).unwrap_err();
+    assert!(
+        matches!(error, Error::NotPositive { value, .. } if value == f64::INFINITY),
+        "{error}"
+    );
 }

@@ -174,3 +174,75 @@ fn what_cannot_be_is_refused() {
         matches!(error, Error::HeightsNotReached { reached, .. } if (reached[1] - 1.5).abs() < 1e-12)
     );
 }
+
+/// On small grids few waves lie in the band. A wave along y whose transform is round-off has a mirror image of an unrelated
+/// phase, which must not weaken both.
+#[test]
+fn small_grids_keep_the_rms_height() {
+    let sides = kit::thorough(
+        &[1, 4, 7, 16, 32][..],
+        &[1, 2, 3, 4, 5, 7, 8, 12, 15, 16, 17, 24, 31, 32],
+    );
+    let moments_asked = [[-0.5, 2.1], [0.0, 3.0], [0.5, 2.5], [-1.0, 4.0]];
+    let [mut reached, mut rejected] = [0, 0];
+    for (&nx, &ny) in sides
+        .iter()
+        .flat_map(|nx| sides.iter().map(move |ny| (nx, ny)))
+    {
+        let grid = Grid::new(nx, ny, 1.0, 1.0).unwrap();
+        for cut_off in [3.0, 8.0] {
+            for seed in kit::thorough(19..20, 0..20) {
+                for target in [
+                    SelfAffine::with_rms_height(1.0),
+                    SelfAffine::with_rms_slope(1.0),
+                ] {
+                    for amplitudes in [Amplitudes::Exact, Amplitudes::Gaussian] {
+                        let asked = target.cut_off_wavelength(cut_off).seed(seed);
+                        let asked = asked.amplitudes(amplitudes);
+                        // A grid shorter than the cut-off wavelength has no wave.
+                        let Ok(plain) = asked.generate(grid) else {
+                            continue;
+                        };
+                        for [skewness, kurtosis] in moments_asked {
+                            let asked = asked.skewness(skewness).kurtosis(kurtosis);
+                            match asked.generate(grid) {
+                                Ok(surface) => {
+                                    let rms = [surface.rms_height(), surface.rms_slope()];
+                                    let expected = [plain.rms_height(), plain.rms_slope()];
+                                    for (rms, expected) in rms.into_iter().zip(expected) {
+                                        let ratio = rms / expected;
+                                        assert!(
+                                            (ratio - 1.0).abs() < 1e-12,
+                                            "{nx} x {ny}, {asked:?}: {ratio}"
+                                        );
+                                    }
+                                    let kept = moduli(surface.heights());
+                                    let drawn = moduli(plain.heights());
+                                    assert!(
+                                        max_difference(&kept, &drawn) < 1e-13 * expected[0],
+                                        "{nx} x {ny}, {asked:?}"
+                                    );
+                                    let found = moments(surface.heights());
+                                    let asked_for = [skewness, kurtosis];
+                                    assert!(max_difference(&found, &asked_for) < 2e-9);
+                                    reached += 1;
+                                }
+                                Err(Error::HeightsNotReached { .. }) => rejected += 1,
+                                Err(error) => panic!("{nx} x {ny}, {asked:?}: {error}"),
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(reached > 50 && rejected > 50, "{reached} {rejected}");
+    // Two waves along y cannot have these moments, whatever their phases.
+    let asked = SelfAffine::with_rms_height(1.0).seed(19);
+    let error = asked
+        .skewness(-0.5)
+        .kurtosis(2.1)
+        .generate(Grid::new(4, 16, 1.0, 1.0).unwrap())
+        .unwrap_err();
+    assert!(matches!(error, Error::HeightsNotReached { .. }), "{error}");
+}

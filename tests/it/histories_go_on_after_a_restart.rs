@@ -4,8 +4,8 @@ use kit::unit_bodies;
 use stickslip::history::State;
 use stickslip::io::Place;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    TangentialControl, Warning, surface,
+    Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, TangentialControl, TangentialModel, Warning, surface,
 };
 
 fn run(history: &mut History, forces: &[[f64; 2]]) {
@@ -163,4 +163,64 @@ fn other_bodies_are_refused() {
     let periodic = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let outcome = History::from_bytes(&periodic, &bytes);
     assert!(matches!(outcome, Err(Error::BoundaryMismatch { .. })));
+}
+
+/// The sizes that the page of `State::to_bytes` states, with less than a kilobyte in addition to the cells.
+#[test]
+fn saved_states_have_the_size_that_is_stated() {
+    let grid = Grid::square(48, 8.0).unwrap();
+    let friction = Friction::per_cell(Field::from_fn(grid, |_, _| 0.5)).unwrap();
+    let uniform = Friction::coulomb(0.5).unwrap();
+    let ball = surface::sphere(grid, 20.0).unwrap();
+    let flat = Field::zeros(grid);
+    let joint = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    let joint = HalfSpace::new(grid, joint).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    // Bytes per cell of the grid, after two pressings and after a change of the gap: the flat contact fills its window.
+    for (bodies, gap, friction, model, sizes) in [
+        (&bodies, &flat, &uniform, TangentialModel::Scalar, [89, 97]),
+        (
+            &bodies,
+            &flat,
+            &friction,
+            TangentialModel::Scalar,
+            [97, 105],
+        ),
+        (
+            &bodies,
+            &flat,
+            &uniform,
+            TangentialModel::Vector,
+            [129, 137],
+        ),
+        (
+            &bodies,
+            &flat,
+            &friction,
+            TangentialModel::Vector,
+            [137, 145],
+        ),
+        (&joint, &ball, &uniform, TangentialModel::Vector, [105, 113]),
+    ] {
+        let builder = History::builder(bodies, gap, friction.clone()).model(model);
+        let mut history = builder.build().unwrap();
+        for force in [1.0, 1.1, 1.2] {
+            let press = LoadStep::hold().normal(NormalControl::Force(force));
+            history.step(&press).unwrap();
+        }
+        let mut changed = gap.clone();
+        for gap in changed.as_mut_slice() {
+            *gap += 1.0;
+        }
+        let before = history.to_bytes().len();
+        history.set_gap(&changed).unwrap();
+        let found = [before, history.to_bytes().len()];
+        for (found, expected) in found.into_iter().zip(sizes) {
+            let beside = found.checked_sub(expected * grid.cells());
+            assert!(
+                beside.is_some_and(|beside| beside < 1000),
+                "{model:?}: {found}"
+            );
+        }
+    }
 }

@@ -461,6 +461,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
     ! A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
     integer(c_int32_t), parameter, public :: STICKSLIP_GRID_TOO_SHORT = 90
+    ! A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EXTREME_NUMBER = 91
     ! Any other refusal: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
     ! Body 1, into which z points.

@@ -466,6 +466,9 @@
 // A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
 #define STICKSLIP_GRID_TOO_SHORT 90
 
+// A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+#define STICKSLIP_EXTREME_NUMBER 91
+
 // Any other refusal: the message says which.
 #define STICKSLIP_REFUSED 127
 

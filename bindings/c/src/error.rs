@@ -167,6 +167,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::EmptyBand { .. } => STICKSLIP_EMPTY_BAND,
         Error::HeightsNotReached { .. } => STICKSLIP_HEIGHTS_NOT_REACHED,
         Error::Ranks(_) => STICKSLIP_RANKS_APART,
+        Error::ExtremeNumber { .. } => STICKSLIP_EXTREME_NUMBER,
         _ => STICKSLIP_REFUSED,
     }
 }
@@ -222,6 +223,12 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             tolerance: limit,
             ..
         } => (numbers.value, numbers.limit) = (value, limit),
+        Error::ExtremeNumber {
+            value, least, most, ..
+        } => {
+            let limit = if value < least { least } else { most };
+            (numbers.value, numbers.limit) = (value, limit);
+        }
         Error::Sample { index, value, .. } => (numbers.index, numbers.value) = (index, value),
         Error::Yielded { cells: index, .. }
         | Error::Ranks(

@@ -102,5 +102,7 @@ pub const STICKSLIP_CELL_VALUE_MISMATCH: i32 = 88;
 pub const STICKSLIP_RANKS_APART: i32 = 89;
 /// A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
 pub const STICKSLIP_GRID_TOO_SHORT: i32 = 90;
+/// A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+pub const STICKSLIP_EXTREME_NUMBER: i32 = 91;
 /// Any other refusal: the message says which.
 pub const STICKSLIP_REFUSED: i32 = 127;

@@ -101,7 +101,8 @@ static void bad_input_is_refused(void) {
     CHECK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &none) == STICKSLIP_NOT_POSITIVE);
     CHECK(stickslip_half_space_new(NULL, &STEEL, &STEEL, NULL, &none) == STICKSLIP_BAD_POINTER);
     CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, NULL, NULL) == STICKSLIP_BAD_POINTER);
-    stickslip_material odd = {213e9, 0.7, 0.0}, rigid = {INFINITY, 0.0, 0.0};
+    stickslip_material odd = {213e9, 0.7, 0.0}, rigid = {INFINITY, 0.0, 0.0}, soft = {1e-300, 0.3, 0.0};
+    CHECK(stickslip_half_space_new(&GRID, &soft, &soft, NULL, &none) == STICKSLIP_EXTREME_NUMBER);
     CHECK(stickslip_half_space_new(&GRID, &odd, &STEEL, NULL, &none) == STICKSLIP_POISSON_RATIO);
     OK(stickslip_last_error(&error));
     CHECK(error.value == 0.7);

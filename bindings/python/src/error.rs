@@ -128,6 +128,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         NotPositive { quantity, value }
         Negative { quantity, value }
         NotFinite { quantity, value }
+        ExtremeNumber { quantity, value, least, most, remedy }
         Sample { quantity, index, value, rule }
         TooManyLayers { found, limit }
         Coated { quantity, bodies, remedy }

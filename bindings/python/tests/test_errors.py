@@ -25,6 +25,11 @@ from conftest import FORCE, Scene
         (lambda scene: ss.Settings(tolerance=2.0), "Tolerance", {"value": 2.0}),
         (lambda scene: ss.Settings(max_iterations=0), "IterationLimit", {}),
         (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=math.nan), "Negative", {}),
+        (
+            lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1e-300),
+            "ExtremeNumber",
+            {"least": 1e-130, "most": 1e130},
+        ),
         (lambda scene: ss.NormalProblem(scene.bodies, np.zeros((3, 4)), force=1.0), "Shape", {"found": (3, 4)}),
         (
             lambda scene: ss.NormalProblem(scene.bodies, ss.Field(ss.Grid.square(4, 1.0), 0.0), force=1.0),

@@ -233,10 +233,18 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
             ratio(plane.forbidden, moved),
         ];
         let energy = (normal.measured_energy() + plane.measured_energy()).sqrt();
+        let has_squares = normal.has_squares() && plane.has_squares();
+        let bounds = [normal.bound, plane.bound].map(|bound| {
+            if has_squares {
+                ratio(bound, energy)
+            } else {
+                f64::INFINITY
+            }
+        });
         ConeFindings {
             residual: reduce::larger(residuals[0], residuals[1]),
             load_error: reduce::larger(normal.load_error, plane.load_error),
-            bounds: [ratio(normal.bound, energy), ratio(plane.bound, energy)],
+            bounds,
             free: plane.free,
         }
     }

@@ -92,7 +92,8 @@ pub enum Amplitudes {
 ///
 /// The heights follow the Johnson distribution to about 0.01 of their rms where many waves carry the
 /// spectrum, and to 0.1 where few do or close to the limit of what can be reached. If the values cannot be
-/// reached, an error is returned, never an approximation. These kurtoses were reached with each of eight
+/// reached, an error is returned, never an approximation; with the two or three waves of a grid of a few cells a side few
+/// values can be reached. These kurtoses were reached with each of eight
 /// seeds (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is the side of a square):
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |

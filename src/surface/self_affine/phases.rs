@@ -98,6 +98,8 @@ fn newton_step(waves: &mut Waves, cut: &Cut, surface: &Standardised, missing: [f
         let [by_s, by_k] = directions.map(|direction| turn_along(wave, direction));
         wave * Complex::cis(s * by_s + k * by_k)
     });
+    // The step multiplies the round-off of the directions, by much if no turn supplies one of the two well.
+    waves.pair_opposite_rows();
     true
 }
 

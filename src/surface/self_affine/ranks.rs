@@ -39,6 +39,8 @@ pub(super) fn approach(
         replace_by_rank(&mut surface.heights, &sorted);
         waves = Waves::of(&surface.heights);
         waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));
+        // Where the transform of a wave is round-off, the phases of the wave and of its mirror image are unrelated.
+        waves.pair_opposite_rows();
         surface = Standardised::new(waves.clone().into_field());
         change = deviation(surface.moments(), last);
         iterations += 1;

@@ -112,6 +112,25 @@ impl Smooth {
         })
     }
 
+    /// The stick radius over the contact radius, of a force that is this part of the sliding force.
+    pub fn stick_radius(&self, part: f64) -> f64 {
+        // Forces of similar contacts are as the powers 3 and 5 of their radii.
+        let power = if self.name == "quartic" { 5.0 } else { 3.0 };
+        (1.0 - part).powf(1.0 / power)
+    }
+
+    /// The traction about the origin over the coefficient of friction, under a force that is this part of the sliding
+    /// force: the pressure minus the pressure of the contact that is as large as the stick zone.
+    ///
+    /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, Int. J.
+    /// Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>.
+    pub fn traction_at(&self, part: f64, x: f64, y: f64) -> f64 {
+        let radius = self.stick_radius(part);
+        let power = if self.name == "quartic" { 3 } else { 1 };
+        let stuck = radius.powi(power) * (self.pressure)(x / radius, y / radius);
+        (self.pressure)(x, y) - stuck
+    }
+
     /// The gap about the origin.
     pub fn height(&self, x: f64, y: f64) -> f64 {
         (self.height)(x, y)

@@ -78,6 +78,21 @@ class NotFinite(StickslipError, ValueError):
     """The value given."""
 
 
+class ExtremeNumber(StickslipError, ValueError):
+    """A number is so small or so large that squares of it leave the range of numbers, and no error could be certified."""
+
+    quantity: str
+    """The quantity, in words."""
+    value: float
+    """The value found."""
+    least: float
+    """The least value allowed."""
+    most: float
+    """The largest value allowed."""
+    remedy: str
+    """The remedy, in words."""
+
+
 class Sample(StickslipError, ValueError):
     """A sample of a field violates a rule for that field."""
 
