@@ -164,8 +164,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             Total::Spring { .. } => total.uniform_compliance(cells),
             Total::Free | Total::Sum(_) => None,
         });
-        for component in 0..N {
-            if springs[component].is_none_or(|compliance| compliance >= least) {
+        for (component, spring) in springs.into_iter().enumerate() {
+            if spring.is_none_or(|compliance| compliance >= least) {
                 continue;
             }
             let w = &mut *self.workspace;

@@ -117,7 +117,7 @@ impl Memory {
     /// again.
     pub(super) fn narrow(&mut self, grid: Grid, window: Window) {
         let (held, old) = (window.held(grid), self.window.held(grid));
-        let fields = self.fields_mut(&Axis::BOTH);
+        let fields = self.fields_mut(Axis::BOTH);
         for field in fields.filter(|field| !field.is_empty()) {
             held.cut(old, field);
         }

@@ -250,11 +250,12 @@ impl Sheared {
             let (Some(fine), Some(coarse)) = (slope(1e-4)?, slope(2e-4)?) else {
                 return Ok(Outcome::Kink);
             };
-            for load in 0..motions {
+            let slopes = fine.into_iter().zip(coarse).enumerate();
+            for (load, (fine, coarse)) in slopes.take(motions) {
                 let scale = scale(load, motion);
                 // Both increments leave an error of second order.
-                let better = (4.0 * fine[load] - coarse[load]) / 3.0;
-                if (better - fine[load]).abs() > TOLERANCE * scale {
+                let better = (4.0 * fine - coarse) / 3.0;
+                if (better - fine).abs() > TOLERANCE * scale {
                     return Ok(Outcome::Kink);
                 }
                 worst = worst.max((loading[load][motion] - better).abs() / scale);
