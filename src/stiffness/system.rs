@@ -239,7 +239,11 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         }
         // Relative to the compliances, so that lengths and angles do not mix.
         let least = self.lower_bound();
-        let relative = |a: usize| squares[a] / (least * compliance[a][a]);
+        let relative = |a: usize| match compliance[a][a] {
+            own if own > 0.0 => squares[a] / (least * own),
+            // The datum of a grid that repeats along y is too near for the contact.
+            _ => f64::INFINITY,
+        };
         let followed = || (0..3).filter(|&a| active[a]);
         let error = followed().fold(0.0, |sum, a| sum + relative(a));
         let matrix = inverse(&compliance, active);
