@@ -32,6 +32,10 @@ pub enum Boundary {
     /// else. For one body the point at the depth h below the load moves as the surface does at the distance
     /// $`d = h \exp(-1/2(1-\nu))`$ from it. The datum is at least the length of the grid along x.
     ///
+    /// A prescribed force has one solution at any datum. A prescribed approach or shift, and a spring, need a datum at which
+    /// a flat punch as wide as the grid sinks in under its load. Homogeneous bodies always have it. Under a stiff coating the
+    /// datum must be larger; [`Error::DatumTooNear`](crate::Error::DatumTooNear) reports the least one.
+    ///
     /// Source: K. L. Johnson, Contact Mechanics (1985), sections 2.2 and 5.6.
     PeriodicAlongY {
         /// Distance along x at which a line load moves nothing (a length).

@@ -58,7 +58,9 @@ pub enum EigenvalueBound {
 /// One step of an iteration, as passed to an observer.
 ///
 /// The observer is called before every product, also on the coarser grids of a nested start. After it cancels, or after
-/// a time limit, one more product is made on each grid in use, to measure the error of the remaining iterate.
+/// a time limit, one more product is made on each grid in use, to measure the error of the remaining iterate. A solve that
+/// the observer has cancelled once ends as [`Status::Cancelled`], whatever that iterate shows, and a step of a history is
+/// then not taken.
 /// Residual and free entries are the last measured ones: between two outer steps of the active-set method they do not
 /// change.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -178,6 +180,12 @@ impl Report {
         self.duality_gap = known.duality_gap;
         self.eigenvalue_bound = known.eigenvalue_bound;
         self.load_error = known.load_error;
+    }
+
+    /// Marks the solve as cancelled, and returns a copy.
+    pub(crate) fn cancelled(&mut self) -> Self {
+        self.status = Status::Cancelled;
+        self.clone()
     }
 
     /// Whether the tolerance was reached.

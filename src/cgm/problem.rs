@@ -170,7 +170,7 @@ pub(crate) struct Posed<'a, K, const N: usize> {
     datum: [f64; N],
     pub(super) constraint: &'a K,
     pub(super) totals: [Total; N],
-    /// Of the unknowns that the totals allow.
+    /// Bound of the eigenvalues for the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
     pub(super) is_examined_elsewhere: bool,
 }

@@ -58,7 +58,7 @@ impl Total {
         }
     }
 
-    /// Compliance that it adds to uniform unknowns of so many cells; `None` where the sum is prescribed.
+    /// Returns the compliance that it adds to uniform unknowns of `cells` cells, or `None` if the sum is prescribed.
     pub(crate) fn uniform_compliance(self, cells: usize) -> Option<f64> {
         match self {
             Self::Free => Some(0.0),

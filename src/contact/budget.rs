@@ -2,10 +2,12 @@
 //! them together.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cgm::{Iteration, Settings};
 use crate::clock::Instant;
 use crate::error::{Error, Result};
+use crate::half_space::HalfSpace;
 use crate::report::{Report, Status};
 use crate::watch::Observer;
 
@@ -84,17 +86,59 @@ impl<'a, 'b> Conditions<'a, 'b> {
     }
 }
 
-/// An observer that refuses from its first refusal on.
-pub(crate) fn with_memory(
-    observer: Observer<'_>,
-) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
-    let mut cancelled = false;
-    move |iteration| {
-        if cancelled || observer(iteration).is_break() {
-            cancelled = true;
-            return ControlFlow::Break(());
+/// Record of whether the observer of a solve has cancelled it.
+///
+/// A part of a solve may serve although it was cancelled, and the part that follows may end without another product. The
+/// solve still reports [`Status::Cancelled`].
+#[derive(Debug, Default)]
+pub(crate) struct Cancellation(AtomicBool);
+
+impl Cancellation {
+    /// Returns an observer that records the first cancellation, and cancels at every later call.
+    pub(crate) fn watch<'a>(
+        &'a self,
+        observer: Observer<'a>,
+    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
+        move |iteration| {
+            if self.is_recorded() || observer(iteration).is_break() {
+                self.0.store(true, Ordering::Relaxed);
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
         }
-        ControlFlow::Continue(())
+    }
+
+    fn is_recorded(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// Returns the outcome, or the error of a cancelled solve. `report` marks the report of the solve as cancelled, and
+    /// returns it. The first of the ranks that solve together decides.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`], cancelled; those of the outcome.
+    pub(crate) fn applied<T>(
+        &self,
+        bodies: &HalfSpace,
+        outcome: Result<T>,
+        report: impl FnOnce() -> Report,
+    ) -> Result<T> {
+        let own = self.is_recorded();
+        let is_cancelled = match bodies.team() {
+            Some(team) => team.decided(own.into()) == Some(1),
+            None => own,
+        };
+        match outcome {
+            outcome if !is_cancelled => outcome,
+            Err(Error::NotConverged(found)) if found.status == Status::Cancelled => {
+                Err(Error::NotConverged(found))
+            }
+            Ok(_) | Err(Error::NotConverged(_) | Error::BeyondFrictionCapacity { .. }) => {
+                let report = report();
+                Err(Error::NotConverged(Box::new(report)))
+            }
+            outcome => outcome,
+        }
     }
 }
 

@@ -9,7 +9,9 @@ mod solver;
 mod trend;
 mod windows;
 
-pub(crate) use budget::{Conditions, ended_from_outside, has_iterate, with_counts_of, with_memory};
+pub(crate) use budget::{
+    Cancellation, Conditions, ended_from_outside, has_iterate, with_counts_of,
+};
 pub(crate) use by_size::{BySize, OfSize};
 pub(crate) use elastic::{ElasticProblem, ElasticSolver, multipliers};
 pub(crate) use nested_start::{Levels, Scene, is_worth_coarsening, known_of_start, nested_start};

@@ -23,7 +23,9 @@ macro_rules! solver_methods {
             self.solve_observed(solution, |_| std::ops::ControlFlow::Continue(()))
         }
 
-        /// [`Self::solve_into`] with an observer that sees every step and may cancel.
+        /// [`Self::solve_into`] with an observer that sees every step and may cancel. Once it has cancelled, the solve
+        /// returns [`Error::NotConverged`](crate::Error::NotConverged) with
+        /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate is within the tolerance.
         ///
         /// # Errors
         /// As [`Self::solve_into`].

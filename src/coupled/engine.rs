@@ -82,7 +82,7 @@ pub(super) struct Engine {
     workspace: ConeWorkspace,
     normal: ElasticSolver<Interval, 1>,
     plane: ElasticSolver<Disc, 2>,
-    /// Of the whole grid, along z and in the plane, for the bounds of their eigenvalues.
+    /// Operators of the whole grid, along z and in the plane, for the bounds of their eigenvalues.
     normal_operator: ElasticOperator<1>,
     plane_operator: ElasticOperator<2>,
     /// Of the tangential part.

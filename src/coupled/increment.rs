@@ -106,6 +106,10 @@ impl CoupledIncrement {
         &self.report.work
     }
 
+    pub(crate) fn report_mut(&mut self) -> &mut Report {
+        &mut self.report.work
+    }
+
     /// The same, with what its halves certify.
     pub(super) fn full_report(&self) -> &CoupledReport {
         &self.report

@@ -2,7 +2,7 @@
 
 use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
-use crate::contact::{Conditions, has_iterate, solver_methods, with_memory};
+use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
@@ -119,7 +119,8 @@ impl CoupledSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let problem = &self.problem;
-        let mut observer = with_memory(observer);
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
         let mut conditions = Conditions::new(&problem.settings, &mut observer);
         let demand = CoupledDemand {
             gap: &problem.gap,
@@ -131,6 +132,8 @@ impl CoupledSolver {
         let outcome = self
             .increment
             .solve(demand, Motion::default(), &mut conditions);
+        let report = self.increment.report_mut();
+        let outcome = cancellation.applied(&problem.bodies, outcome, || report.cancelled());
         if has_iterate(&outcome) {
             solution.fill(problem, &self.increment);
         }

@@ -93,7 +93,7 @@ impl UniformWave {
     }
 
     /// Returns a lower bound of the eigenvalues of all tractions, negative if the compliance is not definite. `added` is
-    /// the compliance of a uniform traction beside that of the bodies, such as that of a spring.
+    /// the compliance of a uniform traction in addition to the bodies, such as that of a spring.
     pub(crate) fn bound(&self, least: f64, added: f64) -> f64 {
         let Self {
             residual,

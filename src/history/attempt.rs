@@ -1,7 +1,7 @@
 //! How a step is solved, before any of it enters the state.
 
 use crate::buffer::{self, TryClone};
-use crate::contact::Conditions;
+use crate::contact::{Cancellation, Conditions};
 use crate::error::{Result, of_rolling};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -24,7 +24,25 @@ impl History {
             history: self,
             is_over: false,
         };
-        let mut outcome = attempt.history.find(load, observer);
+        let cancellation = Cancellation::default();
+        let found = attempt
+            .history
+            .find(load, &mut cancellation.watch(observer));
+        let History {
+            bodies,
+            joint,
+            increment,
+            press,
+            ..
+        } = &*attempt.history;
+        let mut outcome = cancellation.applied(bodies, found, || {
+            let of_traction = || increment.as_ref().map(Increment::report);
+            let report = match joint {
+                Some(joint) => Some(joint.report()),
+                None => of_traction(),
+            };
+            report.unwrap_or(press.report()).clone().cancelled()
+        });
         if outcome.is_ok() {
             outcome = attempt.history.make_room().and(outcome);
         }

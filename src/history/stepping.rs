@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::buffer::TryClone;
 use crate::cgm::{Iteration, Settings, reduce};
-use crate::contact::with_memory;
 use crate::coupled::CoupledIncrement;
 use crate::error::{Error, Result};
 use crate::field::Field;
@@ -222,6 +221,10 @@ impl History {
     /// [`History::step`] with an observer that sees every iteration and may cancel. Should it panic, the history is as it
     /// was too, for a caller that catches that.
     ///
+    /// Once the observer has cancelled a step, the step returns [`Error::NotConverged`] with [`Status::Cancelled`], even if
+    /// the tractions are within the tolerance. The history is then unchanged. If ranks share a history, the observer of the
+    /// first rank decides.
+    ///
     /// # Errors
     /// As [`History::step`].
     pub fn step_observed(
@@ -249,7 +252,7 @@ impl History {
     /// Takes a step that has been checked.
     fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
         let remembered = self.state.contact.as_ref().map(|memory| memory.window);
-        let motion = self.attempt(load, &mut with_memory(observer))?;
+        let motion = self.attempt(load, observer)?;
         // Ranks that lose each other on the way into the state go back.
         let is_shared = self.bodies.is_shared();
         let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));

@@ -55,7 +55,7 @@
 //!
 //! The least eigenvalue of a response or a table on the grid is found when an operator is planned. Where it is positive
 //! errors are certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
-//! isotropic kernels on free grids, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
+//! isotropic kernels on free grids and on those that repeat along y, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
 //! positive either, and for tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found
 //! together, the eigenvalues of each alone decide this. Operators state their own bound; without one pressure and traction
 //! are found one after the other only, and stiffness is refused. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound)

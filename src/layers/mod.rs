@@ -69,7 +69,9 @@
 //!
 //! - Layers are bonded, their surfaces plane, and [`LIMIT`] in number at most.
 //! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) the displacement far from the load is that of
-//!   the substrate with the datum given, and goes to zero on a rigid base.
+//!   the substrate with the datum given, and goes to zero on a rigid base. There the error of a solve is certified by the
+//!   least eigenvalue of tractions without a mean, and by the energy of a flat punch where a sum is not prescribed. A datum
+//!   that is too near for a prescribed approach, shift or spring returns [`Error::DatumTooNear`].
 //! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
 //!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
 //!   operator is: an incompressible layer of ten times the modulus that is sheared on cells as wide as two thicknesses,

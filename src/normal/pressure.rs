@@ -7,7 +7,7 @@ use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{
     Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
 };
-use crate::contact::{has_iterate, known_of_start, nested_start, with_counts_of, with_memory};
+use crate::contact::{Cancellation, has_iterate, known_of_start, nested_start, with_counts_of};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
@@ -93,6 +93,11 @@ impl PressureSolver {
     /// Where the engine works; `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
         self.windows.window()
+    }
+
+    /// How the last solve ended.
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
     }
 
     /// Writes how the pressure changed with the load on that window, in the cells held here.
@@ -223,9 +228,11 @@ impl PressureSolver {
         pressure: &mut [f64],
         observer: Observer<'_>,
     ) -> Result<()> {
-        let mut observer = with_memory(observer);
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
         let mut conditions = Conditions::new(of.settings, &mut observer);
         let outcome = self.find(of, pressure, &mut conditions);
+        let outcome = cancellation.applied(of.bodies, outcome, || self.report.cancelled());
         if !has_iterate(&outcome) {
             self.windows.present = None;
         }

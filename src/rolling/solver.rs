@@ -8,7 +8,7 @@ use crate::cgm::vector::{at, minus, plus, slices};
 use crate::cgm::{
     self, Disc, Magnitude, Own, Problem, Settings, Total, Workspace, solver_settings,
 };
-use crate::contact::{Conditions, has_iterate, with_counts_of, with_memory};
+use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
 use crate::half_space::Compliance;
 use crate::history::Passage;
@@ -211,7 +211,8 @@ impl RollingSolver {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::solve_into`] with an observer that sees every step and may cancel.
+    /// [`Self::solve_into`] with an observer that sees every step and may cancel. Once it has cancelled, the solve returns
+    /// [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the tolerance.
     ///
     /// # Errors
     /// As [`Self::solve_into`].
@@ -226,7 +227,9 @@ impl RollingSolver {
             .expect("solution", solution.grid())?;
         self.take_limits();
         self.is_warm = true;
-        match self.problem.spin {
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(&mut observer);
+        let outcome = match self.problem.spin {
             SpinControl::Spin(spin) => {
                 self.spin = spin;
                 let settings = self.problem.settings;
@@ -235,7 +238,12 @@ impl RollingSolver {
                 outcome
             }
             SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
-        }
+        };
+        cancellation.applied(&self.problem.bodies, outcome, || {
+            let report = self.report.cancelled();
+            solution.set_report(&report);
+            report
+        })
     }
 
     /// Solves at the spin as it is.
@@ -292,8 +300,7 @@ impl RollingSolver {
     ) -> Result<()> {
         let start = self.spin;
         let settings = self.problem.settings;
-        let mut observer = with_memory(observer);
-        let mut conditions = Conditions::new(&settings, &mut observer);
+        let mut conditions = Conditions::new(&settings, observer);
         let outcome = self.search_spin(moment, solution, &mut conditions);
         if outcome.is_err() {
             self.spin = start;
@@ -326,7 +333,9 @@ impl RollingSolver {
             let error = (missing / capacity).abs();
             self.report.load_error = self.report.load_error.max(error);
             // Near round-off a sharper solve stalls although it is sharp enough.
-            let is_sound = outcome.is_ok() || self.workspace.report().is_within(tolerance);
+            let pass = self.workspace.report();
+            let is_cancelled = pass.status == Status::Cancelled;
+            let is_sound = outcome.is_ok() || !is_cancelled && pass.is_within(tolerance);
             if is_sound {
                 self.report.status = if error <= tolerance {
                     Status::Converged

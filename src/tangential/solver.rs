@@ -2,7 +2,7 @@
 
 use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
-use crate::contact::{Conditions, has_iterate, solver_methods, with_memory};
+use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
 use crate::error::{Error, Result};
 use crate::report::Report;
 use crate::shown::shown;
@@ -209,7 +209,8 @@ impl TangentialSolver {
         solution: &mut TangentialSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let mut observer = with_memory(observer);
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
         let mut conditions = Conditions::new(&self.problem.settings, &mut observer);
         let start = if self.is_warm {
             Start::Present(self.increment.motion().shift)
@@ -223,10 +224,12 @@ impl TangentialSolver {
         let is_answered = has_iterate(&outcome);
         // Do not warm-start from NaN.
         self.is_warm = is_answered && self.increment.report().residual.is_finite();
+        self.report.clone_from(self.increment.report());
+        let bodies = &self.problem.bodies;
+        let outcome = cancellation.applied(bodies, outcome, || self.report.cancelled());
         if !is_answered {
             return outcome;
         }
-        self.report.clone_from(self.increment.report());
         self.report.time = conditions.start.elapsed();
         let axis = Axis::only(self.increment.axes());
         let answer = self.increment.answer();

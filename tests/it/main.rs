@@ -26,6 +26,7 @@ mod bad_matrices_are_refused;
 mod bad_surfaces_are_refused;
 mod both_tractions_in_the_plane;
 mod bulk_strain_moves_the_stick_zone;
+mod cancelled_solves;
 mod close_to_sliding_in_the_plane;
 mod closed_forms;
 mod coarse_answers_hand_down_their_edges;

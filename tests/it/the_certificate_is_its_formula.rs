@@ -194,3 +194,72 @@ fn no_gap_is_negative() {
     assert_eq!(report.duality_gap, f64::INFINITY);
     assert!(report.energy_error_bound().is_infinite());
 }
+
+/// A spring that is stiffer than the operator stores the energy of the mean alone if the operator maps constants to zero.
+#[cfg(feature = "dense")]
+#[test]
+fn certificate_of_a_stiff_spring_bounds_the_error() {
+    use stickslip::cgm::{Status, Total};
+    use stickslip::dense::DenseOperator;
+
+    let mut random = Random(9);
+    for (coupling, lower_bound) in [(-1.0, 0.26), (-0.5, 1.0)] {
+        for _ in 0..kit::thorough(40, 4000) {
+            let len = 12;
+            let chain = Chain {
+                len,
+                coupling,
+                lower_bound,
+            };
+            let (far_end, compliance) = (random.uniform(-2.0, 2.0), random.decade(-7.0, 1.0));
+            let linear: Vec<f64> = (0..len).map(|_| random.uniform(-1.0, 1.0)).collect();
+            let stiffened = (0..len * len).map(|n| {
+                let distance = (n / len).abs_diff(n % len);
+                let own = match distance {
+                    0 => 2.0,
+                    1 | 11 => coupling,
+                    _ => 0.0,
+                };
+                own + compliance
+            });
+            let stiffened = DenseOperator::from_rows(len, stiffened.collect()).unwrap();
+            let pulled: Vec<f64> = linear.iter().map(|b| b - far_end).collect();
+            let exact = stiffened.minimise(&pulled, &NonNegative, None).unwrap().x;
+
+            let spring = Total::Spring {
+                far_end,
+                compliance,
+            };
+            let problem = Problem::new(&chain, [&linear[..]], NonNegative).totals([spring]);
+            let mut workspace = problem.workspace().unwrap();
+            // Near the minimum, up to a number that all unknowns share.
+            let (mean, others) = (random.decade(-6.0, 0.0), random.decade(-6.0, -1.0));
+            let mut x: Vec<f64> = exact
+                .iter()
+                .map(|x| (x + mean * (1.0 + random.uniform(-others, others))).max(0.0))
+                .collect();
+            let settings = Settings::default();
+            let outcome =
+                cgm::minimise_with(&problem, &settings, [&mut x], &mut workspace, &mut |_| {
+                    ControlFlow::Break(())
+                });
+            let report = workspace.report();
+            assert!(outcome.is_ok() || report.status == Status::Cancelled);
+
+            let energy = |of: &dyn Operator, x: &[f64]| {
+                let mut product = vec![0.0; len];
+                of.apply([x], [&mut product], &mut Scratch::none());
+                x.iter().zip(&product).map(|(x, u)| x * u).sum::<f64>()
+            };
+            let difference: Vec<f64> = x.iter().zip(&exact).map(|(a, b)| a - b).collect();
+            let squares: f64 = x.iter().map(|x| x * x).sum();
+            let unit = energy(&chain, &x).max(lower_bound * squares);
+            let error = energy(&stiffened, &difference);
+            let bound = report.duality_gap * unit;
+            assert!(
+                error <= bound * (1.0 + 1e-9) + 1e-13,
+                "{coupling} {compliance:e}: {error:e} beyond {bound:e}"
+            );
+        }
+    }
+}

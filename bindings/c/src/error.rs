@@ -195,6 +195,10 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             residual: value,
             limit,
         }
+        | Error::DatumTooNear {
+            datum: value,
+            least: limit,
+        }
         | Error::BeyondHardness {
             force: value,
             capacity: limit,

@@ -133,6 +133,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         TooManyLayers { found, limit }
         Coated { quantity, bodies, remedy }
         NotDefinite { eigenvalue, sides }
+        DatumTooNear { datum, least }
         CoupledMaterials { beta }
         CellsTooLong { sides }
         Length { quantity, expected, found }

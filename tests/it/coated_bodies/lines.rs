@@ -118,7 +118,7 @@ fn assert_alike(strip: &Strip, method: Method, gap: &Field, force: f64) {
     }
 }
 
-/// A force determines the pressure at any datum, and the displacements but for a constant.
+/// A force determines the pressure at any datum, and the displacements up to a constant.
 #[test]
 fn line_of_coated_bodies_force_gives_the_pressure_of_any_datum() {
     for (modulus, thickness) in [(10.0, 1.0), (100.0, 0.05), (100.0, 1.0), (1e3, 0.01)] {
@@ -232,7 +232,7 @@ fn line_of_coated_bodies_certificate_holds_at_any_datum() {
                 let difference: Vec<f64> =
                     pressure.iter().zip(&exact.x).map(|(a, b)| a - b).collect();
                 let error = product(&definite, &difference, &difference);
-                // A difference has no mean, but for round-off that the shift would magnify.
+                // A difference has no mean except for round-off, which the shift would magnify.
                 let error = error - large * difference.iter().sum::<f64>().powi(2);
                 let squares: f64 = pressure.iter().map(|p| p * p).sum();
                 let energy = product(&matrix, pressure, pressure);

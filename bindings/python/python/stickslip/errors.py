@@ -171,6 +171,15 @@ class NotDefinite(StickslipError, ValueError):
     """Sides of a cell (lengths)."""
 
 
+class DatumTooNear(StickslipError, ValueError):
+    """A datum that makes the compliance indefinite: a prescribed approach, shift or spring has no unique solution."""
+
+    datum: float
+    """Distance of the datum (a length)."""
+    least: float
+    """Distance beyond which the compliance is definite (a length)."""
+
+
 class CoupledMaterials(StickslipError, ValueError):
     """The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure."""
 

@@ -1,0 +1,327 @@
+//! A solve whose observer has cancelled it once reports that, whatever it does afterwards. A cancelled step leaves the
+//! history unchanged.
+
+use std::ops::ControlFlow;
+
+use kit::{Random, rough, thorough, unit_bodies};
+use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem};
+use stickslip::history::{Rolling, wear};
+use stickslip::influence::Component;
+use stickslip::normal::Hardness;
+use stickslip::rolling::{RollingControl, RollingProblem};
+use stickslip::{
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
+    History, LoadStep, Material, NormalControl, NormalProblem, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, surface,
+};
+
+type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
+
+/// Cancels at the calls of the observer of these numbers, and lets the solve continue at all others: the outcome must be
+/// the error. Returns the number of calls of a solve that is not cancelled.
+fn assert_cancelled<T>(
+    stride: usize,
+    mut solve: impl FnMut(Observer<'_>) -> Result<T, Error>,
+) -> usize {
+    let mut last = 1;
+    loop {
+        let mut calls = 0;
+        let outcome = solve(&mut |_| {
+            calls += 1;
+            if calls == last {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        if calls < last {
+            assert!(outcome.is_ok(), "{:?}", outcome.err());
+            return calls;
+        }
+        let place = format!("cancelled at call {last} of {calls}");
+        match outcome {
+            Err(Error::NotConverged(report)) => {
+                assert_eq!(report.status, Status::Cancelled, "{place}");
+            }
+            Err(error) => panic!("{place}: {error}"),
+            Ok(_) => panic!("{place}: solved"),
+        }
+        last += stride;
+    }
+}
+
+/// Takes the steps one after the other, each cancelled at every call first.
+fn assert_steps_cancelled(history: &mut History, steps: &[LoadStep]) -> usize {
+    let mut twin = history.clone();
+    let mut calls = 0;
+    for step in steps {
+        let bytes = history.to_bytes();
+        let stride = thorough(3, 1);
+        let mut disturbed = history.clone();
+        let take = |observer: Observer<'_>| {
+            let outcome = disturbed.step_observed(step, &mut *observer);
+            outcome.map(drop).inspect_err(|_| {
+                assert_eq!(disturbed.to_bytes(), bytes, "{step:?}");
+            })
+        };
+        calls += assert_cancelled(stride, take);
+        twin.step(step).unwrap();
+        assert_eq!(disturbed.to_bytes(), twin.to_bytes(), "{step:?}");
+        *history = disturbed;
+    }
+    calls
+}
+
+fn press(force: f64) -> LoadStep {
+    LoadStep::hold().normal(NormalControl::Force(force))
+}
+
+fn drag(load: LoadStep, force: f64) -> LoadStep {
+    load.tangential(Axis::X, TangentialControl::Force(force))
+}
+
+/// Pressing, shearing, a wider contact, a reversal, and a spring.
+fn steps() -> [LoadStep; 5] {
+    let spring = TangentialControl::Spring {
+        position: 0.2,
+        stiffness: 2.0,
+    };
+    [
+        press(0.2),
+        drag(press(0.2), 0.04),
+        drag(press(0.5), 0.05),
+        drag(LoadStep::hold(), -0.1),
+        press(0.4).tangential(Axis::X, spring),
+    ]
+}
+
+fn coupled_bodies(grid: Grid) -> HalfSpace {
+    let soft = Material::new(1.0, 0.1).unwrap();
+    HalfSpace::new(grid, ElasticPair::new(soft, Material::rigid()).unwrap()).unwrap()
+}
+
+/// A sphere on cells that are too many for a plain start.
+fn sphere(cells: usize) -> (Grid, Field) {
+    let grid = Grid::square(cells, 3.0).unwrap();
+    (grid, surface::sphere(grid, 2.0).unwrap())
+}
+
+fn friction() -> Friction {
+    Friction::coulomb(0.3).unwrap()
+}
+
+#[test]
+fn history_step_of_alike_bodies_cancelled_is_not_taken() {
+    let (grid, gap) = sphere(thorough(16, 48));
+    let bodies = unit_bodies(grid, 0.3);
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        for hardness in [None, Some(0.3)] {
+            let mut builder = History::builder(&bodies, &gap, friction()).model(model);
+            if let Some(hardness) = hardness {
+                builder = builder.hardness(Hardness::uniform(hardness).unwrap());
+            }
+            let mut history = builder.build().unwrap();
+            let calls = assert_steps_cancelled(&mut history, &steps()[..]);
+            assert!(calls > 10);
+            let mut worn = history.gap().clone();
+            let slip = history.last_step().slip_distance();
+            wear::archard(0.1, history.pressure(), slip, &mut worn).unwrap();
+            history.set_gap(&worn).unwrap();
+            assert_steps_cancelled(&mut history, &[press(0.4), drag(press(0.4), 0.06)]);
+        }
+    }
+}
+
+/// Steps whose coarser starts take most of the calls, and steps of a line of cells.
+#[test]
+fn history_step_with_a_nested_start_cancelled_is_not_taken() {
+    let (grid, gap) = sphere(48);
+    let bodies = unit_bodies(grid, 0.3);
+    let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
+    let first = drag(press(0.2), 0.04);
+    assert_steps_cancelled(&mut history, &[first]);
+
+    let line = Grid::line(200, 0.02).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
+    let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();
+    let gap = rough(line, 3);
+    let builder = History::builder(&bodies, &gap, friction()).coupling(Coupling::Neglected);
+    let mut history = builder.build().unwrap();
+    assert_steps_cancelled(&mut history, &[drag(press(0.02), 0.003), press(0.1)]);
+}
+
+#[test]
+fn history_step_of_coupled_bodies_cancelled_is_not_taken() {
+    let (grid, gap) = sphere(thorough(10, 44));
+    let bodies = coupled_bodies(grid);
+    let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
+    assert!(assert_steps_cancelled(&mut history, &steps()[..]) > 10);
+}
+
+#[test]
+fn history_step_that_rolls_cancelled_is_not_taken() {
+    let (grid, gap) = sphere(thorough(14, 40));
+    let bodies = unit_bodies(grid, 0.3);
+    let builder = History::builder(&bodies, &gap, friction()).model(TangentialModel::Vector);
+    let mut history = builder.build().unwrap();
+    let roll = press(0.2).roll(Rolling::new(1).creepage([0.05, 0.0]).spin(0.1));
+    assert_steps_cancelled(&mut history, &[press(0.2), roll, roll]);
+}
+
+/// Random loads: a step may end in many ways.
+#[test]
+fn history_step_of_random_loads_cancelled_is_not_taken() {
+    let mut random = Random(17);
+    for case in 0..thorough(3, 300) {
+        let (grid, ball) = sphere(12);
+        let bodies = if random.chance(0.5) {
+            unit_bodies(grid, 0.3)
+        } else {
+            coupled_bodies(grid)
+        };
+        let gap = if random.chance(0.5) {
+            rough(grid, case)
+        } else {
+            ball
+        };
+        let model = random.pick(&[TangentialModel::Scalar, TangentialModel::Vector]);
+        let builder = History::builder(&bodies, &gap, friction()).model(model);
+        let tolerance = random.decade(-9.0, -0.3);
+        let mut history = builder.tolerance(tolerance).build().unwrap();
+        for _ in 0..4 {
+            let force = random.decade(-3.0, 1.0);
+            let step = match random.integer(0, 3) {
+                0 => press(force),
+                1 => LoadStep::hold()
+                    .tangential(Axis::X, TangentialControl::Shift(random.uniform(-0.5, 0.5))),
+                2 => drag(press(force), 0.3 * force * random.uniform(-1.0, 1.0)),
+                _ => press(force).tangential(
+                    Axis::X,
+                    TangentialControl::Spring {
+                        position: random.uniform(-2.0, 2.0),
+                        stiffness: random.decade(-3.0, 3.0),
+                    },
+                ),
+            };
+            if history.clone().step(&step).is_ok() {
+                assert_steps_cancelled(&mut history, &[step]);
+            }
+        }
+    }
+}
+
+/// A solution also reports the end of its solve.
+#[test]
+fn solver_cancelled_reports_it() {
+    let (grid, gap) = sphere(thorough(16, 48));
+    let stride = thorough(2, 1);
+    let bodies = unit_bodies(grid, 0.3);
+    for (load, method) in [
+        (NormalControl::Force(0.2), Method::ActiveSet),
+        (NormalControl::Force(0.2), Method::PolonskyKeer),
+        (NormalControl::Approach(0.05), Method::ActiveSet),
+    ] {
+        let problem = NormalProblem::builder(&bodies, &gap, load).method(method);
+        let problem = problem
+            .hardness(Hardness::uniform(0.3).unwrap())
+            .build()
+            .unwrap();
+        let solve = |observer: Observer<'_>| {
+            let mut solver = problem.clone().into_solver().unwrap();
+            let mut solution = solver.new_solution();
+            let outcome = solver.solve_observed(&mut solution, observer);
+            assert_eq!(solution.report().is_converged(), outcome.is_ok());
+            outcome
+        };
+        assert_cancelled(stride, solve);
+    }
+    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.2));
+    let normal = problem.build().unwrap().solve().unwrap();
+    for (load, model) in [
+        (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
+        (TangentialLoad::force([0.06, 0.0]), TangentialModel::Vector),
+        (TangentialLoad::force([0.02, 0.03]), TangentialModel::Vector),
+        (TangentialLoad::shift([10.0, 0.0]), TangentialModel::Scalar),
+    ] {
+        let problem = TangentialProblem::builder(&bodies, &normal, friction(), load).model(model);
+        let problem = problem.build().unwrap();
+        let solve = |observer: Observer<'_>| {
+            let mut solver = problem.clone().into_solver().unwrap();
+            let mut solution = solver.new_solution();
+            let outcome = solver.solve_observed(&mut solution, observer);
+            assert_eq!(solution.report().is_converged(), outcome.is_ok());
+            outcome
+        };
+        assert_cancelled(stride, solve);
+    }
+    for spin in [0.0, 0.05] {
+        let builder = RollingProblem::builder(&bodies, &normal, friction());
+        let problem = builder.creepage([0.05, 0.0]).build().unwrap();
+        let solve = |observer: Observer<'_>| {
+            let mut solver = problem.clone().into_solver().unwrap();
+            let controls = [RollingControl::Creepage(0.02), RollingControl::Force(0.01)];
+            solver.set_control(controls, spin).unwrap();
+            let mut solution = solver.new_solution();
+            let outcome = solver.solve_observed(&mut solution, observer);
+            assert_eq!(solution.report().is_converged(), outcome.is_ok());
+            outcome
+        };
+        assert_cancelled(stride, solve);
+    }
+}
+
+#[test]
+fn coupled_solver_cancelled_reports_it() {
+    let (grid, gap) = sphere(thorough(10, 44));
+    let bodies = coupled_bodies(grid);
+    for load in [
+        TangentialLoad::force([0.03, 0.0]),
+        TangentialLoad::shift([0.02, 0.0]),
+    ] {
+        let control = NormalControl::Force(0.2);
+        let problem = CoupledProblem::builder(&bodies, &gap, friction(), control, load);
+        let problem = problem.build().unwrap();
+        let solve = |observer: Observer<'_>| {
+            let mut solver = problem.clone().into_solver().unwrap();
+            let mut solution = solver.new_solution();
+            let outcome = solver.solve_observed(&mut solution, observer);
+            assert_eq!(solution.report().is_converged(), outcome.is_ok());
+            outcome
+        };
+        assert_cancelled(thorough(2, 1), solve);
+    }
+}
+
+/// Minima of a custom problem, and the stiffness of a step.
+#[test]
+fn minimum_and_stiffness_cancelled_report_it() {
+    let (grid, gap) = sphere(12);
+    let bodies = unit_bodies(grid, 0.3);
+    let operator = bodies.operator(Component::ZZ).unwrap();
+    let limits = vec![0.1; grid.cells()];
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let settings = cgm::Settings::default().method(method);
+        let pressed = Problem::new(&operator, [gap.as_slice()], NonNegative).total(3.0);
+        let bounded = Problem::new(&operator, [gap.as_slice()], Magnitude(&limits)).total(3.0);
+        let solve = |observer: Observer<'_>| {
+            let mut x = vec![0.0; grid.cells()];
+            let mut workspace = pressed.workspace()?;
+            cgm::minimise_with(&pressed, &settings, [&mut x], &mut workspace, observer)
+        };
+        assert_cancelled(1, solve);
+        let solve = |observer: Observer<'_>| {
+            let mut x = vec![0.0; grid.cells()];
+            let mut workspace = bounded.workspace()?;
+            cgm::minimise_with(&bounded, &settings, [&mut x], &mut workspace, observer)
+        };
+        assert_cancelled(1, solve);
+    }
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let builder = History::builder(&bodies, &gap, friction()).model(model);
+        let mut history = builder.build().unwrap();
+        history.step(&drag(press(0.2), 0.03)).unwrap();
+        let solve = |observer: Observer<'_>| history.stiffness_observed(observer);
+        assert_cancelled(1, solve);
+    }
+}
