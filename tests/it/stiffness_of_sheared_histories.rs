@@ -221,6 +221,7 @@ impl Sheared {
         self.check_bound(&end, &tangential)?;
         let [loading, reversal] = [tangential.loading, tangential.reversal].map(numbers);
         let scale = |a: usize, b: usize| (reversal[a][a] * reversal[b][b]).sqrt();
+        let entry = |load: usize, motion: usize| loading[load][motion];
         let motions = if self.may_turn() { 3 } else { 2 };
         let grid = self.gap.grid();
         let side = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
@@ -258,7 +259,7 @@ impl Sheared {
                 if (better - fine).abs() > TOLERANCE * scale {
                     return Ok(Outcome::Kink);
                 }
-                worst = worst.max((loading[load][motion] - better).abs() / scale);
+                worst = worst.max((entry(load, motion) - better).abs() / scale);
             }
         }
         Ok(Outcome::Compared(worst))
