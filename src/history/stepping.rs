@@ -32,9 +32,9 @@ use crate::window::Window;
 ///
 /// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
 ///
-/// Beside its bodies it takes 180 bytes per cell of the grid and 340 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 565 there, operators included. Most of it is borrowed for a step at a
-/// time: further histories of the same bodies, with boxes of the same size, take 129 and 43 (67) each, as long as they
+/// Beside its bodies it takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding box,
+/// in the vector model ([`HistoryBuilder::model`]) 590 there, operators included. Most of it is borrowed for a step at a
+/// time: further histories of the same bodies, with boxes of the same size, take 129 and 51 (91) each, as long as they
 /// are not stepped at once. A relative displacement adds 32 bytes per cell of the grid. For bodies of different materials
 /// it takes several times that.
 ///

@@ -191,16 +191,16 @@ fn saved_states_have_the_size_that_is_stated() {
             &flat,
             &uniform,
             TangentialModel::Vector,
-            [129, 137],
+            [145, 153],
         ),
         (
             &bodies,
             &flat,
             &friction,
             TangentialModel::Vector,
-            [137, 145],
+            [153, 161],
         ),
-        (&joint, &ball, &uniform, TangentialModel::Vector, [105, 113]),
+        (&joint, &ball, &uniform, TangentialModel::Vector, [129, 137]),
     ] {
         let builder = History::builder(bodies, gap, friction.clone()).model(model);
         let mut history = builder.build().unwrap();

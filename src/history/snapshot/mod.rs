@@ -40,7 +40,8 @@ impl State {
     /// | part | bytes, one axis | bytes, in the plane |
     /// |---|---|---|
     /// | each cell of the grid | 57 | 73 |
-    /// | each cell of the window of the contact | 24 | 48 |
+    /// | each cell of the window of the contact | 24 | 64 |
+    /// | each cell of the window of the contact, if cells entered it in the last step | 8 | 8 |
     /// | each cell of the window of the pressure, once the normal load has changed | 8 | 8 |
     /// | each cell of the grid, if the gap has changed since it was pressed | 8 | 8 |
     /// | each cell of the grid, for a friction per cell | 8 | 8 |
@@ -48,8 +49,8 @@ impl State {
     /// | each cell of the grid, for a permanent set | 8 | 8 |
     /// | each cell of the grid, for a relative displacement | 32 | 32 |
     ///
-    /// A contact that fills the grid takes 89 to 113 bytes per cell, and 129 to 153 in the plane, without a relative
-    /// displacement. Pressure and traction that are found together take 105 bytes per cell of the grid. The rest is less than
+    /// A contact that fills the grid takes 89 to 121 bytes per cell, and 145 to 177 in the plane, without a relative
+    /// displacement. Pressure and traction that are found together take 129 bytes per cell of the grid. The rest is less than
     /// a kilobyte.
     ///
     /// # What is kept
