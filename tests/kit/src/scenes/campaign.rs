@@ -34,7 +34,7 @@ pub fn coated_rows(index: u64) -> Vec<Row> {
             // Energy norms of a datum that is too near are not norms: tests of lines of coated bodies compare other numbers.
             Ok(()) if pressure.min(traction) <= 0.0 && scene.gap.grid().cells() > 1 => {
                 let mut row = Row::new(&scene.name, "all");
-                row.ending = "refused: datum too near".to_owned();
+                "refused: datum too near".clone_into(&mut row.ending);
                 Ok(vec![row])
             }
             Err(error @ (Error::NotDefinite { .. } | Error::CellsTooLong { .. })) => {
