@@ -94,7 +94,7 @@ pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
     /// The same of the gradient alone, which follows the steps of the linear problem.
     pub(super) gradient_error: f64,
     pub(super) start: Start,
-    /// Of the eigenvalues of the unknowns that the totals allow.
+    /// Bound of the eigenvalues for the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
     /// How far a unit traction displaces its own cell.
     pub(super) self_compliance: f64,
@@ -164,7 +164,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             Total::Spring { .. } => total.uniform_compliance(cells),
             Total::Free | Total::Sum(_) => None,
         });
-        for (component, spring) in springs.into_iter().enumerate() {
+        for (component, spring) in springs.iter().enumerate() {
             if spring.is_none_or(|compliance| compliance >= least) {
                 continue;
             }

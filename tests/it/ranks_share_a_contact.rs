@@ -420,3 +420,29 @@ fn bytes_are_those_of_the_formula() {
         }
     }
 }
+
+/// A bound of the error counts the cells of all ranks.
+#[test]
+fn ranks_behind_a_spring_have_the_bound_of_one_process() {
+    let grid = Grid::new(10, 12, 0.25, 0.25).unwrap();
+    let find = |bodies: &HalfSpace| -> Found {
+        let ball = Field::from_fn(bodies.grid(), |x, y| 0.25 * (x * x + y * y));
+        let force = NormalControl::Force(0.4);
+        let problem = NormalProblem::builder(bodies, &ball, force);
+        let normal = problem.build().unwrap().solve().unwrap();
+        let mut common = Vec::new();
+        for (stiffness, tolerance) in [(1e-3, 0.5), (0.3, 0.5), (30.0, 0.1)] {
+            let load = TangentialLoad::spring([0.05 + 0.01 / stiffness, 0.0], stiffness);
+            let friction = Friction::coulomb(0.3).unwrap();
+            let problem = TangentialProblem::builder(bodies, &normal, friction, load);
+            let problem = problem
+                .model(TangentialModel::Vector)
+                .tolerance(tolerance)
+                .build();
+            let found = problem.unwrap().solve().unwrap();
+            common.extend([found.report().duality_gap, found.report().residual]);
+        }
+        (Vec::new(), common)
+    };
+    assert_shared(grid, Boundary::Periodic, find);
+}
