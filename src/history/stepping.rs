@@ -34,7 +34,7 @@ use crate::window::Window;
 ///
 /// Beside its bodies it takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding box,
 /// in the vector model ([`HistoryBuilder::model`]) 590 there, operators included. Most of it is borrowed for a step at a
-/// time: further histories of the same bodies, with boxes of the same size, take 129 and 51 (91) each, as long as they
+/// time: further histories of the same bodies, with boxes of the same size, take 121 and 51 (91) each, as long as they
 /// are not stepped at once. A relative displacement adds 32 bytes per cell of the grid. For bodies of different materials
 /// it takes several times that.
 ///

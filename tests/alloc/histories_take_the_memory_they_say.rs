@@ -55,11 +55,11 @@ fn per_cell_of_the_grid_and_of_the_contact() {
     let models = [
         (
             TangentialModel::Vector,
-            [[168.0, 588.0], [129.0, 91.0], [81.0, 74.0]],
+            [[168.0, 588.0], [121.0, 91.0], [81.0, 74.0]],
         ),
         (
             TangentialModel::Scalar,
-            [[168.0, 347.0], [129.0, 51.0], [81.0, 34.0]],
+            [[168.0, 347.0], [121.0, 51.0], [81.0, 34.0]],
         ),
     ];
     for (lateral, expected) in models.into_iter().take(kit::thorough(1, 2)) {
