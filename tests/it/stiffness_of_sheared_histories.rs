@@ -167,9 +167,10 @@ impl Sheared {
         ];
         for (found, exact) in pairs {
             let [found, exact] = [found, exact].map(|matrix| self.about_centre(end, matrix));
-            for (a, b) in (0..3).flat_map(|a| (0..3).map(move |b| (a, b))) {
+            let kinds = if self.may_turn() { 3 } else { 2 };
+            for (a, b) in (0..kinds).flat_map(|a| (0..kinds).map(move |b| (a, b))) {
                 let error = (found[a][b] - exact[a][b]).abs();
-                let bound = rough.bound * (exact[a][a] * exact[b][b]).sqrt();
+                let bound = rough.bound * (exact[a][a] * exact[b][b]).max(0.0).sqrt();
                 let round_off = 1e-12 * (largest[a][a] * largest[b][b]).sqrt();
                 assert!(
                     error <= bound + round_off,

@@ -4,6 +4,8 @@
 # Amplitudes fall with a power of the wave number between two wavelengths; phases come from the seed. The same seed on a
 # finer grid gives the same surface with more points. The contact repeats along both axes, so it has no edge.
 
+import warnings
+
 import numpy as np
 
 import stickslip as ss
@@ -48,7 +50,10 @@ for report in reports:
 # sliding. With one-way coupling the pressure is that without friction.
 
 history = ss.History(bodies, gap, 0.3, coupling="one_way", tolerance=1e-6)
-steps = history.press(normal_force=contact.force, tolerance=0.05)
+with warnings.catch_warnings():
+    # Pressed alone, the rings that slip are narrower than two cells, as a warning states.
+    warnings.simplefilter("ignore", ss.errors.ContactWarning)
+    steps = history.press(normal_force=contact.force, tolerance=0.05)
 stick = history.last_step.stick_ratio
 tangential = history.step(force_x=0.15 * contact.force)
 print(f"pressed in {steps} steps, {100 * stick:.0f} % of the contact sticks")

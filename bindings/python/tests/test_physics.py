@@ -224,7 +224,7 @@ def test_pressing_in_steps_to_a_tolerance_meets_spence():
     with pytest.raises(TypeError, match="not both"):
         history.press(ss.LoadStep(normal_force=60.0), normal_force=60.0, tolerance=0.05)
     assert history.to_bytes() == before
-    with pytest.warns(ss.errors.StickslipWarning, match="too few steps"):
+    with pytest.warns(ss.errors.ContactWarning, match="too few steps"):
         assert history.step(normal_force=60.0).stick_ratio == 1.0
     history = ss.History.from_bytes(bodies, before)
     steps = history.press(normal_force=60.0, tolerance=0.03)

@@ -264,7 +264,7 @@ def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
     before = history.to_bytes()
     for given, error in [
         ({"roll": Rolling(0)}, ss.errors.NotPositive),
-        ({"roll": Rolling(20)}, ss.errors.Below),
+        ({"roll": Rolling(20)}, ss.errors.GridTooShort),
         ({"roll": Rolling(1, creepage_x=np.nan)}, ss.errors.NotFinite),
         ({"roll": Rolling(1, spin=np.inf)}, ss.errors.NotFinite),
         ({"roll": Rolling(1), "shift_x": 0.1}, ss.errors.NotModelled),
