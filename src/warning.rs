@@ -233,7 +233,7 @@ impl std::fmt::Display for Warning {
 const LARGEST_ERROR: f64 = 0.05;
 const SMALL_ERROR: f64 = 0.01;
 
-/// Spots above which a contact counts as rough: nobody chooses their radius.
+/// Number of spots above which a contact counts as rough: the radius of its spots cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
 /// Returns how much smaller cells need to be for a small discretisation error.
@@ -274,7 +274,7 @@ const RESOLVED_LINE: [usize; 2] = [20, 10];
 /// Tenths of a cell that a resolved slip zone is wide.
 const RESOLVED_WIDTH: usize = 20;
 
-/// Cells on the mean radius of contact spots in which a slip zone of the resolved width has room.
+/// Least number of cells on the mean radius of contact spots that resolves a slip zone.
 const LEAST_RADIUS: usize = 4;
 
 /// What the zones of a contact, or of some steps, tell of its resolution; `None` of what there is not.

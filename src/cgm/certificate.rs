@@ -131,8 +131,8 @@ impl Shown {
         }
     }
 
-    /// Returns whether the squares of unknowns and displacements, and of small parts of them, are numbers. A size that is
-    /// NaN counts as ordinary: what is made of it is NaN.
+    /// Returns whether the squares of unknowns and displacements, and of small parts of them, are numbers. A NaN
+    /// counts as such a number, because it reaches the result as NaN.
     pub(crate) fn has_squares(&self) -> bool {
         let [unknown, displacement, gradient] = self.sizes;
         // A gradient that is small compared with the displacements is a small residual.

@@ -54,9 +54,10 @@
 //!
 //! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its
 //! multiplier follows the sum, `delta = X - c sum x`, so that `g` is the gradient of the whole objective and the bound
-//! holds for the energy norm of `C` alone too. Of `B` the mean of `r` over the `n` cells then counts by `n c`, if
-//! that is more than `lambda` or if the operator maps constants to zero, so that only the spring resists the mean. Residuals are then relative to the largest displacement, or to what the stiffest spring
-//! would stretch if all unknowns pulled one way, where that is more.
+//! holds for the energy norm of `C` alone too. In `B`, the mean of `r` over the `n` cells is then divided by `n c`
+//! instead of `lambda`: if `n c` is more, or if the operator maps constants to zero and only the spring resists the mean.
+//! Residuals are then relative to the largest displacement, or to the stretch of the stiffest spring if all unknowns
+//! pulled one way, if that is more.
 //!
 //! A total missed by round-off is reported separately: `x*` is the minimum of the total `x` has. The same
 //! `x*` is meant, whether or not a total is prescribed, where the operator maps constants to zero and

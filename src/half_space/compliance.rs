@@ -61,14 +61,14 @@ impl HalfSpace {
         })
     }
 
-    /// Returns the preconditioner for displacements that are known up to a uniform one: on a grid that repeats along y it
-    /// does not depend on the datum, on others it is that of [`compliance`](Self::compliance).
+    /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are known up to a uniform one.
+    /// On a grid that repeats along y it does not depend on the datum. On others it is the inverse of the compliance.
     pub(crate) fn inverse_up_to_mean<const N: usize>(
         &self,
+        Compliance { operator, inverse }: Compliance<N>,
         directions: [Direction; N],
         size: [usize; 2],
     ) -> Result<ElasticPreconditioner<N>> {
-        let Compliance { operator, inverse } = self.compliance(directions, size)?;
         if self.boundary().repeats() != [false, true] || self.kernel().user_operators().is_some() {
             return Ok(inverse);
         }

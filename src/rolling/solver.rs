@@ -10,7 +10,6 @@ use crate::cgm::{
 };
 use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
-use crate::half_space::Compliance;
 use crate::history::Passage;
 use crate::influence::Direction;
 use crate::operator::Operator;
@@ -79,8 +78,9 @@ impl RollingSolver {
     pub(super) fn new(problem: RollingProblem) -> Result<Self> {
         let step = problem.step;
         let (bodies, directions) = (&problem.bodies, [Direction::X, Direction::Y]);
-        let Compliance { operator, .. } = bodies.compliance(directions, step.size)?;
-        let inverse = bodies.inverse_up_to_mean(directions, step.size)?;
+        let compliance = bodies.compliance(directions, step.size)?;
+        let operator = compliance.operator.clone();
+        let inverse = bodies.inverse_up_to_mean(compliance, directions, step.size)?;
         let alone = self_compliance(&operator, step)?;
         let operator = SteadyOperator::new(operator, step, problem.chain, alone);
         let inverse = SteadyInverse::new(inverse, step);

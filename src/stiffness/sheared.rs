@@ -30,7 +30,7 @@ pub(crate) struct Sheared<'a> {
     pub(crate) window: Option<Window>,
 }
 
-/// The step that a contact was last sheared in, of the cells of a window that are held here.
+/// Slip and entering cells of the last step, on the cells of a window that this rank stores.
 #[derive(Clone, Copy)]
 pub(crate) struct LastStep<'a> {
     pub(crate) window: Window,
@@ -50,7 +50,7 @@ impl<'a> LastStep<'a> {
         }
     }
 
-    /// Returns what one of its vectors holds of a cell of the grid, zero where it has no such cell.
+    /// Returns the value of a vector in a cell of the grid, zero if the vector has no such cell.
     fn of(&self, part: &[f64], cell: usize) -> f64 {
         let value = self.window.place(cell).and_then(|place| part.get(place));
         value.copied().unwrap_or(0.0)

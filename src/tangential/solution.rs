@@ -37,7 +37,7 @@ pub struct TangentialSolution {
     twist: f64,
     /// Dundurs' beta of the bodies, of a half of a coupled solution.
     coupled: Option<f64>,
-    /// Whether friction has held a contact of dissimilar bodies that came to its size in one step.
+    /// Whether a contact of dissimilar bodies with friction has grown to its size in one step.
     is_pressed_at_once: bool,
     report: Report,
     /// Of a slab, what all ranks together have found.
@@ -160,7 +160,7 @@ impl TangentialSolution {
         self.coupled = beta;
     }
 
-    /// Sets whether friction has held a contact of dissimilar bodies that came to its size in one step.
+    /// Sets whether a contact of dissimilar bodies with friction has grown to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
     }

@@ -333,14 +333,22 @@ fn narrow_slip_rings_never_make_the_traction_worse() {
             let all = shear_errors(&Smooth::quartic(), cells, part);
             let [[raw, found], [raw_peak, peak], [raw_stick, stick]] = all;
             assert!(found < 1.04 * raw, "{cells} {part} {all:?}");
-            assert!(peak < 1.4 * raw_peak + 1e-3, "{cells} {part} {all:?}");
-            assert!(stick < 1.8 * raw_stick + 1e-3, "{cells} {part} {all:?}");
+            // The worst of these contacts, which the docs name.
+            let is_worst = cells == 40 && part == 0.6;
+            let [peaks, sticks] = if is_worst { [1.4, 1.8] } else { [1.04, 1.5] };
+            assert!(peak < peaks * raw_peak + 1e-3, "{cells} {part} {all:?}");
+            assert!(stick < sticks * raw_stick + 1e-3, "{cells} {part} {all:?}");
             for shape in [Smooth::sphere(), Smooth::ellipse()] {
                 let all = shear_errors(&shape, cells, part);
                 let [[raw, found], [raw_peak, peak], _] = all;
-                assert!(found < 0.6 * raw, "{} {cells} {part} {all:?}", shape.name);
+                let [tractions, peaks] = if cells < 32 { [0.6, 0.8] } else { [0.45, 0.4] };
                 assert!(
-                    peak < 0.8 * raw_peak,
+                    found < tractions * raw,
+                    "{} {cells} {part} {all:?}",
+                    shape.name
+                );
+                assert!(
+                    peak < peaks * raw_peak,
                     "{} {cells} {part} {all:?}",
                     shape.name
                 );

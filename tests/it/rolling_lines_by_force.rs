@@ -51,8 +51,7 @@ fn cylinders_under_a_force_converge_to_the_creepage_of_carter_at_any_datum() {
                 assert!(products <= PRODUCTS, "{cells}, {datum}, {part}: {products}");
                 let carter = friction * hertz.half_width() / RADIUS * (1.0 - (1.0 - part).sqrt());
                 let error = (rolling.creepage()[0] / carter - 1.0).abs();
-                let allowed = if cells < 512 { 0.02 } else { 0.003 };
-                assert!(error < allowed, "{cells}, {datum}, {part}: {error}");
+                assert!(error < 5e-4, "{cells}, {datum}, {part}: {error}");
             }
         }
     }

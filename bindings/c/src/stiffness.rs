@@ -21,7 +21,7 @@ pub struct stickslip_normal_stiffness {
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_stiffness {
     /// Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
-    /// into contact in the step follow the motion with a compliance of their own: after a step that presses a ball it is about
+    /// into contact in the step follow the motion only in part. After a step that presses a ball the derivative is about
     /// two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
     /// next step, in which they resist fully.
     pub loading: [[f64; 3]; 3],

@@ -54,8 +54,8 @@ pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::Tangentia
 #[pymethods]
 impl TangentialStiffness {
     /// Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-    /// direction. Cells that came into contact in the step follow the motion with a compliance of their own: after a step that
-    /// presses a ball it is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// direction. Cells that came into contact in the step follow the motion only in part. After a step that presses a ball
+    /// the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
     /// ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
     #[getter]
     fn loading(&self) -> [[f64; 3]; 3] {

@@ -2465,13 +2465,13 @@ class History:
             The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
         tolerance : float
             Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
-            0.01 is a good choice. At least about a hundred times the tolerance of the settings.
+            0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
         normal_force, approach : optional
             As of :class:`LoadStep`.
         progress : callable or bool, optional
             As of :meth:`NormalProblem.solve`.
         warn : bool, default True
-            Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+            If true, the warnings of the last step are issued through ``warnings`` too.
 
         Returns
         -------
@@ -2536,7 +2536,7 @@ class History:
         """
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
-        Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
+        Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held. Dissimilar bodies are pressed by
         :meth:`press`.
 
         A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
@@ -2598,8 +2598,8 @@ class History:
         Parameters
         ----------
         next_step : bool, default False
-            Whether ``tangential.loading`` and ``by_approach`` are derivatives in a next step, which starts from the present
-            state, instead of derivatives of the last step by its motion. In the next step cells that stick resist fully, also
+            If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the present
+            state. Otherwise they are derivatives of the last step. In the next step cells that stick resist fully, also
             those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
             contact further under the same normal load needs this.
         """
@@ -5417,8 +5417,8 @@ class StepResult:
     def warnings(self, /) -> list[Warning]:
         """
         Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``pressed_at_once`` and those on contacts and zones of too few cells. Those on the contact
-        spots, which are not looked for in every step, are in ``history.normal.warnings``.
+        ``pressed_at_once`` and those on contacts and zones of too few cells. Warnings of
+        contact spots are in ``history.normal.warnings``: a step does not search for spots.
         """
 
 @final
@@ -5903,8 +5903,8 @@ class TangentialStiffness:
     def loading(self, /) -> list[list[float]]:
         """
         Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-        direction. Cells that came into contact in the step follow the motion with a compliance of their own: after a step that
-        presses a ball it is about two thirds of Mindlin's stiffness, although all cells stick.
+        direction. Cells that came into contact in the step follow the motion only in part. After a step that presses a ball
+        the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
         ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
         """
     @property

@@ -179,8 +179,8 @@ impl History {
     /// Parameters
     /// ----------
     /// next_step : bool, default False
-    ///     Whether ``tangential.loading`` and ``by_approach`` are derivatives in a next step, which starts from the present
-    ///     state, instead of derivatives of the last step by its motion. In the next step cells that stick resist fully, also
+    ///     If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the present
+    ///     state. Otherwise they are derivatives of the last step. In the next step cells that stick resist fully, also
     ///     those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
     ///     contact further under the same normal load needs this.
     #[pyo3(signature = (*, next_step=false))]

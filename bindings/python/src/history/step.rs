@@ -242,8 +242,8 @@ impl StepResult {
     }
 
     /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-    /// ``pressed_at_once`` and those on contacts and zones of too few cells. Those on the contact
-    /// spots, which are not looked for in every step, are in ``history.normal.warnings``.
+    /// ``pressed_at_once`` and those on contacts and zones of too few cells. Warnings of
+    /// contact spots are in ``history.normal.warnings``: a step does not search for spots.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.warnings_of())

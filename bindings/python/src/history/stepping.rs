@@ -20,7 +20,7 @@ use crate::work::solve;
 
 #[pymethods]
 impl History {
-    /// Takes a step, by a :class:`LoadStep` or its keywords; what is not named is held. Dissimilar bodies are pressed by
+    /// Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held. Dissimilar bodies are pressed by
     /// :meth:`press`.
     ///
     /// A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
@@ -109,13 +109,13 @@ impl History {
     ///     The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
     /// tolerance : float
     ///     Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
-    ///     0.01 is a good choice. At least about a hundred times the tolerance of the settings.
+    ///     0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
     /// normal_force, approach : optional
     ///     As of :class:`LoadStep`.
     /// progress : callable or bool, optional
     ///     As of :meth:`NormalProblem.solve`.
     /// warn : bool, default True
-    ///     Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+    ///     If true, the warnings of the last step are issued through ``warnings`` too.
     ///
     /// Returns
     /// -------
