@@ -251,78 +251,56 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod analytical;
-mod boundary;
-mod buffer;
-mod cell_value;
+mod bodies;
 pub mod cgm;
-mod clock;
 mod contact;
-mod contact_map;
 pub mod coupled;
-mod coupling;
 #[cfg(feature = "dense")]
 pub mod dense;
-mod digest;
-mod discretisation;
 pub mod edges;
 mod error;
 pub mod fft;
-mod field;
-mod gauss;
+mod files;
 mod grid;
 pub mod guide;
 mod half_space;
 pub mod history;
 pub mod influence;
 pub mod io;
-mod jacobi;
-pub mod kernel;
-pub mod layers;
-mod layout;
-mod levels;
-mod material;
-mod neighbours;
 pub mod normal;
+mod numerics;
+mod observer;
 mod operator;
 mod parallel;
-mod per_cell;
-mod pool;
-pub mod ranks;
-mod reduce;
 mod report;
 pub mod rolling;
-#[cfg(feature = "serde")]
-mod serial;
-mod share;
-mod shown;
 mod spots;
 pub mod stiffness;
 pub mod subsurface;
+mod support;
 pub mod surface;
-mod survey;
 pub mod tangential;
 mod warning;
-mod watch;
-mod window;
 
-pub use boundary::Boundary;
-pub use buffer::TryClone;
-pub use cell_value::CellValue;
+pub use bodies::coupling::Coupling;
+pub use bodies::kernel::{self, Kernel};
+pub use bodies::layers;
+pub use bodies::material::{ElasticPair, Material};
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
-pub use coupling::Coupling;
 pub use error::{Error, Result};
-pub use field::Field;
 pub use grid::Grid;
+pub use grid::boundary::Boundary;
+pub use grid::cell_value::CellValue;
+pub use grid::field::Field;
 pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 pub use history::{History, LoadStep};
-pub use kernel::Kernel;
-pub use layout::Layout;
-pub use material::{ElasticPair, Material};
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator, Scratch};
-pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool};
+pub use parallel::layout::Layout;
+pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool, ranks};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
 pub use spots::{ContactSpots, Spot};
+pub use support::fallible::TryClone;
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::fmt;
 
 use crate::error::Result;
-use crate::layout::Layout;
+use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
 /// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.

@@ -74,7 +74,7 @@ pub struct Iteration {
     /// Products in single precision so far.
     pub single_precision_products: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Entries strictly between their bounds: contact cells of a normal problem, sticking cells of a tangential one.
     pub free: usize,
@@ -113,19 +113,19 @@ pub struct Report {
     /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
     /// move. If the operator's smallest eigenvalue times the largest unknown is larger, it is the divisor
     /// (a uniform traction displaces nothing on a periodic grid). Dimensionless.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
     /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it takes its place,
     /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub duality_gap: f64,
     /// How the smallest eigenvalue is known that [`Self::duality_gap`] rests on, and what else is certified beside it: the
     /// bounds of a coupled contact, of a stiffness.
     pub eigenvalue_bound: EigenvalueBound,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
     /// is prescribed.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use super::held_force::HeldForce;
 use super::hertz::{arc_cosine, arc_sine, dome};
 use super::sines::sine_minus_arc_cosine;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, finite, positive};
-use crate::material::ElasticPair;
 
 /// A blunt cone pressed on a half-space.
 ///

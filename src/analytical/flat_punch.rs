@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use super::full_stick::{MindlinFullStick, edge_pole};
 use super::held_force::HeldForce;
 use super::hertz::arc_sine;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
-use crate::material::ElasticPair;
 
 /// The flat end of a rigid round cylinder pressed on a half-space.
 ///

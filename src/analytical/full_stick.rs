@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::hertz::{arc_sine, dome};
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, finite, positive};
-use crate::material::ElasticPair;
 
 /// A contact circle in full stick under a tangential force along x.
 ///

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::elliptic::Integrals;
 use super::sines::sine_minus_arc_cosine;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
-use crate::material::ElasticPair;
 
 /// A sphere pressed on a half-space, or a paraboloid of revolution.
 ///

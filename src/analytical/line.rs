@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::hertz::dome;
 use super::line_stress;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
-use crate::material::ElasticPair;
 
 /// A cylinder pressed on a half-space along a line, in plane strain.
 ///

@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_1_PI;
 
 use super::quadrature::integral;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
-use crate::material::ElasticPair;
 
 /// Beyond this the integrand has vanished to the last digit.
 const LENGTH: f64 = 20.0;

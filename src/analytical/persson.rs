@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 use super::held_force::HeldForce;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, non_negative, positive};
-use crate::material::ElasticPair;
 
 /// A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
 ///

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use super::hertz::{arc_cosine, dome};
 use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, at_least, non_negative, positive};
-use crate::material::ElasticPair;
 
 /// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach,
 /// when wear has ceased.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, at_least, positive};
-use crate::material::ElasticPair;
 
 /// A flat punch with rounded edges pressed on a half-space along a line, in plane strain: the pad of fretting tests with
 /// nearly complete contact.

@@ -1,8 +1,8 @@
 //! The stick zone of bodies of different materials that are pressed together.
 
 use super::elliptic::Integrals;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, non_negative};
-use crate::material::ElasticPair;
 
 /// How far bodies of different materials stick when they are pressed together by a growing load alone.
 ///

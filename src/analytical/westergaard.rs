@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 use super::held_force::HeldForce;
 use super::sines::hyperbolic_sine_minus_arc;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, finite, positive};
-use crate::material::ElasticPair;
 
 /// A wavy surface pressed on a half-space: waves along x, plane strain.
 ///

@@ -4,14 +4,14 @@
 
 use std::ops::RangeInclusive;
 
-use crate::cgm::motion::Linearised;
+use crate::cgm::law::state::Linearised;
 use crate::cgm::reduce::{self, Tally, larger};
 use crate::cgm::totals::Total;
-use crate::cgm::vector::{at, dot, norm, within};
 use crate::cgm::{Admissible, Constraint};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{at, dot, norm, within};
 use crate::operator::{LowerBound, MeanBound};
-use crate::ranks::Words;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::Words;
 use crate::report::Report;
 
 /// What one recomputed product says about an iterate.

@@ -1,10 +1,10 @@
 //! A preconditioner that is not positive definite, as the cause of an iteration that has failed.
 
-use crate::cgm::motion::Linearised;
-use crate::cgm::run::Run;
-use crate::cgm::vector::{at, dot, minus, norm, slices, slices_mut, update_cells};
+use crate::cgm::iterate::Run;
+use crate::cgm::law::state::Linearised;
 use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
+use crate::numerics::cell_vector::{at, dot, minus, norm, slices, slices_mut, update_cells};
 
 impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// `Ok` if `v' M v` is a positive number of a uniform vector, of the residual that is left, and of its largest part, on

@@ -100,47 +100,40 @@
 
 mod certificate;
 pub(crate) mod cone;
-mod disc;
+mod degenerate;
+mod diagonal;
 mod flaw;
-mod interval;
+mod free_cells;
+mod iterate;
+mod law;
 mod linear;
-mod look;
 mod monitor;
-mod motion;
-mod moving;
 mod newton;
-mod own;
 mod polonsky_keer;
 mod problem;
 mod progress;
-mod projected_gradient;
-mod proximal;
-mod run;
-mod set;
+mod safeguard;
 mod settings;
-pub(crate) mod small;
-mod standing;
+mod start;
 mod totals;
-mod turn;
-pub(crate) mod vector;
 mod workspace;
 
-pub(crate) use crate::reduce;
+pub(crate) use crate::parallel::reduce;
 pub(crate) use certificate::{Certificate, Iterate, examine};
-pub use disc::Disc;
-pub use interval::Interval;
+pub(crate) use diagonal::Own;
+#[cfg(feature = "dense")]
+pub(crate) use law::check as check_constraint;
+pub use law::disc::Disc;
+pub use law::interval::Interval;
+pub(crate) use law::state::{Linearised, Motion, Row};
+pub use law::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
+pub(crate) use law::{Carried, UNLIMITED};
 pub(crate) use linear::{Held, LinearWorkspace};
-pub(crate) use look::Known;
-pub(crate) use motion::{Linearised, Motion, Row};
-pub(crate) use own::Own;
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
-#[cfg(feature = "dense")]
-pub(crate) use set::check as check_constraint;
-pub use set::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
-pub(crate) use set::{Carried, UNLIMITED};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
+pub(crate) use start::Known;
 pub use totals::Total;
 pub use workspace::Workspace;
 

@@ -3,11 +3,11 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::Settings;
-use crate::clock::Instant;
 use crate::error::{Error, Result};
-use crate::layout::Layout;
+use crate::observer::Observer;
+use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
-use crate::watch::Observer;
+use crate::support::clock::Instant;
 
 /// A residual at which sets change by round-off alone.
 const ROUND_OFF: f64 = 1e-12;

@@ -8,14 +8,14 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::degenerate::Standing;
+use crate::cgm::iterate::{Run, SINGLE, Start};
+use crate::cgm::law::state::{Linearised, Motion, Row};
 use crate::cgm::linear::BASES;
-use crate::cgm::motion::{Linearised, Motion, Row};
 use crate::cgm::progress::Progress;
-use crate::cgm::run::{Run, SINGLE, Start};
-use crate::cgm::standing::Standing;
 use crate::cgm::totals::Total;
-use crate::cgm::vector::{at, chunks, held, minus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf, reduce};
+use crate::numerics::cell_vector::{at, chunks, held, minus, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
 

@@ -6,12 +6,12 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::interval::{Side, shift_to_total};
-use crate::cgm::motion::Motion;
+use crate::cgm::iterate::{Precision, Run};
+use crate::cgm::law::interval::{Side, shift_to_total};
+use crate::cgm::law::state::Motion;
 use crate::cgm::reduce::Tally;
-use crate::cgm::run::{Precision, Run};
-use crate::cgm::vector::{at, plus, slices, update_cells};
 use crate::cgm::{Admissible, Constraint, Interval, reduce};
+use crate::numerics::cell_vector::{at, plus, slices, update_cells};
 use crate::parallel::Blocks;
 use crate::report::Status;
 

@@ -3,20 +3,20 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::certificate::Iterate;
-use crate::cgm::motion::{Linearised, Reach};
+use crate::cgm::diagonal::Own;
+use crate::cgm::iterate::Run;
+use crate::cgm::law::state::{Linearised, Reach};
 use crate::cgm::newton::newton;
-use crate::cgm::own::Own;
-use crate::cgm::projected_gradient::Objective;
-use crate::cgm::run::Run;
+use crate::cgm::safeguard::projected_gradient::Objective;
 use crate::cgm::totals::Total;
-use crate::cgm::vector::{at, minus};
-use crate::cgm::{Constraint, Known, Method, Settings, Workspace, set};
+use crate::cgm::{Constraint, Known, Method, Settings, Workspace, law};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{at, minus};
+use crate::observer::Observer;
 use crate::operator::{Identity, LowerBound, MeanBound, Operator};
 use crate::parallel;
+use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
-use crate::watch::Observer;
 
 /// What to minimise: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
 #[derive(Debug, Clone)]
@@ -244,7 +244,7 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
                 positive("compliance of a spring", compliance)?;
             }
         }
-        set::check(self.constraint, cells)
+        law::check(self.constraint, cells)
     }
 
     /// The single loop solves symmetric problems of intervals without springs.
@@ -281,7 +281,7 @@ impl<C: Operator, K: Constraint, P: Operator> Problem<'_, C, K, P> {
 pub struct Minimum<const N: usize = 1> {
     /// Multipliers of the totals, so that `C x + b - multiplier` vanishes on free cells; zero where no total is
     /// prescribed.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::array"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::array"))]
     pub multiplier: [f64; N],
     /// Status, cost and certified error.
     pub report: Report,

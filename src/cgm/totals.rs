@@ -22,14 +22,14 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
+use crate::cgm::iterate::Run;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::Border;
-use crate::cgm::motion::Row;
 use crate::cgm::reduce;
-use crate::cgm::run::Run;
-use crate::cgm::small::Small;
-use crate::cgm::vector::{at, chunks, dot, held, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{at, chunks, dot, held, norm, plus, put, slices, within};
+use crate::numerics::small_matrix::Small;
+use crate::parallel::layout::Layout;
 
 /// What is prescribed of the sum of one component over all cells.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,11 +1,11 @@
 //! What an iteration writes to.
 
-use crate::buffer;
 use crate::cgm::Admissible;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
 use crate::operator::{Operator, Scratch};
 use crate::report::Report;
+use crate::support::fallible;
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///
@@ -43,12 +43,12 @@ impl<S: Admissible<N>, const N: usize> Workspace<S, N> {
         linear.make_room(cells)?;
         Ok(Self {
             linear,
-            product: buffer::vector(cells)?,
-            gradient: buffer::vector(cells)?,
+            product: fallible::vector(cells)?,
+            gradient: fallible::vector(cells)?,
             centre: std::array::from_fn(|_| Vec::new()),
             conjugate: Conjugate {
-                last_residual: buffer::zeros(cells)?,
-                direction: buffer::zeros(cells)?,
+                last_residual: fallible::zeros(cells)?,
+                direction: fallible::zeros(cells)?,
             },
             multiplier: [0.0; N],
         })

@@ -1,14 +1,14 @@
 //! Starts from coarser cells: far fewer steps are then left to do on the finest ones (Bornemann & Deuflhard's
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
-use crate::buffer;
+use crate::bodies::component::Direction;
 use crate::cgm::{Admissible, Constraint, Known, Settings};
 use crate::contact::{Conditions, ElasticProblem, ElasticSolver, ended_from_outside};
 use crate::error::Result;
+use crate::grid::coarsening::halved;
 use crate::half_space::{HalfSpace, Region};
-use crate::influence::Direction;
-use crate::layout::Layout;
-use crate::levels::halved;
+use crate::parallel::layout::Layout;
+use crate::support::fallible;
 
 /// Cells at or below which a grid is solved from a plain start, and a line.
 const COARSEST: usize = 40 * 40;
@@ -175,7 +175,7 @@ fn solve<S: Scene<N>, const N: usize>(
 ) -> Result<Option<f64>> {
     let confined = scene.confined(bodies, x)?;
     let inside = confined.as_ref().map(|(region, _)| {
-        let mut inside: [_; N] = buffer::vector(region.cells())?;
+        let mut inside: [_; N] = fallible::vector(region.cells())?;
         for (inside, x) in inside.iter_mut().zip(&*x) {
             region.gather(x, inside);
         }

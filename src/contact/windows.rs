@@ -3,8 +3,8 @@
 
 use crate::contact::{BySize, OfSize};
 use crate::error::{Error, Result};
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
-use crate::window::Window;
 
 /// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
 const ROUND_OFF: f64 = 1e-13;

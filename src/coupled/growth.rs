@@ -1,7 +1,7 @@
 //! The growth of a contact in one step.
 
 use crate::cgm::reduce;
-use crate::layout::Layout;
+use crate::parallel::layout::Layout;
 
 /// Largest part of the contact that comes into contact in a step without a warning. In steps of equal growth of the
 /// radius, 20 steps meet it.

@@ -1,22 +1,22 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
-use crate::buffer;
-use crate::cgm::vector::slices;
+use crate::bodies::component::Direction;
 use crate::cgm::{Total, reduce};
 use crate::contact::{self, Conditions, OnWindow, Seen, Windows, multipliers};
-use crate::coupled::engine::{Engine, Start, Task};
+use crate::coupled::window_solver::{Engine, Start, Task};
 use crate::coupled::{CoupledReport, N};
 use crate::error::{Error, Result, SLIDE};
-use crate::field::Field;
+use crate::grid::field::Field;
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
-use crate::influence::Direction;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
+use crate::support::fallible;
 use crate::tangential::{
     Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, centre, zeros,
 };
-use crate::window::Window;
 
 /// Cells by which a contact may grow in a step without a second look.
 const GROWTH: usize = 2;
@@ -83,7 +83,7 @@ impl CoupledIncrement {
         let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
         // Coefficients that cannot be computed are better known now.
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
-        let zeros_of_all = || buffer::vector(grid.cells());
+        let zeros_of_all = || fallible::vector(grid.cells());
         Ok(Self {
             windows: Windows::default(),
             tractions: zeros_of_all()?,

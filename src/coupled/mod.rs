@@ -52,17 +52,17 @@
 //! The example `dissimilar` draws:
 #![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]
 
-mod contraction;
-mod engine;
+mod coarse_start;
+mod error_bound;
 mod growth;
 mod increment;
-mod nested;
 mod offset;
 mod problem;
 mod report;
 mod sliding;
 mod solution;
 mod solver;
+mod window_solver;
 
 pub(crate) use growth::Growth;
 pub(crate) use increment::{CoupledDemand, CoupledIncrement, check_joint};

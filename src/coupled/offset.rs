@@ -1,8 +1,8 @@
 //! The offsets of a step: what tangential displacement less motion is in a cell while it sticks.
 
-use crate::buffer;
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
+use crate::support::fallible;
 use crate::tangential::{PlaneVector, own_compliance, ratio_of_compliances};
 
 impl CoupledIncrement {
@@ -15,7 +15,7 @@ impl CoupledIncrement {
         self.enters = gap.is_some();
         if let Some(gap) = gap {
             let kappa = ratio_of_compliances(&self.bodies);
-            buffer::resize(&mut self.closing, self.offset[0].len(), 0.0)?;
+            fallible::resize(&mut self.closing, self.offset[0].len(), 0.0)?;
             for (i, closing) in self.closing.iter_mut().enumerate() {
                 *closing = kappa * gap(i);
             }

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::buffer::{TryClone, try_clone};
 use crate::cgm::{Settings, settings_methods};
 use crate::coupled::check_joint;
 use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::normal::{Hardness, NormalControl};
+use crate::support::fallible::{TryClone, try_clone};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together, in one step from rest.

@@ -2,7 +2,7 @@
 
 use crate::cgm::cone::ConeFindings;
 use crate::error::{Error, Result};
-use crate::field::clone_in_place;
+use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
 
 /// How a coupled solve ended, what it cost, and what its halves certify.
@@ -25,10 +25,10 @@ pub struct CoupledReport {
     /// The same with the tangential part.
     pub tangential: Report,
     /// Bound of the error of the pressure in the energy norm, at tractions as they are, over the root of `x' C x`.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_error_bound: f64,
     /// Bound of the error of the tractions in the energy norm, at the pressure as it is, over the same.
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
     /// Bounds of the errors of pressure and of traction as a whole, each in its energy norm over the same: rigorous, where
     /// friction is weak enough for the grid and no tangential force is prescribed. `None` elsewhere, and on grids that

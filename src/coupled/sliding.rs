@@ -1,12 +1,12 @@
 //! Forces that slide the bodies, where what friction holds is known only with the pressure.
 
-use crate::buffer::TryClone;
 use crate::cgm::{Total, reduce};
 use crate::contact::Conditions;
-use crate::coupled::engine::{Start, Task};
 use crate::coupled::increment::CoupledIncrement;
+use crate::coupled::window_solver::{Start, Task};
 use crate::error::{Error, Result, SLIDE};
 use crate::report::Status;
+use crate::support::fallible::TryClone;
 
 /// Shift at which the bodies slide, over the largest displacement: the slip of the cells differs in direction by one over
 /// it.

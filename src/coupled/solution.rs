@@ -1,17 +1,17 @@
 //! The answer to a coupled contact.
 
-use crate::buffer::{or_abort, try_clone, try_each};
 use crate::cgm::reduce;
 use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::{CoupledProblem, CoupledReport, Growth, N};
 use crate::error::Result;
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::layout::Layout;
 use crate::normal::NormalSolution;
+use crate::parallel::layout::Layout;
+use crate::support::debug::shown;
+use crate::support::fallible::{or_abort, try_clone, try_each};
 #[cfg(feature = "serde")]
-use crate::serial::checked;
-use crate::shown::shown;
+use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 

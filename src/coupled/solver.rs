@@ -1,16 +1,16 @@
 //! The reusable solver of a coupled contact.
 
-use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
 use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
-use crate::field::{self, Field};
+use crate::grid::field::{self, Field};
 use crate::normal::NormalControl;
-use crate::shown::shown;
+use crate::observer::Observer;
+use crate::support::debug::shown;
+use crate::support::fallible::TryClone;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
-use crate::watch::Observer;
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 ///

@@ -14,13 +14,14 @@ use std::sync::OnceLock;
 
 use faer::{MatRef, Side};
 
-use crate::boundary::Boundary;
+use crate::bodies::component::Component;
 use crate::error::{Error, Result, all_finite, length};
-use crate::field::Field;
+use crate::grid::boundary::Boundary;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Added, Component, Samples};
+use crate::influence::{Added, Samples};
 use crate::operator::{Operator, Scratch};
-use crate::shown::shown;
+use crate::support::debug::shown;
 
 /// Largest number of unknowns accepted: a matrix of 128 MiB.
 const LIMIT: usize = 4096;

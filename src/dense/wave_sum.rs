@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use crate::field::Field;
+use crate::bodies::component::Component;
+use crate::bodies::kernel::Kernel;
 use crate::grid::Grid;
-use crate::influence::{Component, Symbols};
-use crate::kernel::Kernel;
+use crate::grid::field::Field;
+use crate::influence::Symbols;
 
 /// The coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`: the
 /// sum of all waves there, each with its symbol.

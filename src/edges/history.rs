@@ -1,12 +1,12 @@
 //! The edges of the contact of a history, and of its stick zone.
 
-use crate::buffer;
 use crate::edges::TangentialEdges;
 use crate::edges::tangential::Sheared;
 use crate::error::Result;
-use crate::field::Field;
+use crate::grid::field::Field;
+use crate::grid::neighbours::neighbours;
 use crate::history::{History, StepResult};
-use crate::neighbours::neighbours;
+use crate::support::fallible;
 use crate::tangential::Zone;
 
 /// Largest root mean square by which a fit of the stick zone may miss the values, in cells: an old edge within a few cells
@@ -114,13 +114,13 @@ impl History {
     fn directions(&self) -> Result<Vec<[f64; 2]>> {
         let (zones, [qx, qy]) = (self.zones(), self.traction().map(Field::as_slice));
         let (size, repeats) = (self.grid().size(), self.boundary().repeats());
-        let mut directions = buffer::filled([0.0; 2], zones.len())?;
+        let mut directions = fallible::filled([0.0; 2], zones.len())?;
         let mut reached = Vec::new();
         for (i, direction) in directions.iter_mut().enumerate() {
             let traction = qx[i].hypot(qy[i]);
             if zones[i] == Zone::Slip && traction > 0.0 {
                 *direction = [qx[i] / traction, qy[i] / traction];
-                buffer::push(&mut reached, i)?;
+                fallible::push(&mut reached, i)?;
             }
         }
         let mut done = 0;
@@ -130,7 +130,7 @@ impl History {
                 let is_new = directions[next].iter().all(|part| *part == 0.0);
                 if zones[next] == Zone::Stick && is_new {
                     directions[next] = directions[i];
-                    buffer::push(&mut reached, next)?;
+                    fallible::push(&mut reached, next)?;
                 }
             }
         }

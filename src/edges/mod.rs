@@ -102,14 +102,14 @@ mod states;
 mod stencil;
 mod tangential;
 
-use crate::boundary::Boundary;
-use crate::cell_value::CellValue;
+use crate::bodies::layers::Layer;
 use crate::error::{Error, RankFailure, Result};
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::layers::Layer;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::field::Field;
 use crate::normal::NormalSolution;
-use crate::shown::shown;
+use crate::support::debug::shown;
 
 use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;

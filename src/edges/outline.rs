@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use crate::buffer;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
-use crate::neighbours::neighbours;
+use crate::grid::neighbours::neighbours;
+use crate::support::fallible;
 
 /// Distances of the corners of a cell inside the edge, counter-clockwise from the first one of both axes.
 pub(super) type Corners = [f64; 4];
@@ -30,7 +30,7 @@ pub(super) fn outline(
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();
             for next in around.filter(is_new) {
-                buffer::push(&mut beside, next)?;
+                fallible::push(&mut beside, next)?;
             }
         } else if contains(*cell) {
             // Left, below, right and above.
@@ -38,7 +38,7 @@ pub(super) fn outline(
             for (next, side) in neighbours(*cell, size, repeats).into_iter().zip(sides) {
                 if next.is_none_or(|next| !contains(next) && !means.has_all_of(next)) {
                     let piece = side.map(|which| means.place(*cell, which));
-                    buffer::push(&mut pieces, piece)?;
+                    fallible::push(&mut pieces, piece)?;
                 }
             }
         }
@@ -127,7 +127,7 @@ impl Means {
             (self.place(cell, which), distance)
         });
         for piece in pieces_within(&ends).into_iter().flatten() {
-            buffer::push(pieces, piece)?;
+            fallible::push(pieces, piece)?;
         }
         Ok(())
     }

@@ -1,16 +1,16 @@
 //! The cells at the edge of a set, each with its fit or without.
 
-use crate::buffer;
 use crate::edges::fit::{Fit, Values};
 use crate::edges::outline::{Corners, outline};
 use crate::edges::states::{States, beside};
 use crate::edges::stencil::{LANES, SIDE, Stencil};
 use crate::edges::{EdgeCell, Edges};
 use crate::error::Result;
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::neighbours::neighbours;
+use crate::grid::field::Field;
+use crate::grid::neighbours::neighbours;
 use crate::parallel::{self, Blocks};
+use crate::support::fallible;
 
 /// Largest root mean square by which a fit may miss the values, in cells, of a contact and of a zone of a first loading.
 pub(super) const LARGEST_MISS: f64 = 0.05;
@@ -64,7 +64,7 @@ impl Search<'_> {
                 index,
                 ..EdgeCell::default()
             };
-            buffer::push(
+            fallible::push(
                 &mut found,
                 Found {
                     cell,
@@ -105,10 +105,10 @@ impl Search<'_> {
             covered += cell.covered;
         }
         let corners = found.iter().map(|found| (found.cell.index, found.corners));
-        let corners = buffer::collected(found.len(), corners)?;
+        let corners = fallible::collected(found.len(), corners)?;
         Ok(Edges {
             outline: outline(self.grid, self.repeats, &corners, |i| self.contains(i))?,
-            cells: buffer::collected(found.len(), found.iter().map(|found| found.cell))?,
+            cells: fallible::collected(found.len(), found.iter().map(|found| found.cell))?,
             centres,
             means,
             repeats: self.repeats,
@@ -216,7 +216,7 @@ impl Search<'_> {
     /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
     /// the power 2/3 outside, as in [`Values`]; zero of all others.
     fn lifted(&self, stencil: &Stencil, found: &[Found], largest: f64) -> Result<Vec<f64>> {
-        let mut lifted = buffer::zeros(self.inside.len())?;
+        let mut lifted = fallible::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
         for found in found {
             let [rows, columns] = stencil.about(found.cell.index);

@@ -1,10 +1,10 @@
 //! The areas of contact spots with the parts of the cells at their edges.
 
-use crate::buffer;
 use crate::edges::Edges;
 use crate::error::Result;
-use crate::neighbours::neighbours;
+use crate::grid::neighbours::neighbours;
 use crate::spots::ContactSpots;
+use crate::support::fallible;
 
 impl Edges {
     /// Areas of the spots of this contact (lengths squared), in their order, with the parts of the cells at the edges; of a
@@ -39,7 +39,7 @@ impl Edges {
     pub fn areas_of(&self, spots: &ContactSpots) -> Result<Vec<f64>> {
         let grid = self.grid();
         grid.expect("contact spots", spots.grid())?;
-        let mut areas = buffer::zeros(spots.as_slice().len())?;
+        let mut areas = fallible::zeros(spots.as_slice().len())?;
         let has_value = |centre: f64| if centre > 0.0 { 1.0 } else { 0.0 };
         for (cell, centre) in self.centres.iter().enumerate() {
             if let Some(spot) = spots.label(cell) {

@@ -1,9 +1,9 @@
 //! Which cells lie in a set, and which of these have all their neighbours in it.
 
-use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::parallel;
+use crate::support::fallible;
 
 /// The state of a cell: one for each that holds of being in the set or beside it or at a corner of it, being in the set, and
 /// having all neighbours in it too.
@@ -29,14 +29,14 @@ impl States {
     /// Of the set of the cells with a positive value.
     pub(super) fn new(grid: Grid, repeats: [bool; 2], inside: &[f64]) -> Result<Self> {
         let [nx, ny] = grid.size();
-        let mut is_in = buffer::filled(0, grid.cells())?;
+        let mut is_in = fallible::filled(0, grid.cells())?;
         parallel::rows(&mut is_in, nx, |row, out| {
             for (out, value) in out.iter_mut().zip(&inside[row * nx..]) {
                 *out = u8::from(*value > 0.0);
             }
         });
-        let beyond = buffer::filled(0, nx)?;
-        let mut states = buffer::filled(0, grid.cells())?;
+        let beyond = fallible::filled(0, nx)?;
+        let mut states = fallible::filled(0, grid.cells())?;
         parallel::rows(&mut states, nx, |row, states| {
             let [below, above] = beside(row, ny, repeats[1]);
             let rows = [below, Some(row), above]

@@ -3,11 +3,11 @@
 use crate::edges::search::{LARGEST_MISS, Search};
 use crate::edges::{Edges, check_whole, excess};
 use crate::error::{Error, Result};
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::neighbours::neighbours;
+use crate::grid::field::Field;
+use crate::grid::neighbours::neighbours;
 use crate::normal::NormalSolution;
-use crate::shown::shown;
+use crate::support::debug::shown;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
 /// The edges of the contact and of the stick zone inside the cells, and the traction there. Obtained from

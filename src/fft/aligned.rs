@@ -2,8 +2,8 @@
 
 use std::ops::{Deref, DerefMut};
 
-use crate::buffer::{self, or_abort};
 use crate::error::Result;
+use crate::support::fallible::{self, or_abort};
 
 /// Bytes of a cache line, and of the widest vector register.
 const LINE: usize = 64;
@@ -19,7 +19,7 @@ pub(super) struct Aligned<T> {
 impl<T: Clone> Aligned<T> {
     pub(super) fn new(value: T, len: usize) -> Result<Self> {
         let spare = LINE.div_ceil(size_of::<T>());
-        let items = buffer::filled(value, len + spare)?;
+        let items = fallible::filled(value, len + spare)?;
         // Where the offset cannot be had the buffer is as good, if slower.
         let first = items.as_ptr().align_offset(LINE).min(spare);
         Ok(Self { items, first, len })

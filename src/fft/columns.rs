@@ -2,14 +2,14 @@
 
 use num_complex::Complex;
 
-use crate::buffer::try_each;
 use crate::error::Result;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
-use crate::fft::real::Real;
+use crate::fft::precision::Real;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_ROWS, Tile};
-use crate::pool::Pool;
+use crate::support::fallible::try_each;
+use crate::support::pool::Pool;
 
 #[derive(Debug, Clone)]
 pub(super) struct ColumnScratch<T, const N: usize> {

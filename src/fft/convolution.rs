@@ -2,28 +2,29 @@
 
 use std::sync::Arc;
 
-use crate::boundary::Boundary;
-use crate::buffer::or_abort;
-use crate::cell_value::CellValue;
+use crate::bodies::component::Component;
+use crate::bodies::kernel;
+use crate::bodies::material::ElasticPair;
 use crate::error::Result;
-use crate::fft::frame::Frame;
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, TaskScratch};
-use crate::fft::single::SingleProduct;
+use crate::fft::single_precision::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
+use crate::fft::torus::Frame;
 use crate::fft::uniform_wave::UniformWave;
 use crate::grid::Grid;
-use crate::influence::{Added, Component, Kernel, Samples, Symbols};
-use crate::kernel;
-use crate::layout::Layout;
-use crate::material::ElasticPair;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::influence::{Added, Kernel, Samples, Symbols};
 use crate::operator::{LowerBound, MeanBound, Operator, SELF_COMPLIANCE, Scratch};
 use crate::parallel;
-use crate::ranks::Team;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::Team;
+use crate::parallel::ranks::partition::Share;
 use crate::report::EigenvalueBound;
-use crate::share::Share;
-use crate::shown::shown;
+use crate::support::debug::shown;
+use crate::support::fallible::or_abort;
 
 /// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
 /// of all cells, by fast transforms: one each way for each component. Without periodic images

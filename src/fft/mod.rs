@@ -14,26 +14,26 @@
 //! compile and are left out: a program that wants them asks for `rustfft` with its feature `sse` too.
 
 mod aligned;
+mod circulant_inverse;
 mod columns;
 mod convolution;
-mod deal;
-mod eigen;
-mod frame;
-mod inverse;
+mod eigenvalues;
+mod exchange;
 mod length;
 mod plan;
-mod real;
+mod precision;
 mod rows;
-mod single;
+mod single_precision;
 mod spectrum;
 mod superposition;
 mod symbol;
 mod tiles;
+mod torus;
 mod uniform_wave;
 
+pub use circulant_inverse::CirculantInverse;
 pub use convolution::Convolution;
 pub(crate) use convolution::samples;
-pub use inverse::CirculantInverse;
 pub(crate) use length::smooth_length;
 pub(crate) use superposition::{Kernels, Superposition, Torus};
 pub(crate) use uniform_wave::UniformWave;

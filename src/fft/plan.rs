@@ -14,14 +14,14 @@ use rustfft::Fft;
 
 use crate::error::Result;
 use crate::fft::columns::ColumnScratch;
-use crate::fft::frame::Frame;
-use crate::fft::real::Real;
+use crate::fft::precision::Real;
 use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile, Tiles, exchange};
-use crate::layout::Layout;
+use crate::fft::torus::Frame;
+use crate::parallel::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
-use crate::pool::Pool;
+use crate::support::pool::Pool;
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]

@@ -13,10 +13,10 @@ use num_complex::Complex;
 use crate::error::Result;
 use crate::fft::aligned::Aligned;
 use crate::fft::plan::{Plan, blocks, zero};
-use crate::fft::real::Real;
+use crate::fft::precision::Real;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile};
-use crate::pool::Pool;
+use crate::support::pool::Pool;
 
 /// Pairs of rows in a band of tiles.
 const PAIRS: usize = TILE_ROWS / 2;

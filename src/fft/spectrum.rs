@@ -6,12 +6,12 @@ use std::sync::Arc;
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
-use crate::buffer;
 use crate::error::Result;
-use crate::fft::frame::Frame;
+use crate::fft::torus::Frame;
 use crate::influence::Kernel;
+use crate::parallel::ranks::partition::Share;
 use crate::parallel::{self, Blocks};
-use crate::share::Share;
+use crate::support::fallible;
 
 /// Where numbers go: the places `entry` of each piece of `stride` numbers.
 pub(super) struct Lines<'a> {
@@ -76,7 +76,7 @@ pub(super) fn of_samples(
         own.start.min(height)..own.end.min(height)
     });
     let transformed = || {
-        let mut rows = buffer::zeros(width * own_rows.len())?;
+        let mut rows = fallible::zeros(width * own_rows.len())?;
         let row_lines = Lines {
             values: &mut rows,
             stride: width,
@@ -92,7 +92,7 @@ pub(super) fn of_samples(
     let (rows, width) = match share {
         Some(share) => {
             let own = frame.own_columns().len();
-            let found = transformed().and_then(|rows| Ok((rows, buffer::zeros(own * height)?)));
+            let found = transformed().and_then(|rows| Ok((rows, fallible::zeros(own * height)?)));
             let (rows, mut found) = share.team().agreed(found)?;
             let wanted = |rank| [frame.columns_of(rank), 0..height];
             share.fetch_into(&rows, width, wanted, &mut found);
@@ -137,10 +137,10 @@ fn half_transforms(
     };
     let work = |task: usize, block: Blocks<'_, f64>| {
         let zero = Complex::new(0.0, 0.0);
-        let mut samples = buffer::zeros(AT_ONCE * half)?;
-        let mut wrapped = buffer::zeros(m)?;
-        let mut complex = buffer::filled(zero, transform.complex_len())?;
-        let mut scratch = buffer::filled(zero, transform.get_scratch_len())?;
+        let mut samples = fallible::zeros(AT_ONCE * half)?;
+        let mut wrapped = fallible::zeros(m)?;
+        let mut complex = fallible::filled(zero, transform.complex_len())?;
+        let mut scratch = fallible::filled(zero, transform.get_scratch_len())?;
         let firsts = (task * per_task..).step_by(AT_ONCE);
         for (first, out) in firsts.zip(block.items.chunks_mut(AT_ONCE * stride)) {
             let lines = out.len() / stride;

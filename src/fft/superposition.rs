@@ -4,17 +4,17 @@ use std::array::from_fn;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::buffer::{self, or_abort};
 use crate::error::{Result, memory};
-use crate::fft::frame::Frame;
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::spectrum::{Lines, of_samples};
 use crate::fft::symbol::Parity;
 use crate::fft::tiles::{Tile, Tiles, exchange};
+use crate::fft::torus::Frame;
 use crate::parallel;
-use crate::pool::Pool;
-use crate::share::Share;
+use crate::parallel::ranks::partition::Share;
+use crate::support::fallible::{self, or_abort};
+use crate::support::pool::Pool;
 
 /// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
 /// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for
@@ -83,7 +83,7 @@ impl Torus {
     ) -> Result<Vec<f64>> {
         let [_, height] = self.quarter();
         self.frame.agreed_on(|| {
-            let mut values = buffer::zeros(self.own_waves().len() * height)?;
+            let mut values = fallible::zeros(self.own_waves().len() * height)?;
             let lines = Lines {
                 values: &mut values,
                 stride: height,
@@ -112,7 +112,7 @@ fn lend(plan: &Plan<f64>, width: usize, from: &mut [Tile], to: &mut [Tile], spar
 
 /// Nine kernels of a column of waves.
 fn table(plan: &Plan<f64>) -> Result<Vec<f64>> {
-    buffer::zeros(9 * (plan.frame.torus[1] / 2 + 1))
+    fallible::zeros(9 * (plan.frame.torus[1] / 2 + 1))
 }
 
 /// Nine kernels, by what comes out and what goes in.

@@ -5,15 +5,15 @@ use std::ops::Range;
 
 use num_complex::Complex;
 
-use crate::buffer;
 use crate::error::Result;
-use crate::fft::eigen::{coupling, eigenvalue_range, inverse_above};
-use crate::fft::frame::Frame;
+use crate::fft::eigenvalues::{coupling, eigenvalue_range, inverse_above};
 use crate::fft::plan::zero;
-use crate::fft::real::Real;
+use crate::fft::precision::Real;
 use crate::fft::spectrum::{Lines, transform};
+use crate::fft::torus::Frame;
 use crate::influence::Kernel;
 use crate::parallel;
+use crate::support::fallible;
 
 /// The two-dimensional transform of a tensor of kernels of known parity, wrapped around an `mx` x `my`
 /// torus: a Hermitian N x N matrix for every wave, or for N = 1 any single kernel.
@@ -110,7 +110,7 @@ impl<const N: usize> Symbol<f64, N> {
         let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
         let values = frame.agreed_on(|| {
-            let mut values = buffer::zeros(columns.len() * shape.stride())?;
+            let mut values = fallible::zeros(columns.len() * shape.stride())?;
             for (i, j) in upper_triangle::<N>() {
                 let sign = if shape.parity.negates(i, j) {
                     -1.0
@@ -205,7 +205,7 @@ impl<const N: usize> Symbol<f64, N> {
 
     /// Every entry replaced.
     pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64 + Sync) -> Result<Symbol<T, N>> {
-        let mut values = buffer::zeros(self.values.len())?;
+        let mut values = fallible::zeros(self.values.len())?;
         parallel::update(&mut values, |first, chunk| {
             for (value, &from) in chunk.iter_mut().zip(&self.values[first..]) {
                 *value = T::of(f(from));

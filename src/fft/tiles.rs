@@ -3,9 +3,9 @@
 use bytemuck::{cast_slice, cast_slice_mut};
 use num_complex::Complex;
 
-use crate::buffer::{self, try_each};
 use crate::error::Result;
-use crate::fft::real::Real;
+use crate::fft::precision::Real;
+use crate::support::fallible::{self, try_each};
 
 /// Rows of a tile, in pairs. With two cache lines of each it is a piece long enough for memory, small enough to be turned
 /// in the cache.
@@ -21,7 +21,7 @@ pub(super) struct Tile(Box<[Complex<f64>]>);
 impl Tile {
     pub(super) fn zero() -> Result<Self> {
         let zero = Complex::new(0.0, 0.0);
-        let numbers = buffer::filled(zero, TILE_ROWS * f64::TILE_COLUMNS)?;
+        let numbers = fallible::filled(zero, TILE_ROWS * f64::TILE_COLUMNS)?;
         Ok(Self(numbers.into_boxed_slice()))
     }
 
@@ -66,7 +66,7 @@ impl<const N: usize> Tiles<N> {
         [own_across, along]: [usize; 2],
         fill: impl Fn(&mut [Tile], &(dyn Fn(&mut [Tile]) -> Result<()> + Sync)) -> Result<()>,
     ) -> Result<Self> {
-        let empty = |across: usize, down: usize| buffer::filled(Tile::default(), across * down);
+        let empty = |across: usize, down: usize| fallible::filled(Tile::default(), across * down);
         let fill_band = |band: &mut [Tile]| {
             for tile in band {
                 *tile = Tile::zero()?;
@@ -79,7 +79,7 @@ impl<const N: usize> Tiles<N> {
                 fill(&mut tiles, &fill_band)?;
                 Ok(tiles)
             })?,
-            occupied: try_each(|_| buffer::filled(false, along))?,
+            occupied: try_each(|_| fallible::filled(false, along))?,
             by_columns: try_each(|_| empty(own_across, along))?,
             spare: Vec::new(),
         })

@@ -1,11 +1,11 @@
 //! Energy of uniform tractions on a grid that repeats along y alone.
 
-use crate::buffer;
 use crate::error::{Error, Result};
 use crate::fft::Convolution;
-use crate::layout::Layout;
 use crate::operator::Operator;
-use crate::reduce;
+use crate::parallel::layout::Layout;
+use crate::parallel::reduce;
+use crate::support::fallible;
 
 /// Energy that a component of the traction stores at least when its sum is not zero.
 ///
@@ -49,13 +49,13 @@ impl UniformWave {
     pub(crate) fn new(line: &Convolution, least: f64, [datum, slope]: [f64; 2]) -> Result<Self> {
         let (cells, layout) = (line.cells(), &line.layout());
         let mut scratch = line.scratch()?;
-        let mut traction = buffer::filled(1.0 / (cells as f64).sqrt(), cells)?;
-        let mut residual: Vec<f64> = buffer::zeros(cells)?;
-        let mut image: Vec<f64> = buffer::zeros(cells)?;
+        let mut traction = fallible::filled(1.0 / (cells as f64).sqrt(), cells)?;
+        let mut residual: Vec<f64> = fallible::zeros(cells)?;
+        let mut image: Vec<f64> = fallible::zeros(cells)?;
         line.apply([&traction], [&mut residual], &mut scratch);
         let mut energy = dot(layout, &traction, &residual);
         subtract_mean(layout, &mut residual);
-        let mut direction: Vec<f64> = buffer::zeros(cells)?;
+        let mut direction: Vec<f64> = fallible::zeros(cells)?;
         direction.copy_from_slice(&residual);
         let mut square = dot(layout, &residual, &residual);
         for _ in 0..STEPS * cells {

@@ -4,8 +4,8 @@ use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
+use crate::bodies::component::Component;
 use crate::error::Result;
-use crate::influence::Component;
 
 /// Shared values by their type, the components they are made of, and their size in cells.
 #[derive(Debug, Default)]

@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 use crate::error::Result;
 use crate::fft::samples;
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::half_space::kernels::Kernels;
+use crate::grid::coarsening::{REACH, coarsened, halved, refined, refined_zone};
+use crate::grid::field::Field;
+use crate::half_space::coefficients::Kernels;
 use crate::half_space::{HalfSpace, Shared};
 use crate::influence::Added;
-use crate::levels::{REACH, coarsened, halved, refined, refined_zone};
 use crate::parallel::get_or_make;
-use crate::share::Share;
+use crate::parallel::ranks::partition::Share;
 
 /// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
 const ALONE: usize = 1 << 16;

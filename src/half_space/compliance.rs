@@ -3,18 +3,19 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::boundary::Boundary;
-use crate::buffer;
+use crate::bodies::component::{Component, Direction};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, UniformWave};
 use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
 use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
-use crate::influence::{Component, Direction, Kernel, least_of_lattice};
+use crate::influence::{Kernel, least_of_lattice};
 use crate::operator::Operator;
 use crate::parallel;
-use crate::pool::Pool;
+use crate::parallel::ranks::partition::Share;
 use crate::report::EigenvalueBound;
-use crate::share::Share;
+use crate::support::fallible;
+use crate::support::pool::Pool;
 
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]
@@ -203,7 +204,7 @@ impl HalfSpace {
         let line = Self::with_boundary(line, self.kernel(), self.boundary())?;
         let line = line.with_cell_value(self.cell_value())?;
         let long_waves = self.kernel().long_times_k();
-        let waves = buffer::try_each(|n| {
+        let waves = fallible::try_each(|n| {
             let component = components[n][n];
             let kernels = line.shared.kernels.of([[component]])?;
             let operator = Convolution::of_kernels(line.size(), None, kernels)?;
@@ -258,7 +259,7 @@ pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::{ElasticPair, Material};
+    use crate::bodies::material::{ElasticPair, Material};
 
     /// One window, one operator, as long as anyone has it; the whole grid's stays.
     #[test]

@@ -2,35 +2,33 @@
 
 mod cache;
 mod coarser;
+mod coefficients;
 mod compliance;
-mod dealt;
-mod elastic;
-mod files;
-mod kernels;
+mod operator;
+mod ranks;
 mod region;
-mod rough;
-mod whole;
 
 use std::sync::{Arc, OnceLock};
 
-use crate::boundary::Boundary;
-use crate::cell_value::CellValue;
+use crate::bodies::component::{Component, Direction};
+use crate::bodies::kernel;
+use crate::bodies::material::{ElasticPair, Material};
 use crate::error::{Error, Result, at_least, finite, has_squares, memory};
 use crate::fft::samples;
 use crate::grid::Grid;
-use crate::influence::{Added, Component, Direction, Kernel};
-use crate::kernel;
-use crate::material::{ElasticPair, Material};
-use crate::ranks::Team;
-use crate::share::Share;
-use crate::shown::shown;
-use crate::window::Window;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::window::Window;
+use crate::influence::{Added, Kernel};
+use crate::parallel::ranks::Team;
+use crate::parallel::ranks::partition::Share;
+use crate::support::debug::shown;
 
 use cache::Cache;
+use coefficients::Kernels;
 pub(crate) use compliance::Compliance;
 use compliance::tensor;
-pub use elastic::{ElasticOperator, ElasticPreconditioner};
-use kernels::Kernels;
+pub use operator::{ElasticOperator, ElasticPreconditioner};
 pub(crate) use region::Region;
 
 /// A pair of half-spaces on a grid, with the operators of the components in use.
@@ -393,7 +391,7 @@ impl HalfSpace {
         if saves_little { whole } else { window }
     }
 
-    fn size(&self) -> [usize; 2] {
+    pub(crate) fn size(&self) -> [usize; 2] {
         self.shared.grid.whole().size()
     }
 }
@@ -441,7 +439,7 @@ fn check_distinct(directions: &[Direction]) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::material::Material;
+    use crate::bodies::material::Material;
     use crate::operator::Operator;
 
     /// The products of both tractions are the sums of those of each alone, and the inverse inverts them

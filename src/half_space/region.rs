@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::grid::Grid;
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
-use crate::layout::Layout;
-use crate::share::Share;
-use crate::window::Window;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::partition::Share;
 
 /// A window of the grid, and the rows of it that are solved here: all, if no ranks share the grid. Fields of a region are
 /// those of its rows solved here.

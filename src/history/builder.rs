@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
-use crate::buffer::TryClone;
+use crate::bodies::coupling::Coupling;
 use crate::cgm::{Settings, settings_methods};
-use crate::coupling::Coupling;
 use crate::error::Result;
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::history::relative::Relative;
+use crate::history::History;
 use crate::history::state::State;
-use crate::history::{History, TouchRule};
+use crate::history::state::relative_displacement::Relative;
 use crate::normal::Hardness;
+use crate::support::fallible::TryClone;
+use crate::tangential::TouchRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 
 /// Options of a [`History`]; each has a default.

@@ -1,10 +1,10 @@
 //! The energy of a tangential step, or of the steps of a cycle.
 
 use crate::cgm::reduce;
-use crate::field::Field;
-use crate::layout::Layout;
+use crate::grid::field::Field;
 use crate::normal::NormalSolution;
-use crate::ranks::Words;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::Words;
 
 /// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
 /// [`Cycle`](crate::history::Cycle).

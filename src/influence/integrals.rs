@@ -1,6 +1,6 @@
 //! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to the last digits.
 
-use crate::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, Rule};
+use crate::numerics::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, Rule};
 
 /// A cell of half sides `a` and `b`, lengths in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,7 @@ impl Integral {
 }
 
 /// Beyond this distance, in longer sides, quadrature replaces the closed form; far away grids take the
-/// [series](crate::influence::series) in its place.
+/// [series](crate::influence::far_field) in its place.
 const NEAR: f64 = 3.0;
 
 impl Cell {

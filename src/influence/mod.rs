@@ -61,106 +61,33 @@
 //! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
 //! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
 
-mod added;
-mod direction;
-pub(crate) mod images;
+mod coefficient;
+mod far_field;
+pub(crate) mod hankel;
+mod inhomogeneous;
 mod integrals;
-mod kernel;
-mod lattice;
-pub(crate) mod radial;
+mod lattice_bound;
+mod layered;
+pub(crate) mod periodic_images;
 mod rectangle;
-mod rest;
 mod samples;
-mod series;
 mod symbols;
 mod table;
 
-pub(crate) use added::Added;
-pub use direction::Direction;
-pub(crate) use kernel::Kernel;
-pub(crate) use lattice::least_of_lattice;
+pub use crate::bodies::component::{Component, Direction};
+pub(crate) use coefficient::Kernel;
+pub(crate) use inhomogeneous::Added;
+pub(crate) use lattice_bound::least_of_lattice;
+pub(crate) use layered::{Rest, slowest};
 pub use rectangle::{Rectangle, Tensor};
-pub(crate) use rest::{Rest, slowest};
 pub(crate) use samples::Samples;
 pub(crate) use symbols::Symbols;
 pub use table::Table;
 
-use crate::material::Compliances;
+use crate::bodies::material::Compliances;
 use integrals::Integral;
 
-/// One of the nine influence coefficients: displacement component, then traction component.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Component {
-    /// Displacement along x from traction along x.
-    XX,
-    /// Displacement along x from traction along y.
-    XY,
-    /// Displacement along x from pressure.
-    XZ,
-    /// Displacement along y from traction along x.
-    YX,
-    /// Displacement along y from traction along y.
-    YY,
-    /// Displacement along y from pressure.
-    YZ,
-    /// Displacement along z from traction along x.
-    ZX,
-    /// Displacement along z from traction along y.
-    ZY,
-    /// Displacement along z from pressure.
-    ZZ,
-}
-
 impl Component {
-    /// All nine, row by row.
-    pub const ALL: [Self; 9] = [
-        Self::XX,
-        Self::XY,
-        Self::XZ,
-        Self::YX,
-        Self::YY,
-        Self::YZ,
-        Self::ZX,
-        Self::ZY,
-        Self::ZZ,
-    ];
-
-    /// The component between a direction of displacement and one of traction.
-    ///
-    /// ```
-    /// use stickslip::influence::{Component, Direction};
-    /// assert_eq!(Component::of(Direction::Z, Direction::X), Component::ZX);
-    /// ```
-    #[must_use]
-    pub const fn of(displacement: Direction, traction: Direction) -> Self {
-        Self::ALL[3 * displacement as usize + traction as usize]
-    }
-
-    /// The directions of displacement and of traction.
-    pub(crate) const fn directions(self) -> [Direction; 2] {
-        const DIRECTIONS: [Direction; 3] = [Direction::X, Direction::Y, Direction::Z];
-        [DIRECTIONS[self as usize / 3], DIRECTIONS[self as usize % 3]]
-    }
-
-    /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
-    ///
-    /// ```
-    /// use stickslip::influence::Component;
-    /// assert_eq!(Component::ZZ.is_odd(), [false, false]);
-    /// assert_eq!(Component::ZX.is_odd(), [true, false]);
-    /// assert_eq!(Component::XY.is_odd(), [true, true]);
-    /// ```
-    #[must_use]
-    pub const fn is_odd(self) -> [bool; 2] {
-        match self {
-            Self::XX | Self::YY | Self::ZZ => [false, false],
-            Self::XY | Self::YX => [true, true],
-            Self::XZ | Self::ZX => [true, false],
-            Self::YZ | Self::ZY => [false, true],
-        }
-    }
-
     /// The coefficient as a sum of integrals, each with its weight, over `2 pi`.
     fn parts(self, c: Compliances) -> impl Iterator<Item = (f64, Integral)> {
         let alone = |weight, integral| [Some((weight, integral)), None];

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use crate::bodies::component::Component;
+use crate::bodies::material::{Compliances, ElasticPair, Material};
 use crate::error::{Error, Result, positive};
+use crate::influence::Rest;
 use crate::influence::integrals::Cell;
-use crate::influence::{Component, Rest};
-use crate::material::{Compliances, ElasticPair, Material};
 
 /// A cell of half sides `a` along x and `b` along y, centred on the origin.
 ///

@@ -3,17 +3,18 @@
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-use crate::buffer;
-use crate::cell_value::CellValue;
+use crate::bodies::component::Component;
+use crate::bodies::material::ElasticPair;
 use crate::error::{Result, all_finite, memory};
 use crate::grid::Grid;
-use crate::influence::images::Images;
+use crate::grid::cell_value::CellValue;
+use crate::influence::far_field::Series;
 use crate::influence::integrals::Integral;
-use crate::influence::series::Series;
-use crate::influence::{Added, Component, Rectangle, Table};
-use crate::material::ElasticPair;
+use crate::influence::periodic_images::Images;
+use crate::influence::{Added, Rectangle, Table};
+use crate::parallel::ranks::partition::Share;
 use crate::parallel::{self, get_or_make};
-use crate::share::Share;
+use crate::support::fallible;
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
 /// units of the cell size, so that they are the same for a cell twice as large. Each integral is
@@ -180,7 +181,7 @@ impl Samples {
     ) -> Result<Vec<f64>> {
         let Rectangle { cell, unit } = self.rectangle;
         let distance = |steps: usize, axis: usize| steps as f64 * self.sides[axis] / unit;
-        let xs = buffer::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
+        let xs = fallible::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
         let sampler = match (sampled, self.images) {
             (Sampled::Integral(integral), None) => {
                 Rows::Cell(Box::new(Series::new(cell, integral)))
@@ -188,7 +189,7 @@ impl Samples {
             (Sampled::Integral(integral), Some((images, _))) => Rows::Images(images, integral),
             (Sampled::Rest(component), _) => Rows::Rest(component),
         };
-        let mut values = buffer::zeros(columns * rows)?;
+        let mut values = fallible::zeros(columns * rows)?;
         parallel::rows(&mut values, columns, |index, out| {
             let (row, is_negative) = row(index);
             let y = distance(row, 1);
@@ -254,7 +255,7 @@ impl Samples {
             }
         };
         let wider = self.integrals(sampled, [width, rows.len() + 2], folded)?;
-        let mut values = buffer::zeros(nx * rows.len())?;
+        let mut values = fallible::zeros(nx * rows.len())?;
         parallel::rows(&mut values, nx, |row, out| {
             let [below, own, above] = [0, 1, 2].map(|k| &wider[(row + k) * width..][..width]);
             for (i, out) in out.iter_mut().enumerate() {

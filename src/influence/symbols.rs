@@ -2,12 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use crate::bodies::component::Component;
+use crate::bodies::kernel::{Given, Kernel};
+use crate::bodies::layers::Response;
+use crate::bodies::material::Compliances;
 use crate::grid::Grid;
-use crate::influence::Component;
 use crate::influence::integrals::Integral;
-use crate::kernel::{Given, Kernel};
-use crate::layers::Response;
-use crate::material::Compliances;
 
 /// The symbol of one coefficient for the waves that fit a periodic grid.
 ///

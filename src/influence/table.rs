@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use crate::bodies::component::Component;
+use crate::bodies::kernel::Kernel;
+use crate::bodies::material::ElasticPair;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Added, Component, Samples};
-use crate::kernel::Kernel;
-use crate::material::ElasticPair;
+use crate::influence::{Added, Samples};
 use crate::parallel;
-use crate::share::Share;
-use crate::shown::shown;
+use crate::parallel::ranks::partition::Share;
+use crate::support::debug::shown;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///

@@ -6,9 +6,10 @@ use std::path::Path;
 
 use super::csv::{self, missing_value};
 use super::text::{Separator, excerpt, lines, without_mark};
-use super::{Format, Place, Sides, parse_file};
+use super::{Place, Sides, parse_file};
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::files::Format;
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("ASC");
 const MAGIC: &[u8] = b"# File Format = ASCII";

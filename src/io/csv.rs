@@ -9,9 +9,10 @@ use std::path::Path;
 
 use super::asc::is_asc;
 use super::text::{Separator, check_encoding, comments, excerpt, lines};
-use super::{Format, Place, Sides, parse_file, write_bytes};
+use super::{Place, Sides, parse_file, write_bytes};
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::files::Format;
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("CSV");
 

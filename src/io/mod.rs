@@ -34,11 +34,11 @@
 //! takes less than fifty times the size of the file; for X3P, which is compressed, less than eight times the
 //! size to which its module lets an entry expand.
 
+mod slabs;
+
 pub mod asc;
-mod bytes;
 pub mod csv;
 pub mod npy;
-mod part;
 pub mod pvd;
 pub(crate) mod pvti;
 pub mod sdf;
@@ -54,11 +54,9 @@ pub mod xyz;
 use std::path::Path;
 
 pub use crate::error::Place;
-use crate::error::{Error, Result, positive};
-use crate::field::Field;
-use crate::grid::Grid;
-pub(crate) use bytes::Cursor;
-pub(crate) use part::{replace, replace_bytes};
+use crate::error::{Result, positive};
+use crate::files::{Format, in_file, refused};
+use crate::grid::field::Field;
 
 /// A surface from a file that carries its cell sides: SDF, SUR, ASC or X3P recognised by the first bytes, XYZ
 /// by the extension `.xyz`.
@@ -120,44 +118,6 @@ fn parse_x3p(_: &[u8]) -> Result<Field> {
     Err(Format("X3P").at_byte(0, "reading it requires the cargo feature `x3p`"))
 }
 
-/// The name of a format, used in its errors.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Format(pub(crate) &'static str);
-
-impl Format {
-    fn at(self, place: Place, problem: impl Into<String>) -> Error {
-        Error::Format {
-            file: None,
-            format: self.0,
-            place,
-            problem: problem.into(),
-        }
-    }
-
-    pub(crate) fn at_byte(self, byte: usize, problem: impl Into<String>) -> Error {
-        self.at(Place::Byte(byte as u64), problem)
-    }
-
-    fn on_line(self, line: usize, problem: impl Into<String>) -> Error {
-        self.at(Place::Line(line), problem)
-    }
-
-    fn in_entry(self, name: &str, problem: impl Into<String>) -> Error {
-        self.at(Place::Entry(name.into()), problem)
-    }
-
-    /// `Ok` if a number at a place in the file is positive and finite.
-    fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
-        positive(quantity, value).map_err(|error| self.at(place, error.to_string()))
-    }
-
-    /// The grid a file declares at a place.
-    fn grid(self, place: Place, size: [usize; 2], sides: [f64; 2]) -> Result<Grid> {
-        let grid = Grid::new(size[0], size[1], sides[0], sides[1]);
-        grid.map_err(|error| self.at(place, error.to_string()))
-    }
-}
-
 /// Sides of what a file without them holds (lengths); `[dx, dy]` are those of a cell.
 ///
 /// ```
@@ -213,23 +173,7 @@ fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<
     parse(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// An error in what a file says, with its name.
-pub(crate) fn in_file(path: &Path, mut error: Error) -> Error {
-    if let Error::Format { file, .. } = &mut error {
-        *file = Some(path.display().to_string());
-    }
-    error
-}
-
 /// Creates or replaces a file.
 fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     std::fs::write(path, bytes).map_err(|error| refused(path, &error))
-}
-
-pub(crate) fn refused(path: &Path, error: &std::io::Error) -> Error {
-    Error::File {
-        path: path.display().to_string(),
-        problem: error.to_string(),
-        code: error.raw_os_error(),
-    }
 }

@@ -10,14 +10,15 @@ use std::io::{BufWriter, Read, Result as IoResult, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-use super::bytes::{Cursor, Number, Order};
-use super::part::replace;
 use super::text::excerpt;
-use super::{Format, Place, Sides, in_file, parse_file, refused, write_bytes};
+use super::{Place, Sides, parse_file, write_bytes};
 use crate::error::Result;
-use crate::field::Field;
+use crate::files::replace;
+use crate::files::{Cursor, Number, Order};
+use crate::files::{Format, in_file, refused};
 use crate::grid::Grid;
-use crate::ranks::Team;
+use crate::grid::field::Field;
+use crate::parallel::ranks::Team;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";

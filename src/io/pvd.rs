@@ -6,8 +6,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use super::vti::{self, Array, escape};
-use super::{Format, replace_bytes};
 use crate::error::{Result, finite};
+use crate::files::{Format, replace_bytes};
 
 const FORMAT: Format = Format("PVD");
 

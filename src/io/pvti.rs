@@ -8,13 +8,13 @@ use std::io::{ErrorKind, Write as _};
 use std::ops::Range;
 use std::path::Path;
 
-use super::part::{Part, replace_bytes};
 use super::vti::{Array, check, escape, extent, piece, place};
-use super::{Format, refused};
 use crate::error::Result;
+use crate::files::{Format, refused};
+use crate::files::{Part, replace_bytes};
 use crate::grid::Grid;
-use crate::ranks::Team;
-use crate::share::Share;
+use crate::parallel::ranks::Team;
+use crate::parallel::ranks::partition::Share;
 
 const FORMAT: Format = Format("PVTI");
 

@@ -8,12 +8,13 @@
 
 use std::path::Path;
 
-use super::bytes::{Cursor, Number, Order};
 use super::text::{Separator, excerpt, lines};
-use super::{Format, Place, parse_file, write_bytes};
+use super::{Place, parse_file, write_bytes};
 use crate::error::Result;
-use crate::field::Field;
+use crate::files::Format;
+use crate::files::{Cursor, Number, Order};
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("SDF");
 const MAGIC_LENGTH: usize = 8;

@@ -8,11 +8,12 @@
 
 use std::path::Path;
 
-use super::bytes::{Cursor, Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, parse_file};
+use super::{Place, parse_file};
 use crate::error::Result;
-use crate::field::Field;
+use crate::files::Format;
+use crate::files::{Cursor, Number, Order};
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("SUR");
 const MAGIC: &[u8; 12] = b"DIGITAL SURF";

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::Format;
 use crate::error::Result;
+use crate::files::Format;
 
 /// Words for a missing number, in either case.
 const MISSING: [&str; 14] = [

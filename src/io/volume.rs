@@ -9,9 +9,9 @@ use std::fs::File;
 use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use super::part::Part;
-use super::refused;
 use crate::error::Result;
+use crate::files::Part;
+use crate::files::refused;
 use crate::grid::Grid;
 
 /// The points of a volume: the cell centres of a grid in planes of equal distance.

@@ -7,10 +7,11 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
 
-use super::{Format, write_bytes};
+use super::write_bytes;
 use crate::error::Result;
-use crate::field::Field;
+use crate::files::Format;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("VTI");
 

@@ -6,9 +6,10 @@ use std::path::Path;
 
 use super::csv::missing_value;
 use super::text::{Separator, check_encoding, comments, lines};
-use super::{Format, Place, parse_file};
+use super::{Place, parse_file};
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::files::Format;
+use crate::grid::field::Field;
 
 const FORMAT: Format = Format("XYZ");
 /// Largest number of cells of the grid per point.

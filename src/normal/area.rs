@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::buffer::or_abort;
-use crate::contact_map::ContactMap;
+use crate::contact::map::ContactMap;
 use crate::error::Result;
 use crate::normal::NormalSolution;
-use crate::share::Share;
+use crate::parallel::ranks::partition::Share;
+use crate::support::fallible::or_abort;
 use crate::warning::Warning;
 
 impl NormalSolution {

@@ -1,6 +1,6 @@
 //! How far the pressure of the cells is from that of infinitely small ones.
 
-use crate::discretisation::estimate;
+use crate::grid::discretisation::estimate;
 use crate::normal::NormalSolution;
 use crate::warning::Warning;
 

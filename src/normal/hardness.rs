@@ -1,14 +1,14 @@
 //! The largest pressure that cells carry.
 
-use crate::buffer::{self, try_clone};
 use crate::cgm::{Total, reduce};
 use crate::error::{Error, Result, all_non_negative, positive};
-use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::grid::field::{Field, clone_in_place};
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::normal::{NormalControl, NormalSolution};
-use crate::per_cell::PerCell;
-use crate::window::Window;
+use crate::support::fallible::{self, try_clone};
 
 /// What the cells of a window carry at least, over what is asked of them: less would leave the pressure no choice.
 const ROOM: f64 = 1.01;
@@ -128,7 +128,7 @@ impl Hardness {
                 0.0
             }
         };
-        let overlaps = buffer::collected(pressure.len(), cells.map(overlap))?;
+        let overlaps = fallible::collected(pressure.len(), cells.map(overlap))?;
         Field::from_vec(contact.grid(), overlaps)
     }
 

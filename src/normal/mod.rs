@@ -17,19 +17,19 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;
-mod engine;
 mod estimate;
 mod hardness;
-mod nested;
-mod pressure;
+mod over_ranks;
+mod pressure_solver;
 mod problem;
 mod scale;
+mod scene;
 mod solution;
 mod solver;
-mod whole;
+mod window_solver;
 
 pub use hardness::Hardness;
-pub(crate) use pressure::{Pressing, PressureSolver};
+pub(crate) use pressure_solver::{Pressing, PressureSolver};
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub(crate) use scale::Scale;
 pub use solution::NormalSolution;

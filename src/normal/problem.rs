@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::boundary::Boundary;
-use crate::buffer::{TryClone, try_clone};
+use crate::bodies::component::Direction;
 use crate::cgm::{Settings, Total, settings_methods};
 use crate::error::{Error, Result, finite, has_squares, non_negative};
-use crate::field::Field;
+use crate::grid::boundary::Boundary;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::Direction;
-use crate::normal::pressure::Pressing;
+use crate::normal::pressure_solver::Pressing;
 use crate::normal::{Hardness, NormalSolution, NormalSolver};
+use crate::support::fallible::{TryClone, try_clone};
 
 /// What presses the bodies together.
 ///

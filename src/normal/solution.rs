@@ -1,25 +1,25 @@
 //! The answer to a normal contact.
 
-use crate::boundary::Boundary;
-use crate::buffer::{TryClone, try_clone};
-use crate::cell_value::CellValue;
+use crate::bodies::component::Component;
+use crate::bodies::material::ElasticPair;
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_non_negative, finite};
-use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
-use crate::influence::Component;
-use crate::material::ElasticPair;
+use crate::normal::over_ranks::Whole;
 use crate::normal::scale::Scale;
-use crate::normal::whole::Whole;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
+use crate::support::debug::shown;
+use crate::support::fallible::{TryClone, try_clone};
 #[cfg(feature = "serde")]
-use crate::serial::checked;
-use crate::shown::shown;
+use crate::support::serialise::checked;
 
 /// Pressure, gap and approach of a normal contact. Two are equal if their answers are, however they were found.
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

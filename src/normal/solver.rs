@@ -2,18 +2,18 @@
 
 use std::ops::ControlFlow;
 
-use crate::buffer;
+use crate::bodies::component::Direction;
 use crate::cgm::solver_settings;
 use crate::contact::{has_iterate, solver_methods};
 use crate::error::Result;
-use crate::field::{self, Field};
-use crate::influence::Direction;
-use crate::normal::pressure::PressureSolver;
+use crate::grid::field::{self, Field};
+use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
+use crate::observer::Observer;
 use crate::parallel;
-use crate::shown::shown;
-use crate::watch::Observer;
+use crate::support::debug::shown;
+use crate::support::fallible;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
 /// load has changed; from coarser cells, as the first time, where the contact will outgrow the box that it was found in.
@@ -49,7 +49,7 @@ impl NormalSolver {
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
         // A kernel that cannot be computed is better known now.
         bodies.compliance([Direction::Z], grid.whole().size())?;
-        let pressure = bodies.agreed(buffer::zeros(grid.cells()))?;
+        let pressure = bodies.agreed(fallible::zeros(grid.cells()))?;
         Ok(Self {
             problem,
             press: PressureSolver::new(),

@@ -85,21 +85,15 @@
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
 
-mod capacity;
-mod control;
-mod creep;
-mod inverse;
-mod operator;
-mod problem;
-mod solution;
-mod solver;
-mod spin_search;
-mod step;
-mod stiffness;
+pub(crate) mod entry;
+mod leading_edge;
+mod passage;
+mod steady;
 
-pub use crate::history::LeadingEdge;
-pub use control::{RollingControl, SpinControl};
-pub use creep::CreepForce;
-pub use problem::{RollingProblem, RollingProblemBuilder};
-pub use solution::RollingSolution;
-pub use solver::RollingSolver;
+pub use leading_edge::LeadingEdge;
+pub(crate) use passage::{Passage, Travel};
+pub use steady::control::{RollingControl, SpinControl};
+pub use steady::creep::CreepForce;
+pub use steady::problem::{RollingProblem, RollingProblemBuilder};
+pub use steady::solution::RollingSolution;
+pub use steady::solver::RollingSolver;

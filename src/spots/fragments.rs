@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use crate::buffer;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::layout::Layout;
 use crate::normal::NormalSolution;
-use crate::ranks::{Team, Words};
-use crate::share::Share;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::{Team, Words};
+use crate::support::fallible;
 use crate::tangential::Zone;
 
 /// What is summed up over cells, in whole numbers: no order of them changes a bit.
@@ -119,11 +119,11 @@ impl<'a> Fragments<'a> {
         let unit = power.max(f64::MIN_POSITIVE);
         let walk = || {
             let map = normal.own_map();
-            let (mut labels, mut sums) = (buffer::filled(0, grid.cells())?, Vec::new());
+            let (mut labels, mut sums) = (fallible::filled(0, grid.cells())?, Vec::new());
             map.walk_spots(|fragment, cell| {
                 labels[cell] = label(fragment);
                 if sums.len() <= fragment {
-                    buffer::push(&mut sums, Sums::default())?;
+                    fallible::push(&mut sums, Sums::default())?;
                 }
                 let (column, row) = (cell % grid.nx(), grid.rows().start + cell / grid.nx());
                 let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
@@ -187,7 +187,7 @@ impl<'a> Fragments<'a> {
             let ends = [one, other];
             match links.last_mut() {
                 Some((last, (over, pairs))) if (*last, *over) == (ends, across) => *pairs += 1,
-                _ => buffer::push(&mut links, (ends, (across, 1)))?,
+                _ => fallible::push(&mut links, (ends, (across, 1)))?,
             }
             Ok(())
         };
@@ -262,7 +262,7 @@ fn join(
     whole: [usize; 2],
 ) -> Result<(Vec<u32>, Vec<Sums>)> {
     let alone = (0..fragments.len()).map(|fragment| (fragment, [0.0; 2]));
-    let mut forest = Forest(buffer::collected(fragments.len(), alone)?);
+    let mut forest = Forest(fallible::collected(fragments.len(), alone)?);
     for (ends, (across, pairs)) in links {
         let beyond = match *across {
             EDGE_X => [whole[0] as f64, 0.0],
@@ -274,12 +274,12 @@ fn join(
             fragments[*end].open_sides[usize::from(*across != EDGE_X)] -= pairs;
         }
     }
-    let (mut spots, mut sums) = (buffer::with_room(fragments.len())?, Vec::new());
+    let (mut spots, mut sums) = (fallible::with_room(fragments.len())?, Vec::new());
     for (fragment, own) in fragments.iter().enumerate() {
         let (root, beyond) = forest.root(fragment);
         if root == fragment {
             spots.push(label(sums.len()));
-            buffer::push(&mut sums, Sums::default())?;
+            fallible::push(&mut sums, Sums::default())?;
         } else {
             spots.push(spots[root]);
         }
@@ -330,8 +330,8 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::neighbours::neighbours;
-    use crate::ranks::Threads;
+    use crate::grid::neighbours::neighbours;
+    use crate::parallel::ranks::Threads;
     use crate::report::Report;
     use crate::spots::{ContactSpots, Spot};
     use crate::{Boundary, ElasticPair, Field, HalfSpace, Material};

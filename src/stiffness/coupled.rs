@@ -1,30 +1,30 @@
 //! The stiffness of a contact whose pressure and shear are found together.
 
-use crate::boundary::Boundary;
-use crate::buffer;
+use crate::bodies::component::Direction;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
-use crate::cgm::vector::{at, slices};
 use crate::cgm::{Held, Own, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
-use crate::field::Field;
+use crate::grid::boundary::Boundary;
+use crate::grid::field::Field;
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
 use crate::half_space::{Compliance, HalfSpace, Region};
-use crate::influence::Direction;
 use crate::normal::Hardness;
+use crate::numerics::cell_vector::{at, slices};
+use crate::observer::{Observer, unwatched};
 use crate::operator::{LowerBound, Operator};
 use crate::parallel;
-use crate::per_cell::PerCell;
 use crate::report::Iteration;
-use crate::stiffness::contact::{window_of, without_contact};
+use crate::stiffness::contact_stiffness::{window_of, without_contact};
 use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::workspace::{Buffers, provide};
 use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
 };
+use crate::support::fallible;
 use crate::tangential::{Axis, Friction, centre};
-use crate::watch::{Observer, unwatched};
-use crate::window::Window;
 use std::ops::ControlFlow;
 
 /// Components of a vector: along z, x and y.
@@ -81,7 +81,7 @@ impl Joint {
             Ok(Self {
                 self_compliance: plane.operator.self_compliance(),
                 workspace: ConeWorkspace::new(&operator, &inverse)?,
-                cells: buffer::vector(operator.cells())?,
+                cells: fallible::vector(operator.cells())?,
                 right: Vec::new(),
                 unknowns: Vec::new(),
                 compliance,

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use crate::cgm::{Held, LinearWorkspace, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
-use crate::layout::Layout;
+use crate::observer::Observer;
+use crate::parallel::layout::Layout;
 use crate::report::{EigenvalueBound, Iteration, Report, Status};
-use crate::watch::Observer;
 
 /// What is asked of the solves, and their report.
 pub(super) struct Course<'a> {

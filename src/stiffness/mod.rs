@@ -64,17 +64,17 @@
 //! # Ok::<(), Error>(())
 //! ```
 
-mod contact;
+mod contact_stiffness;
 mod coupled;
 mod course;
 mod motions;
-mod press;
-mod sheared;
+mod normal;
 mod system;
+mod tangential;
 mod workspace;
 
-pub(crate) use contact::Pressed;
-pub use contact::{ContactStiffness, NormalStiffness, TangentialStiffness};
+pub(crate) use contact_stiffness::Pressed;
+pub use contact_stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
 pub(crate) use coupled::Coupled;
-pub(crate) use sheared::{LastStep, Sheared};
+pub(crate) use tangential::{LastStep, Sheared};
 pub use workspace::StiffnessWorkspace;

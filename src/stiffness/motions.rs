@@ -2,10 +2,10 @@
 
 use std::array::from_fn;
 
-use crate::boundary::Boundary;
 use crate::cgm::reduce;
-use crate::cgm::vector::{minus, plus};
-use crate::layout::Layout;
+use crate::grid::boundary::Boundary;
+use crate::numerics::cell_vector::{minus, plus};
+use crate::parallel::layout::Layout;
 use crate::tangential::Axis;
 
 /// Which of shift along x, shift along y and twist a model of tractions along these axes has.

@@ -31,19 +31,19 @@
 //!
 //! The sum over the shifts bounds $`\sum_c \epsilon_c^2`$ first.
 
-use crate::boundary::Boundary;
-use crate::buffer;
 use crate::cgm::reduce::{self, larger};
-use crate::cgm::small::Small;
-use crate::cgm::vector::{at, dot, slices, slices_mut};
 use crate::cgm::{Held, LinearWorkspace, Own, Row};
 use crate::error::{Result, finite};
+use crate::grid::boundary::Boundary;
 use crate::half_space::{Compliance, HalfSpace};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{at, dot, slices, slices_mut};
+use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
+use crate::parallel::layout::Layout;
 use crate::report::Status;
 use crate::stiffness::course::Course;
 use crate::stiffness::workspace::provide;
+use crate::support::fallible;
 use crate::tangential::Drawing;
 
 /// Relative bound that a stiffness must have, unless its tolerance is wider.
@@ -114,8 +114,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
                 columns: Default::default(),
                 moving: 0.0,
                 restricted: Vec::new(),
-                forced: buffer::vector(operator.cells())?,
-                displacement: buffer::vector(operator.cells())?,
+                forced: fallible::vector(operator.cells())?,
+                displacement: fallible::vector(operator.cells())?,
                 drawing: None,
                 compliance,
             })
@@ -138,7 +138,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
             )?;
         }
         self.own.clear();
-        buffer::make_room(&mut self.own, own.len())?;
+        fallible::make_room(&mut self.own, own.len())?;
         self.own.extend_from_slice(own);
         let moves = |cell: usize| f64::from(u8::from(row(cell).moves()));
         self.moving = reduce::sum(&self.layout, moves);
@@ -167,7 +167,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
                 .restrict(|i| (motions.of_cell)(a, i), &mut column.right)?;
             course.respond(&held, &column.right, &mut column.y, &mut self.linear)?;
             column.left.clear();
-            buffer::make_room(&mut column.left, column.right.len())?;
+            fallible::make_room(&mut column.left, column.right.len())?;
             column.left.extend_from_slice(self.linear.left());
         }
         let matrix = self.matrix(motions.count);

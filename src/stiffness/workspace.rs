@@ -3,12 +3,12 @@
 use crate::cgm::{Disc, Interval, Linearised};
 use crate::error::{Result, positive};
 use crate::half_space::HalfSpace;
+use crate::observer::Observer;
 use crate::report::Report;
 use crate::stiffness::coupled::Joint;
 use crate::stiffness::course::Course;
-use crate::stiffness::sheared::Growth;
 use crate::stiffness::system::System;
-use crate::watch::Observer;
+use crate::stiffness::tangential::Growth;
 
 /// The system of a kind of set.
 pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motion, N>;

@@ -1,7 +1,7 @@
 //! Which body is looked into, and what its half-space is told.
 
+use crate::bodies::material::{ElasticPair, Material};
 use crate::error::{Error, Result};
-use crate::material::{ElasticPair, Material};
 use crate::subsurface::kernel::{Component, Load};
 
 /// One of the two bodies of a contact.

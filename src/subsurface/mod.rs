@@ -55,10 +55,10 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/fretting_rig.html"))]
 
 mod body;
+mod direct_sum;
 mod distances;
 mod kernel;
 mod layered;
-mod loaded;
 mod plane;
 mod planes;
 mod points;

@@ -9,10 +9,10 @@ use crate::error::{Result, length, samples_obey};
 use crate::fft::{Superposition, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::observer::{Observer, Watch, unwatched};
 use crate::parallel;
-use crate::ranks::Input;
+use crate::parallel::ranks::Input;
 use crate::report::Iteration;
-use crate::shown::shown;
 use crate::subsurface::body::{Body, Constants, check_described};
 use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::kernel::Load;
@@ -20,7 +20,7 @@ use crate::subsurface::plane::{DISPLACEMENTS, Plane, STRESSES};
 use crate::subsurface::spectra::Spectra;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
-use crate::watch::{Observer, Watch, unwatched};
+use crate::support::debug::shown;
 
 /// Stress, and if asked for displacement, at the cell centres of planes at chosen depths below each body: the sum
 /// over all cells of [`at_points`](crate::subsurface::at_points), by fast transforms. Reusable for any tractions on

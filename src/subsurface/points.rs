@@ -2,18 +2,18 @@
 
 use std::ops::ControlFlow;
 
-use crate::boundary::Boundary;
-use crate::buffer;
 use crate::error::{Error, Result};
+use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
+use crate::observer::{Watch, unwatched};
 use crate::parallel::{self, Blocks};
 use crate::report::Iteration;
 use crate::subsurface::body::Body;
+use crate::subsurface::direct_sum::Loaded;
 use crate::subsurface::distances::{TOO_FAR, reach};
-use crate::subsurface::loaded::Loaded;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
-use crate::watch::{Watch, unwatched};
+use crate::support::fallible;
 
 /// Pairs of a point and a cell between two questions to an observer.
 const PORTION: usize = 100_000;
@@ -145,7 +145,7 @@ pub fn at_points_observed<'a>(
         }
     }
     let loaded = Loaded::new(bodies, fields);
-    let mut responses = buffer::filled(Response::default(), points.len())?;
+    let mut responses = fallible::filled(Response::default(), points.len())?;
     let cells = bodies.grid().cells();
     let watch = &mut Watch::new(&mut observer);
     parallel::enter_with(cells.max(points.len()), || {

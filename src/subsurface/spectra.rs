@@ -2,19 +2,19 @@
 
 use std::f64::consts::TAU;
 
-use crate::boundary::Boundary;
-use crate::buffer;
+use crate::bodies::material::Material;
 use crate::error::{Result, memory};
 use crate::fft::{Kernels, Torus};
 use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
-use crate::material::Material;
+use crate::observer::Watch;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::distances::depth_in;
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::layered::{Entry, Layered};
 use crate::subsurface::strip::Strips;
-use crate::watch::Watch;
+use crate::support::fallible;
 
 /// The spectra of the kernels at one depth.
 #[derive(Debug)]
@@ -170,8 +170,8 @@ fn samples(
     let ([width, _], own) = (torus.quarter(), torus.own_distances());
     let (dx, dy) = (grid.dx(), grid.dy());
     let cell = LoadedRectangle::new(0.5 * dx, 0.5 * dy);
-    let xs = buffer::collected(width, (0..width).map(|i| i as f64 * dx))?;
-    let mut values = buffer::vector(width * own.len())?;
+    let xs = fallible::collected(width, (0..width).map(|i| i as f64 * dx))?;
+    let mut values = fallible::vector(width * own.len())?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width,
@@ -201,7 +201,7 @@ fn waves<const N: usize>(
     let ([_, height], own) = (torus.quarter(), torus.own_waves());
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let size = [grid.nx(), grid.ny()];
-    let mut values = buffer::vector(own.len() * height)?;
+    let mut values = fallible::vector(own.len() * height)?;
     let data = values.each_mut().map(|values| Blocks {
         items: values,
         width: height,

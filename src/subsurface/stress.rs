@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use crate::jacobi::diagonalised;
+use crate::numerics::jacobi::diagonalised;
 
 /// The symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
 ///

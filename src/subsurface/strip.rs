@@ -2,13 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::boundary::Boundary;
 use crate::grid::Grid;
-use crate::influence::images::{FAR, pieces};
+use crate::grid::boundary::Boundary;
+use crate::influence::periodic_images::{FAR, pieces};
 use crate::subsurface::kernel::{Integral, LoadedRectangle};
 
 /// Rows of cells that repeat along y: the cells near the point one by one, the others as a uniform strip
-/// ([how](crate::influence::images)).
+/// ([how](crate::influence::periodic_images)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strips {
     /// Half sides of a cell.

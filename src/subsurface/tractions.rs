@@ -3,18 +3,18 @@
 use std::borrow::Cow;
 use std::fmt::Debug;
 
-use crate::boundary::Boundary;
-use crate::buffer;
-use crate::cell_value::CellValue;
+use crate::bodies::material::ElasticPair;
 use crate::coupled::CoupledSolution;
 use crate::error::{Error, Result, all_finite};
-use crate::field::Field;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::field::Field;
+use crate::grid::neighbours::second_difference;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
-use crate::material::ElasticPair;
-use crate::neighbours::second_difference;
 use crate::normal::NormalSolution;
 use crate::subsurface::stress::Stress;
+use crate::support::fallible;
 use crate::tangential::TangentialSolution;
 
 /// Pressure and tractions on the surface (pressures), from fields or from a solution: those of a [`NormalSolution`], of a
@@ -144,7 +144,7 @@ fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>
     bodies.check_alone("stresses under values at the centres of cells")?;
     let (size, repeats) = (bodies.grid().size(), bodies.boundary().repeats());
     let less = |i: usize| values[i] - second_difference(values, i, size, repeats) / 24.0;
-    Ok(Cow::Owned(buffer::collected(
+    Ok(Cow::Owned(fallible::collected(
         values.len(),
         (0..values.len()).map(less),
     )?))

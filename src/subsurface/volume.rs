@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::error::{Error, Result, length};
 use crate::io::volume::{self, Array, Shape};
+use crate::observer::unwatched;
 use crate::report::Iteration;
 use crate::subsurface::body::Body;
 use crate::subsurface::plane::Plane;
 use crate::subsurface::planes::Planes;
 use crate::subsurface::tractions::Tractions;
-use crate::watch::unwatched;
 
 /// The arrays of the file; the order of the components is that of a symmetric tensor of VTK.
 const STRESS: Array = ("stress", &["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::error::{Error, Result};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 /// The columns and rows of a surface in the given ranges, as a surface on a new grid.
 ///

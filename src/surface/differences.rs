@@ -1,7 +1,7 @@
 //! Slopes and area of a surface from the differences of neighbouring heights.
 
 use super::slab::Slab;
-use crate::reduce;
+use crate::parallel::reduce;
 
 /// Root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
 /// zero along an axis of one cell. `z` are the heights of the rows held here and of the next one.

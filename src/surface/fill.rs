@@ -2,10 +2,10 @@
 
 use super::heights::finite_or_missing;
 use crate::error::{Error, Result, not_converged};
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::layout::Layout;
-use crate::reduce;
+use crate::grid::field::Field;
+use crate::parallel::layout::Layout;
+use crate::parallel::reduce;
 
 /// The iteration ends when the error in the energy norm has fallen by this factor.
 const TOLERANCE: f64 = 1e-15;

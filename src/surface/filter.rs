@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use super::fourier::{Mode, Waves};
 use super::heights::finite_or_missing;
 use super::slab::Slab;
+use super::waves::{Mode, Waves};
 use crate::error::{Error, Result, at_least, finite, memory, positive};
 use crate::fft::smooth_length;
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 use crate::parallel;
 
 /// Bytes for each cell of the torus: a field, its waves and their transform, and the weights of the points.

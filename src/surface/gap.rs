@@ -2,7 +2,7 @@
 
 use super::heights::complete;
 use crate::error::{Result, finite};
-use crate::field::Field;
+use crate::grid::field::Field;
 
 /// The surface turned inside out, `-z`: peaks become valleys, as in a replica.
 #[must_use]

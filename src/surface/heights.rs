@@ -2,8 +2,8 @@
 
 use super::slab::Slab;
 use crate::error::{Result, samples_obey};
-use crate::field::Field;
-use crate::reduce;
+use crate::grid::field::Field;
+use crate::parallel::reduce;
 
 /// `Ok` if no height is missing or infinite.
 pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {

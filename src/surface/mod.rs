@@ -16,11 +16,12 @@
 //! [`gap_from_heights`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
 //! characterise it.
 
+mod slabs;
+
 mod crop;
 mod differences;
 mod fill;
 mod filter;
-mod fourier;
 mod gap;
 mod heights;
 mod level;
@@ -31,6 +32,7 @@ mod shape;
 mod slab;
 mod statistics;
 mod sum;
+mod waves;
 
 pub use crop::crop;
 pub use fill::{Filled, fill_missing};

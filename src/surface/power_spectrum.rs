@@ -2,17 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use super::fourier::{Mode, Waves};
 use super::heights::{about_mean, complete};
 use super::slab::Slab;
+use super::waves::{Mode, Waves};
 #[cfg(feature = "serde")]
 use crate::error::length;
 use crate::error::{Result, all_finite};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 use crate::parallel;
 #[cfg(feature = "serde")]
-use crate::serial::checked;
+use crate::support::serialise::checked;
 
 /// The radial power spectrum of a periodic surface, and its spectral moments.
 ///

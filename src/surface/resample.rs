@@ -2,8 +2,8 @@
 
 use super::heights::complete;
 use crate::error::{Error, Result, all_finite, memory};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 use crate::parallel;
 
 /// Number of samples through which an interpolating cubic runs.

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use crate::error::{Result, all_finite, finite, non_negative, positive};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 /// A sphere (or two, of relative radius `1/R = 1/R_1 + 1/R_2`) on a plane, touching at the origin:
 /// `h = (x^2 + y^2) / (2 R)`.

@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use super::fourier::shared_columns;
+use super::waves::shared_columns;
 use crate::error::{Error, Result};
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::layout::Layout;
-use crate::share::Share;
+use crate::grid::field::Field;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::partition::Share;
 
 /// The rows of a surface that are held here: all, or a slab of what ranks share.
 #[derive(Debug)]

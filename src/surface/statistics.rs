@@ -3,14 +3,14 @@
 use std::fmt;
 
 use super::differences::{developed_area_ratio, rms_slopes};
-use super::fourier::Waves;
 use super::heights::{about_mean, complete};
 use super::power_spectrum::moments;
 use super::slab::Slab;
+use super::waves::Waves;
 use crate::error::{Result, finite};
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::parallel;
-use crate::reduce;
+use crate::parallel::reduce;
 
 /// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
 ///
@@ -52,9 +52,9 @@ pub struct Statistics {
     mean_height: f64,
     arithmetic_mean_height: f64,
     rms_height: f64,
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     skewness: f64,
-    #[cfg_attr(feature = "serde", serde(with = "crate::serial::number"))]
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     kurtosis: f64,
     highest_peak: f64,
     deepest_valley: f64,

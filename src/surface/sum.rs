@@ -1,7 +1,7 @@
 //! The sum of shapes.
 
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::grid::field::Field;
 
 /// The sum of fields, cell by cell: a rough ball is a ball plus roughness, and the gap between two
 /// bodies is the sum of both shapes.

@@ -1,9 +1,9 @@
 //! What a step has found in the cells of a window, however it was found.
 
-use crate::cgm::vector::{dot, minus, slices};
 use crate::half_space::Region;
-use crate::tangential::engine::at;
-use crate::tangential::limits::is_at_limit;
+use crate::numerics::cell_vector::{dot, minus, slices};
+use crate::tangential::friction_limits::is_at_limit;
+use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, Motion, Pressed, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the

@@ -1,13 +1,29 @@
 //! The law of cells that come into contact within a step.
 
-use crate::buffer;
+use crate::bodies::material::ElasticPair;
 use crate::cgm::{Own, reduce};
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::material::ElasticPair;
 use crate::parallel;
+use crate::support::fallible;
 use crate::tangential::{Axis, Increment, at};
+
+/// How far a cell that comes into contact within a step follows the motion of the step.
+///
+/// [`crate::guide::growing_contacts`] derives the first and compares the two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum TouchRule {
+    /// From the moment it touches, by the growth of its own pressure: it lags behind the motion by
+    /// $`\kappa\,(g/p)\,q`$, with the gap g at the beginning of the step and pressure p and traction q at its end.
+    #[default]
+    Growth,
+    /// All of it, also the part before it touched: the rule of codes that use the start of the step only, such as
+    /// CONTACT. The error is of first order in the length of steps in which the contact grows.
+    WholeStep,
+}
 
 /// $`\kappa = 1 + c_l / 2 c_n`$, the tangential displacement of a cell by a traction of its own over the normal one by a
 /// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. Of coated bodies it is the mean of both
@@ -72,7 +88,7 @@ impl Increment {
     /// that each cell of the grid had at its beginning, zero where there was contact.
     pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
         let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
-        buffer::resize(diagonal, pressed.region.cells(), 0.0)?;
+        fallible::resize(diagonal, pressed.region.cells(), 0.0)?;
         pressed.region.collect(gap, diagonal);
         let kappa = ratio_of_compliances(&self.bodies);
         let (pressure, limits) = (&pressed.pressure, &pressed.limits.cells);
@@ -97,10 +113,10 @@ impl Increment {
     /// pressure.
     pub(crate) fn roll_in(&mut self, own: impl Fn(usize, f64) -> OwnCompliance) -> Result<()> {
         let cells = self.pressed.region.cells();
-        buffer::resize(&mut self.diagonal, cells, 0.0)?;
+        fallible::resize(&mut self.diagonal, cells, 0.0)?;
         self.deviator.clear();
         if let [_, _] = self.axes {
-            buffer::resize(&mut self.deviator, cells, [0.0; 2])?;
+            fallible::resize(&mut self.deviator, cells, [0.0; 2])?;
         }
         self.has_entered = false;
         for (k, index) in self.pressed.region.own().indices().enumerate() {

@@ -1,6 +1,6 @@
 //! How far the tractions of the cells are from those of infinitely small ones.
 
-use crate::discretisation::estimate;
+use crate::grid::discretisation::estimate;
 use crate::tangential::TangentialSolution;
 
 impl TangentialSolution {

@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-use crate::buffer::try_clone;
 use crate::cgm::cone::Cone;
 use crate::error::{Result, all_non_negative, non_negative, positive};
-use crate::field::{Field, clone_in_place};
 use crate::grid::Grid;
+use crate::grid::field::{Field, clone_in_place};
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
-use crate::per_cell::PerCell;
-use crate::window::Window;
+use crate::support::fallible::try_clone;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
 ///

@@ -2,20 +2,22 @@
 
 use std::borrow::Cow;
 
-use crate::buffer;
-use crate::cgm::vector::slices;
+use crate::bodies::coupling::Coupling;
 use crate::cgm::{Own, Total, reduce};
 use crate::contact::{Conditions, Trend, multipliers};
-use crate::coupling::Coupling;
 use crate::error::{Result, has_squares};
 use crate::half_space::HalfSpace;
+use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
+use crate::support::fallible;
 use crate::tangential::answer::Answer;
-use crate::tangential::control::Demand;
-use crate::tangential::drawing::Drawing;
-use crate::tangential::engine::{PlaneVector, TangentialEngine, Task, at, engine_along, zeros};
-use crate::tangential::motion::{Motion, centre};
+use crate::tangential::load::Demand;
+use crate::tangential::one_way::Drawing;
+use crate::tangential::rigid_motion::{Motion, centre};
+use crate::tangential::traction_solver::{
+    PlaneVector, TangentialEngine, Task, at, engine_along, zeros,
+};
 use crate::tangential::{Axis, Pressed};
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
@@ -119,7 +121,7 @@ impl Increment {
 
     /// The present tractions, zero beyond the window, for another increment.
     pub(crate) fn hand_over(&self, other: &mut Self) -> Result<()> {
-        let mut whole = buffer::zeros(self.bodies.grid().cells())?;
+        let mut whole = fallible::zeros(self.bodies.grid().cells())?;
         for axis in self.axes.iter().map(|axis| axis.index()) {
             whole.fill(0.0);
             let (from, to) = (&self.pressed.region, &other.pressed.region);

@@ -35,45 +35,46 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
 mod answer;
-mod control;
-mod drawing;
-mod engine;
 mod entering;
 mod estimate;
 mod friction;
+mod friction_limits;
 mod increment;
-mod limits;
-mod motion;
-mod nested;
+mod jaeger;
+mod load;
 mod offset;
-mod pressure;
+mod one_way;
+mod over_ranks;
+mod pressure_source;
 mod problem;
-mod relative;
+mod relative_displacement;
+mod rigid_motion;
+mod scene;
 mod solution;
 mod solver;
-mod superposition;
-mod whole;
+mod traction_solver;
 mod zone;
 
 pub(crate) use answer::Answer;
-pub(crate) use control::Demand;
-pub use control::{TangentialControl, TangentialLoad};
-pub(crate) use drawing::Drawing;
-pub(crate) use engine::{PlaneVector, at, check_axes, displacement, zeros};
+pub use entering::TouchRule;
 pub(crate) use entering::{
     OwnCompliance, own_compliance, ratio_of_compliances, ratios_of_compliances,
 };
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
+pub(crate) use friction_limits::{Pressed, SLIDING, is_at_limit};
 pub(crate) use increment::{Increment, Start};
-pub(crate) use limits::{Pressed, SLIDING, is_at_limit};
-pub(crate) use motion::{Motion, centre};
-pub(crate) use nested::{handed_down, reserve};
-pub use pressure::PressureSource;
-pub(crate) use pressure::contact_window;
+pub use jaeger::JaegerSuperposition;
+pub(crate) use load::Demand;
+pub use load::{TangentialControl, TangentialLoad};
+pub(crate) use one_way::Drawing;
+pub use pressure_source::PressureSource;
+pub(crate) use pressure_source::contact_window;
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
-pub use relative::RelativeDisplacement;
+pub use relative_displacement::RelativeDisplacement;
+pub(crate) use rigid_motion::{Motion, centre};
+pub(crate) use scene::{handed_down, reserve};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
-pub use superposition::JaegerSuperposition;
+pub(crate) use traction_solver::{PlaneVector, at, check_axes, displacement, zeros};
 pub use zone::{Axis, TangentialModel, Zone};

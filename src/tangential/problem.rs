@@ -1,12 +1,12 @@
 //! The scene of a tangential contact, checked once.
 
-use crate::buffer::{TryClone, try_clone};
+use crate::bodies::coupling::Coupling;
 use crate::cgm::{Method, Settings, settings_methods};
-use crate::coupling::Coupling;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
-use crate::shown::shown;
-use crate::tangential::pressure::contact_window;
+use crate::support::debug::shown;
+use crate::support::fallible::{TryClone, try_clone};
+use crate::tangential::pressure_source::contact_window;
 use crate::tangential::{
     Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
     TangentialModel, TangentialSolution, TangentialSolver, check_axes,

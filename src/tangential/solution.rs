@@ -1,22 +1,22 @@
 //! The answer to a tangential contact.
 
-use crate::boundary::Boundary;
-use crate::buffer::{self, or_abort, try_clone, try_each};
-use crate::cell_value::CellValue;
 use crate::cgm::reduce;
-use crate::contact_map::ContactMap;
+use crate::contact::map::ContactMap;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::report::Report;
+use crate::support::debug::shown;
+use crate::support::fallible::{self, or_abort, try_clone, try_each};
 #[cfg(feature = "serde")]
-use crate::serial::checked;
-use crate::shown::shown;
-use crate::tangential::motion::centre;
-use crate::tangential::whole::{Sums, Whole};
+use crate::support::serialise::checked;
+use crate::tangential::over_ranks::{Sums, Whole};
+use crate::tangential::rigid_motion::centre;
 use crate::tangential::{Answer, Axis, Zone, displacement};
 use crate::warning::{Resolution, Warning};
 
@@ -124,7 +124,7 @@ impl TangentialSolution {
         Ok(Self {
             traction: zeros()?,
             slip: zeros()?,
-            zones: buffer::filled(Zone::Separated, grid.cells())?,
+            zones: fallible::filled(Zone::Separated, grid.cells())?,
             boundary: bodies.boundary(),
             cell_value: bodies.cell_value(),
             axis: Some(Axis::X),

@@ -1,19 +1,19 @@
 //! The reusable solver of a tangential contact.
 
-use crate::buffer::TryClone;
 use crate::cgm::solver_settings;
 use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
 use crate::error::{Error, Result};
+use crate::observer::Observer;
 use crate::report::Report;
-use crate::shown::shown;
+use crate::support::debug::shown;
+use crate::support::fallible::TryClone;
 use crate::tangential::increment::{Increment, Start};
-use crate::tangential::motion::Motion;
-use crate::tangential::pressure::contact_window;
+use crate::tangential::pressure_source::contact_window;
+use crate::tangential::rigid_motion::Motion;
 use crate::tangential::{
     Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
-use crate::watch::Observer;
 
 /// Solves tangential contacts again and again, each time from the last answer.
 ///

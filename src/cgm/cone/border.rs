@@ -3,11 +3,11 @@
 use crate::cgm::cone::law::{Kind, Law};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::Border;
-use crate::cgm::motion::Row;
 use crate::cgm::totals::sums_of;
-use crate::cgm::vector::{dot, norm, slices};
 use crate::cgm::{Total, reduce};
+use crate::numerics::cell_vector::{dot, norm, slices};
 use crate::parallel;
 
 /// Part of the mobility along an axis below which cells that all slip cannot carry a change along it.

@@ -6,7 +6,7 @@
 use crate::cgm::cone::law::{Kind, Lag, Law};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
-use crate::cgm::vector::{at, plus, slices, update_cells};
+use crate::numerics::cell_vector::{at, plus, slices, update_cells};
 use crate::parallel;
 
 /// Part of the largest pressure that stands for a smaller one in `kappa g / p`.

@@ -1,9 +1,9 @@
 //! How a cell of the cone moves: apart, without friction, sticking or slipping.
 
 use crate::cgm::cone::{Cone, N};
-use crate::cgm::motion::Row;
-use crate::cgm::turn::Weight;
-use crate::cgm::vector::{dot, norm, plus};
+use crate::cgm::law::state::Row;
+use crate::cgm::law::turn::Weight;
+use crate::numerics::cell_vector::{dot, norm, plus};
 
 /// How a cell may move, in the linear system of a step.
 ///

@@ -32,11 +32,11 @@ use crate::cgm::monitor::Monitor;
 use crate::cgm::newton::newton;
 use crate::cgm::{Settings, Total, reduce};
 use crate::error::Result;
-use crate::layout::Layout;
+use crate::grid::per_cell::PerCell;
+use crate::observer::Observer;
 use crate::operator::{LowerBound, Operator};
-use crate::per_cell::PerCell;
+use crate::parallel::layout::Layout;
 use crate::report::Status;
-use crate::watch::Observer;
 
 pub(crate) use response::Stand;
 pub(crate) use workspace::ConeWorkspace;

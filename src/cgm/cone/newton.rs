@@ -6,14 +6,14 @@ use crate::cgm::certificate::{Iterate, Shown, measure};
 use crate::cgm::cone::law::{Law, Noise};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
+use crate::cgm::iterate::Precision;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::{BASES, Linear, Moved};
-use crate::cgm::motion::Row;
 use crate::cgm::newton::NewtonSteps;
-use crate::cgm::run::Precision;
-use crate::cgm::vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::cgm::{Admissible, Carried, Disc, Magnitude, Own, reduce};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::parallel;
+use crate::parallel::layout::Layout;
 use crate::report::Status;
 
 /// Reduction of the inner residual in sets from coarser cells, while sets change, and the least when they stand.

@@ -5,8 +5,8 @@ use crate::cgm::cone::newton::NOTHING;
 use crate::cgm::cone::{Cone, ConeProblem, ConeWorkspace, N};
 use crate::cgm::linear::LinearWorkspace;
 use crate::cgm::reduce;
-use crate::cgm::vector::at;
 use crate::error::Result;
+use crate::numerics::cell_vector::at;
 
 /// Where the cells stand: tractions, slip of the last step, and compliance of their own, of no cells where none has one.
 #[derive(Debug, Clone, Copy)]

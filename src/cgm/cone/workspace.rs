@@ -1,13 +1,13 @@
 //! What a solve of cones writes to.
 
-use crate::buffer;
 use crate::cgm::cone::N;
 use crate::cgm::cone::law::Law;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::LinearWorkspace;
-use crate::cgm::motion::Row;
 use crate::error::Result;
 use crate::operator::Operator;
 use crate::report::Report;
+use crate::support::fallible;
 
 /// Everything a solve writes to besides its tractions; made once, reused by every solve of one size.
 #[derive(Debug, Clone)]
@@ -29,8 +29,8 @@ impl ConeWorkspace {
         let cells = operator.cells();
         Ok(Self {
             linear: LinearWorkspace::new(operator, preconditioner)?,
-            product: buffer::vector(cells)?,
-            limits: buffer::zeros(cells)?,
+            product: fallible::vector(cells)?,
+            limits: fallible::zeros(cells)?,
             multiplier: [0.0; N],
         })
     }

@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::motion::Row;
-use crate::cgm::run::{Precision, Run};
+use crate::cgm::iterate::{Precision, Run};
+use crate::cgm::law::state::Row;
 use crate::cgm::totals::TotalsSystem;
-use crate::cgm::vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
 use crate::cgm::{Constraint, MotionOf};
+use crate::numerics::cell_vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
 use crate::report::Status;
 
 /// Steps before the sets are looked at again.

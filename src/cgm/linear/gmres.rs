@@ -3,14 +3,14 @@
 
 use std::ops::{ControlFlow, Range};
 
-use crate::buffer;
+use crate::cgm::iterate::Precision;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::krylov::{Hessenberg, RESTART};
 use crate::cgm::linear::{Border, Linear};
-use crate::cgm::motion::Row;
-use crate::cgm::run::Precision;
-use crate::cgm::vector::{at, chunks, dot, norm, put, slices, within};
+use crate::numerics::cell_vector::{at, chunks, dot, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
+use crate::support::fallible;
 
 /// The most that one basis, whose products are of single precision, is to reduce a residual to.
 const BASIS_REDUCTION: f64 = 1e-5;
@@ -182,7 +182,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         let room = group
             .into_iter()
             .flatten()
-            .try_for_each(|vector| buffer::resize(vector, w.residual.len(), [0.0; N]));
+            .try_for_each(|vector| fallible::resize(vector, w.residual.len(), [0.0; N]));
         self.monitor.unless_lacking(room)
     }
 

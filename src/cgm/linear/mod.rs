@@ -20,19 +20,21 @@ mod response;
 
 use std::ops::ControlFlow;
 
-use crate::buffer;
+use crate::cgm::diagonal::Own;
+use crate::cgm::free_cells::MovingCells;
+use crate::cgm::iterate::Precision;
+use crate::cgm::law::state::Row;
+use crate::cgm::law::turn::Weight;
 use crate::cgm::monitor::Monitor;
-use crate::cgm::motion::Row;
-use crate::cgm::moving::MovingCells;
-use crate::cgm::own::Own;
-use crate::cgm::run::Precision;
-use crate::cgm::small::Small;
-use crate::cgm::turn::Weight;
-use crate::cgm::vector::{at, chunks, held, plus, put, slices, slices_mut, update_cells, within};
 use crate::error::Result;
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{
+    at, chunks, held, plus, put, slices, slices_mut, update_cells, within,
+};
+use crate::numerics::small_matrix::Small;
 use crate::operator::{Operator, Scratch};
+use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
+use crate::support::fallible;
 
 use krylov::RESTART;
 pub(in crate::cgm) use moved::Moved;
@@ -73,9 +75,9 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         Ok(Self {
             operator: operator.scratch()?,
             preconditioner: preconditioner.scratch()?,
-            direction: buffer::vector(cells)?,
-            image: buffer::vector(cells)?,
-            rows: buffer::filled(R::FIXED, cells)?,
+            direction: fallible::vector(cells)?,
+            image: fallible::vector(cells)?,
+            rows: fallible::filled(R::FIXED, cells)?,
             moving: MovingCells::new(operator.layout())?,
             residual: Vec::new(),
             correction: Vec::new(),
@@ -96,14 +98,14 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// Makes room for correction, residual and spread of the cells that move.
     pub(in crate::cgm) fn make_room_for_gmres(&mut self) -> Result<()> {
         let moving = self.moving.len();
-        buffer::resize_with_zeros(&mut self.correction, moving)?;
+        fallible::resize_with_zeros(&mut self.correction, moving)?;
         self.make_room(moving)
     }
 
     /// Makes room for the residuals and the spread of so many cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
-        buffer::resize_with_zeros(&mut self.residual, cells)?;
-        buffer::resize_with_zeros(&mut self.spread, cells)
+        fallible::resize_with_zeros(&mut self.residual, cells)?;
+        fallible::resize_with_zeros(&mut self.spread, cells)
     }
 }
 

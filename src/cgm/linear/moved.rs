@@ -2,11 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::iterate::Precision;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::Linear;
 use crate::cgm::linear::gmres::Equations;
-use crate::cgm::motion::Row;
-use crate::cgm::run::Precision;
-use crate::cgm::vector::{at, minus, plus, slices};
+use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::parallel;
 use crate::report::Status;
 

@@ -2,20 +2,20 @@
 
 use std::ops::ControlFlow;
 
-use crate::buffer;
 use crate::cgm::Settings;
+use crate::cgm::diagonal::Own;
+use crate::cgm::iterate::Precision;
+use crate::cgm::law::state::Row;
 use crate::cgm::linear::gmres::Equations;
 use crate::cgm::linear::{Border, Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
-use crate::cgm::motion::Row;
-use crate::cgm::own::Own;
-use crate::cgm::run::Precision;
-use crate::cgm::vector::{at, dot, minus, plus, slices, within};
 use crate::error::{Error, Result};
-use crate::layout::Layout;
+use crate::numerics::cell_vector::{at, dot, minus, plus, slices, within};
+use crate::observer::Observer;
 use crate::operator::Operator;
+use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
-use crate::watch::Observer;
+use crate::support::fallible;
 
 /// Bases after which a response counts as not found.
 const BASES: usize = 100;
@@ -99,7 +99,7 @@ impl<const N: usize> Held<'_, N> {
         observer: Observer<'_>,
     ) -> Result<()> {
         unknowns.clear();
-        buffer::resize(unknowns, right.len(), [0.0; N])?;
+        fallible::resize(unknowns, right.len(), [0.0; N])?;
         let settings = Settings::default().max_iterations(usize::MAX);
         let report = &mut workspace.report;
         let mut monitor = Monitor::new(&settings, self.layout, observer, report);
@@ -169,7 +169,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         displacement: impl Fn(usize) -> [f64; N] + Sync,
         right: &mut Vec<[f64; N]>,
     ) -> Result<()> {
-        buffer::resize(right, self.moving.len(), [0.0; N])?;
+        fallible::resize(right, self.moving.len(), [0.0; N])?;
         let rows = &self.rows;
         self.moving
             .sweep(self.moving.compressed(right), |entries, right| {

@@ -1,8 +1,8 @@
 //! A wear coefficient, uniform or per cell.
 
 use crate::error::{Result, non_negative};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 use crate::history::wear::check;
 
 /// A wear coefficient: one for all cells, or one per cell. The laws take a number or a field for it.

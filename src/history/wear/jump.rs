@@ -1,12 +1,12 @@
 //! How many cycles may be jumped.
 
+use crate::bodies::component::Component;
 use crate::cgm::reduce;
 use crate::error::{Error, Result, non_negative};
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::Cycle;
 use crate::history::wear::{Coefficient, check};
-use crate::influence::Component;
 use crate::operator::Operator;
 
 /// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's

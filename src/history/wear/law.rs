@@ -1,7 +1,7 @@
 //! Laws of wear.
 
 use crate::error::{Result, finite, non_negative};
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::history::wear::coefficient::greatest;
 use crate::history::wear::{Coefficient, check};
 use crate::parallel;

@@ -43,8 +43,8 @@ pub use jump::{CycleJump, max_stable_cycles};
 pub use law::{archard, energy, threshold_energy};
 
 use crate::error::{Result, all_non_negative};
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 /// `Ok` if the field lives on the grid, and no sample is negative or not finite.
 fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {

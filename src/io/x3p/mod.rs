@@ -10,12 +10,13 @@ mod zip;
 
 use std::path::Path;
 
-use super::bytes::{Number, Order};
 use super::text::excerpt;
-use super::{Format, Place, parse_file};
+use super::{Place, parse_file};
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::files::Format;
+use crate::files::{Number, Order};
 use crate::grid::Grid;
+use crate::grid::field::Field;
 use zip::Archive;
 
 const FORMAT: Format = Format("X3P");

@@ -4,7 +4,7 @@ use super::far;
 use super::integral::{Integral, Values, sign};
 use super::piece::{Interval, Piece};
 use super::quadrature;
-use crate::gauss::Rule;
+use crate::numerics::gauss::Rule;
 
 /// A cell of half sides `a` and `b`.
 #[derive(Debug, Clone, Copy, PartialEq)]

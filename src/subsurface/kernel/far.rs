@@ -1,7 +1,7 @@
 //! The integrals by Gauss-Legendre quadrature, for points far from the cell.
 
 use super::integral::Integral;
-use crate::gauss::Rule;
+use crate::numerics::gauss::Rule;
 
 /// The integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`, `y >= 0`.
 /// Each point is evaluated as if it were alone.

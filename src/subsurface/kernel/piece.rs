@@ -3,7 +3,7 @@
 use super::integral::{Integral, Values, sign};
 use super::quadrature;
 use super::{far, near};
-use crate::gauss::Rule;
+use crate::numerics::gauss::Rule;
 
 /// The extent of a rectangle along one axis, as seen from the point.
 #[derive(Debug, Clone, Copy)]

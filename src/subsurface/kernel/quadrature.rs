@@ -1,6 +1,8 @@
 //! The quadrature that suffices at a distance from a cell.
 
-use crate::gauss::{GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, Rule};
+use crate::numerics::gauss::{
+    GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, Rule,
+};
 
 /// Distances in longer sides, and the cheapest rule whose error stays below the rounding beyond them. Deep below the
 /// cell the shear stress under a traction along it is of the second order in the ratio of side and depth, and asks most

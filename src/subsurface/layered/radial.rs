@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use crate::influence::images::{FAR, pieces};
-use crate::influence::radial::{
+use crate::bodies::layers::Below;
+use crate::bodies::material::Material;
+use crate::influence::hankel::{
     PIECES, RULES, TERMS, bessel, chebyshev, ends_of, nodes, piece_of, rule, wave_numbers,
 };
+use crate::influence::periodic_images::{FAR, pieces};
 use crate::influence::slowest;
-use crate::layers::Below;
-use crate::material::Material;
 use crate::subsurface::layered::{Column, Entries, Entry, exchanged, joined};
 
 /// Functions of a distance, on the surface or along a line.
@@ -87,7 +87,7 @@ impl Radial {
     }
 
     /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
-    /// displacements: [as](crate::influence::images) of the surface.
+    /// displacements: [as](crate::influence::periodic_images) of the surface.
     pub(super) fn over_rows(
         &self,
         response: &impl Fn(f64) -> Below,

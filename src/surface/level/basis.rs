@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use super::triangle::Triangle;
-use crate::field::Field;
-use crate::layout::Layout;
+use crate::grid::field::Field;
 use crate::parallel;
-use crate::reduce::Tally;
+use crate::parallel::layout::Layout;
+use crate::parallel::reduce::Tally;
 use crate::surface::level::HIGHEST_DEGREE;
 use crate::surface::slab::Slab;
 

@@ -6,7 +6,7 @@ mod triangle;
 use super::heights::finite_or_missing;
 use super::slab::Slab;
 use crate::error::{Error, Result};
-use crate::field::Field;
+use crate::grid::field::Field;
 use crate::parallel;
 use basis::Basis;
 use triangle::Triangle;

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use crate::error::Result;
-use crate::field::Field;
 use crate::grid::Grid;
+use crate::grid::field::Field;
 
 /// The middle of a periodic field, or all of it.
 #[derive(Debug, Clone, Copy)]

@@ -6,13 +6,15 @@ use num_complex::Complex;
 
 use super::cut::Cut;
 use super::law::Law;
-use super::{Amplitudes, BYTES_PER_CELL, RoughSurface, SelfAffine, Target, draw, phases, ranks};
+use super::{
+    Amplitudes, BYTES_PER_CELL, RoughSurface, SelfAffine, Target, draw, phases, rank_order,
+};
 use crate::error::{Result, all_finite, at_least, finite, memory};
 use crate::grid::Grid;
+use crate::observer::{Watch, unwatched};
 use crate::parallel;
 use crate::report::Iteration;
-use crate::surface::fourier::Waves;
-use crate::watch::{Watch, unwatched};
+use crate::surface::waves::Waves;
 
 impl SelfAffine {
     /// The surface on a grid.
@@ -69,7 +71,7 @@ impl SelfAffine {
         let mut waves = self.waves(cut, Waves::none(cut.whole))?;
         let mut iterations = 0;
         if let Some(wanted) = wanted {
-            (waves, iterations) = ranks::approach(&waves, wanted, watch)?;
+            (waves, iterations) = rank_order::approach(&waves, wanted, watch)?;
             iterations += phases::turn(&mut waves, cut, wanted, watch)?;
         }
         let surface = RoughSurface::new(&waves, cut, iterations, watch)?;

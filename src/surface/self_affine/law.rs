@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::SelfAffine;
 use crate::error::{Error, Result, at_least, positive};
 use crate::grid::Grid;
-use crate::surface::fourier::Mode;
+use crate::surface::waves::Mode;
 
 /// A self-affine law with all its wavelengths set.
 #[derive(Debug, Clone, Copy)]

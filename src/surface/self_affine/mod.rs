@@ -1,5 +1,7 @@
 //! Self-affine rough surfaces.
 
+pub(super) mod on_bodies;
+
 mod cut;
 mod draw;
 mod generate;
@@ -7,7 +9,7 @@ mod johnson;
 mod law;
 mod moments;
 mod phases;
-mod ranks;
+mod rank_order;
 mod rough_surface;
 mod slab;
 

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use crate::field::Field;
-use crate::layout::Layout;
+use crate::grid::field::Field;
 use crate::parallel;
+use crate::parallel::layout::Layout;
 
 /// Mean of a function of the samples, the same on any number of threads.
 pub(super) fn mean_of(field: &Field, f: impl Fn(f64) -> f64 + Sync) -> f64 {

@@ -17,8 +17,8 @@ use num_complex::Complex;
 use super::cut::Cut;
 use super::moments::{Standardised, deviation};
 use crate::error::{Error, Result};
-use crate::surface::fourier::Waves;
-use crate::watch::Watch;
+use crate::observer::Watch;
+use crate::surface::waves::Waves;
 
 /// Largest deviation from the requested skewness and kurtosis.
 const TOLERANCE: f64 = 1e-9;

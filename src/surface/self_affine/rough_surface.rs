@@ -5,9 +5,9 @@ use num_complex::Complex;
 use super::cut::Cut;
 use super::moments::{Standardised, mean_of};
 use crate::error::Result;
-use crate::field::Field;
-use crate::surface::fourier::Waves;
-use crate::watch::Watch;
+use crate::grid::field::Field;
+use crate::observer::Watch;
+use crate::surface::waves::Waves;
 
 /// A surface made by [`SelfAffine`](super::SelfAffine), with its parameters.
 #[derive(Debug, Clone, PartialEq)]

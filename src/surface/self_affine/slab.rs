@@ -6,12 +6,12 @@ use super::SelfAffine;
 use super::cut::Cut;
 use super::moments::mean_over;
 use crate::error::{Error, RankFailure, Result, all_finite};
-use crate::field::Field;
 use crate::grid::Grid;
-use crate::layout::Layout;
+use crate::grid::field::Field;
 use crate::parallel;
-use crate::share::Share;
-use crate::surface::fourier::{Waves, shared_columns};
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::partition::Share;
+use crate::surface::waves::{Waves, shared_columns};
 
 impl SelfAffine {
     /// The heights on the slab that a rank holds of a grid.

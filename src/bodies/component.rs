@@ -1,0 +1,87 @@
+//! The directions of displacements and tractions, and the nine pairs of them.
+
+/// A direction of a displacement or a traction on the surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Direction {
+    /// Along the rows of the grid.
+    X,
+    /// Along the columns of the grid.
+    Y,
+    /// Into body 1: the direction of pressures and normal displacements.
+    Z,
+}
+
+/// One of the nine influence coefficients: displacement component, then traction component.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Component {
+    /// Displacement along x from traction along x.
+    XX,
+    /// Displacement along x from traction along y.
+    XY,
+    /// Displacement along x from pressure.
+    XZ,
+    /// Displacement along y from traction along x.
+    YX,
+    /// Displacement along y from traction along y.
+    YY,
+    /// Displacement along y from pressure.
+    YZ,
+    /// Displacement along z from traction along x.
+    ZX,
+    /// Displacement along z from traction along y.
+    ZY,
+    /// Displacement along z from pressure.
+    ZZ,
+}
+
+impl Component {
+    /// All nine, row by row.
+    pub const ALL: [Self; 9] = [
+        Self::XX,
+        Self::XY,
+        Self::XZ,
+        Self::YX,
+        Self::YY,
+        Self::YZ,
+        Self::ZX,
+        Self::ZY,
+        Self::ZZ,
+    ];
+
+    /// The component between a direction of displacement and one of traction.
+    ///
+    /// ```
+    /// use stickslip::influence::{Component, Direction};
+    /// assert_eq!(Component::of(Direction::Z, Direction::X), Component::ZX);
+    /// ```
+    #[must_use]
+    pub const fn of(displacement: Direction, traction: Direction) -> Self {
+        Self::ALL[3 * displacement as usize + traction as usize]
+    }
+
+    /// The directions of displacement and of traction.
+    pub(crate) const fn directions(self) -> [Direction; 2] {
+        const DIRECTIONS: [Direction; 3] = [Direction::X, Direction::Y, Direction::Z];
+        [DIRECTIONS[self as usize / 3], DIRECTIONS[self as usize % 3]]
+    }
+
+    /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
+    ///
+    /// ```
+    /// use stickslip::influence::Component;
+    /// assert_eq!(Component::ZZ.is_odd(), [false, false]);
+    /// assert_eq!(Component::ZX.is_odd(), [true, false]);
+    /// assert_eq!(Component::XY.is_odd(), [true, true]);
+    /// ```
+    #[must_use]
+    pub const fn is_odd(self) -> [bool; 2] {
+        match self {
+            Self::XX | Self::YY | Self::ZZ => [false, false],
+            Self::XY | Self::YX => [true, true],
+            Self::XZ | Self::ZX => [true, false],
+            Self::YZ | Self::ZY => [false, true],
+        }
+    }
+}

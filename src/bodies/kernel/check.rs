@@ -1,0 +1,97 @@
+//! Whether responses are those of bodies that store energy.
+
+use crate::bodies::kernel::ResponseTensor;
+use crate::bodies::layers::Response;
+use crate::error::{Result, at_least, finite, positive};
+use crate::grid::Grid;
+
+/// Difference of a tensor from its mirror image that round-off explains.
+const MIRRORED: f64 = 1e-10;
+
+/// The meaning of one in checks of the allowed over the found difference.
+pub(super) const AS_ALLOWED: &str = "a difference as large as allowed";
+
+/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
+const THINNEST: f64 = 1e-25;
+
+/// `Ok` if the tables of a layer of this thickness reach over the grid.
+pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
+    let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+    let quantity = "thickness of a layer over the diagonal of the grid";
+    at_least(
+        "the least allowed",
+        THINNEST,
+        quantity,
+        thickness / length.hypot(width),
+    )?;
+    Ok(())
+}
+
+/// A coupling over the mean of the two compliances between which it is, in an order in which nothing overflows.
+pub(super) fn ratio(coupling: f64, one: f64, other: f64) -> f64 {
+    coupling / one.sqrt() / other.sqrt()
+}
+
+pub(super) fn stronger(one: f64, other: f64) -> f64 {
+    if other.abs() > one.abs() { other } else { one }
+}
+
+pub(super) fn checked(found: Response) -> Result<Response> {
+    positive("response of the kernel to waves of pressure", found.normal)?;
+    positive(
+        "response of the kernel to traction along waves",
+        found.along,
+    )?;
+    positive(
+        "response of the kernel to traction across waves",
+        found.across,
+    )?;
+    finite("coupling of the kernel", found.coupling)?;
+    let coupling = ratio(found.coupling, found.normal, found.along);
+    let quantity = "energy of a wave of pressure and traction, over that without coupling,";
+    positive(quantity, 1.0 - coupling * coupling)?;
+    Ok(found)
+}
+
+pub(super) fn checked_far(far: Response) -> Result<Response> {
+    let quantity = "response of the kernel to long waves, times k,";
+    for value in [far.normal, far.along, far.across, far.coupling] {
+        finite(quantity, value)?;
+    }
+    Ok(far)
+}
+
+pub(super) fn checked_tensor(found: ResponseTensor) -> Result<ResponseTensor> {
+    positive("response of the kernel to waves of pressure", found.zz)?;
+    positive(
+        "response of the kernel to waves of traction along x",
+        found.xx,
+    )?;
+    positive(
+        "response of the kernel to waves of traction along y",
+        found.yy,
+    )?;
+    for value in [found.xy, found.zx, found.zy] {
+        finite("coupling of the kernel", value)?;
+    }
+    Ok(found)
+}
+
+/// `Ok` if a tensor is that of the mirrored wave vector, along x or y.
+pub(super) fn check_mirrored(
+    found: &ResponseTensor,
+    mirrored: &ResponseTensor,
+    [along_x, along_y]: [bool; 2],
+) -> Result<()> {
+    let signs = [false, false, false, true, along_x, along_y];
+    let unit = found.xx.max(found.yy).max(found.zz);
+    let values = found.values().into_iter().zip(mirrored.values());
+    let differences = values.zip(signs).map(|((found, mirrored), is_odd)| {
+        let mirrored = if is_odd { -mirrored } else { mirrored };
+        (found - mirrored).abs() / unit
+    });
+    let most = differences.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) });
+    let quantity = "allowed over found difference of a response from its mirror image";
+    at_least(AS_ALLOWED, 1.0, quantity, MIRRORED / most.max(MIRRORED))?;
+    Ok(())
+}

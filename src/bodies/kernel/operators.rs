@@ -1,0 +1,256 @@
+//! Operators of a user, by the directions that they couple.
+
+use std::fmt;
+
+use crate::bodies::component::{Component, Direction};
+use crate::bodies::kernel::user_operator::{Part, UserOperator};
+use crate::bodies::material::ElasticPair;
+use crate::error::{Error, Result, at_least, finite, length, positive};
+use crate::operator::Operator;
+use crate::support::fallible::zeros;
+
+/// The compliance of two bodies as operators on the cells of one grid: what [`Kernel::operators`](crate::Kernel::operators)
+/// takes.
+///
+/// An operator has a component for each of its directions, in this order. A problem takes the first that has all directions
+/// it asks for and the fewest others: [`NormalProblem`](crate::NormalProblem) asks for Z,
+/// [`TangentialProblem`](crate::TangentialProblem) for X, Y or both, and all three are found together where `near` is
+/// [coupled](crate::ElasticPair::is_coupled). A problem that asks for fewer than an operator has pays for all. Where several
+/// have a direction they must agree on it; this is not looked at.
+///
+/// ```
+/// use stickslip::influence::Direction::{X, Y, Z};
+/// use stickslip::kernel::Operators;
+/// use stickslip::*;
+/// /// A bed of springs: each cell yields by so much under a unit of pressure or traction.
+/// struct Bed(usize, f64);
+/// impl<const N: usize> Operator<N> for Bed {
+///     fn cells(&self) -> usize { self.0 }
+///     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], _: &mut Scratch) {
+///         for (out, x) in out.into_iter().zip(x) {
+///             out.iter_mut().zip(x).for_each(|(out, x)| *out = self.1 * x);
+///         }
+///     }
+///     fn lower_bound(&self) -> f64 { self.1 }
+///     fn self_compliance(&self) -> f64 { self.1 }
+/// }
+/// let grid = Grid::square(32, 1.0)?;
+/// let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+/// let operators = Operators::new().with([Z], Bed(1024, 0.5)).with([X, Y], Bed(1024, 0.5));
+/// let bodies = HalfSpace::new(grid, Kernel::operators(near, operators)?)?;
+///
+/// // A paraboloid of radius R = 1: p = (d - r^2 / 2 R) / c carries pi R d^2 / c.
+/// let (ball, depth) = (surface::sphere(grid, 1.0)?, 0.06);
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
+/// assert!((contact.force() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
+///
+/// // A shift within the friction of the springs in the middle: these stick, those at the edge slip.
+/// let (friction, shift) = (Friction::coulomb(0.5)?, TangentialLoad::shift([0.01, 0.0]));
+/// let shear = TangentialProblem::builder(&bodies, &contact, friction, shift).build()?.solve()?;
+/// // Springs stick where mu p > s / c, that is within r^2 < 2 R (d - s / mu).
+/// let stick = 2.0 * (depth - 0.01 / 0.5) / (2.0 * depth);
+/// assert!((shear.stick_ratio() - stick).abs() < 0.03);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Default)]
+pub struct Operators {
+    given: Vec<UserOperator>,
+}
+
+/// Difference of two products from symmetry that round-off explains, and energy by coupling that means none.
+const ROUNDED: f64 = 1e-9;
+
+impl Operators {
+    /// None yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// With an operator of these directions (lengths from pressures), symmetric: of displacement and traction along each,
+    /// with the signs of the [`influence`](crate::influence) page. It is applied on many threads.
+    #[must_use]
+    pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
+    where
+        T: Operator<N> + Send + 'static,
+    {
+        const { assert!(N > 0, "an operator has a direction") }
+        self.given.push(UserOperator::new(directions, operator));
+        self
+    }
+
+    /// Numbers that tell them from others, in the units of `near`, if they are what they must be: of as many cells, symmetric, positive, with the
+    /// bounds that they state, and coupled only if they may be.
+    pub(super) fn examined(&self, near: &ElasticPair) -> Result<Vec<f64>> {
+        let unit = near.compliances().normal;
+        let [first, ..] = &self.given[..] else {
+            return Err(Error::KernelMissing("there is no operator"));
+        };
+        positive("cells of an operator", first.cells() as f64)?;
+        let mut shown = Vec::new();
+        for given in &self.given {
+            let directions = given.directions();
+            if (1..directions.len()).any(|n| directions[..n].contains(&directions[n])) {
+                return Err(Error::RepeatedDirection);
+            }
+            length("operator", first.cells(), given.cells())?;
+            shown.extend(
+                directions
+                    .iter()
+                    .map(|&direction| unit * f64::from(direction as u8)),
+            );
+            let [one, other, both] = examined(given)?;
+            shown.extend([one, other, unit * both]);
+            if !near.is_coupled() {
+                check_uncoupled(given)?;
+            }
+        }
+        Ok(shown)
+    }
+
+    /// `Ok` for a grid of so many cells, which repeats along both axes or does not.
+    pub(super) fn check_on(&self, cells: usize, repeats: bool) -> Result<()> {
+        let mut given = self.given.iter();
+        given.try_for_each(|given| {
+            length("operator", cells, given.cells())?;
+            if repeats { check_means(given) } else { Ok(()) }
+        })
+    }
+
+    /// These components (displacement, then traction) on `size` cells.
+    pub(crate) fn part<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+    ) -> Result<Part<N>> {
+        let having = |directions| {
+            let given = self.given.iter();
+            let mut those = given.filter(|given| given.directions().len() == directions);
+            those.find_map(|given| given.part(components, size))
+        };
+        (1..=3).find_map(having).ok_or(Error::KernelMissing(
+            "no operator has all directions asked for: Z for pressure, X, Y or both for traction, all three where the half-spaces near are coupled",
+        ))
+    }
+}
+
+/// The model that operators must obey, as errors name it.
+const MODEL: &str = "the model of user-defined operators";
+
+/// Numbers of the products of two fields without mean, if they are those of a compliance: both energies, and what each does
+/// on the displacements of the other, over their mean.
+fn examined(given: &UserOperator) -> Result<[f64; 3]> {
+    let directions = given.directions();
+    if !given.is_symmetric() {
+        return Err(Error::NotModelled {
+            model: MODEL,
+            quantity: "operators that are not symmetric (value: number of directions)",
+            value: directions.len() as f64,
+            remedy: "give an operator that obeys reciprocity, and says so",
+        });
+    }
+    let (x, y) = (probe(given, STEPS[0])?, probe(given, STEPS[1])?);
+    let (u, v) = (given.product(&x)?, given.product(&y)?);
+    let [xx, xy, yx, yy] = [(&x, &u), (&x, &v), (&y, &u), (&y, &v)].map(|(x, u)| dot(x, u));
+    for energy in [xx, yy] {
+        positive("energy of a field of tractions under an operator", energy)?;
+    }
+    let mean = xx.sqrt() * yy.sqrt();
+    let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
+    if asymmetry > ROUNDED {
+        return Err(Error::NotModelled {
+            model: MODEL,
+            quantity: "a difference between the works of two tractions on each other's displacements (relative to their energies)",
+            value: asymmetry,
+            remedy: "give an operator that obeys reciprocity",
+        });
+    }
+    let bound = finite("lower bound of an operator", given.lower_bound())?;
+    let quantity = "energy of a field of tractions under an operator";
+    at_least(
+        "the energy by its lower bound",
+        bound * dot(&x, &x),
+        quantity,
+        xx,
+    )?;
+    Ok([xx, yy, xy / mean])
+}
+
+/// `Ok` if pressure displaces nothing tangentially.
+fn check_uncoupled(given: &UserOperator) -> Result<()> {
+    let Some(normal) = given.component(Direction::Z) else {
+        return Ok(());
+    };
+    let own = normal * given.cells()..(normal + 1) * given.cells();
+    let mut pressure = probe(given, STEPS[0])?;
+    pressure[..own.start].fill(0.0);
+    pressure[own.end..].fill(0.0);
+    let u = given.product(&pressure)?;
+    let square = |part: &[f64]| dot(part, part);
+    let others = square(&u[..own.start]) + square(&u[own.end..]);
+    let coupled = finite("product of an operator", (others / square(&u[own])).sqrt())?;
+    if coupled > ROUNDED {
+        return Err(Error::NotModelled {
+            model: MODEL,
+            quantity: "a tangential displacement by pressure (relative to the normal one)",
+            value: coupled,
+            remedy: "give half-spaces near that are coupled too",
+        });
+    }
+    Ok(())
+}
+
+/// `Ok` if a uniform traction along each direction displaces nothing: on a grid that repeats along both axes there is no
+/// other datum.
+fn check_means(given: &UserOperator) -> Result<()> {
+    let (x, mut uniform) = (probe(given, STEPS[0])?, zeros(given.unknowns()?)?);
+    let (u, cells) = (given.product(&x)?, given.cells());
+    for part in 0..given.directions().len() {
+        uniform.fill(0.0);
+        uniform[part * cells..(part + 1) * cells].fill(1.0);
+        let found = given.product(&uniform)?;
+        let ratio = (dot(&found, &found) / dot(&uniform, &uniform)).sqrt()
+            / (dot(&u, &u) / dot(&x, &x)).sqrt();
+        if cells > 1 && finite("product of an operator", ratio)? > ROUNDED {
+            return Err(Error::NotModelled {
+                model: MODEL,
+                quantity: "a displacement by a uniform traction on a grid that repeats (relative to that by others)",
+                value: ratio,
+                remedy: "give an operator of displacements without mean, or a grid that does not repeat",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Steps of two sequences that never repeat.
+const STEPS: [f64; 2] = [0.618_033_988_749_895, 0.414_213_562_373_095];
+
+/// Numbers of which each component has mean zero.
+fn probe(given: &UserOperator, step: f64) -> Result<Vec<f64>> {
+    let (cells, mut x) = (given.cells(), zeros(given.unknowns()?)?);
+    for (i, x) in x.iter_mut().enumerate() {
+        *x = ((i + 1) as f64 * step).fract() - 0.5;
+    }
+    for part in x.chunks_mut(cells) {
+        let mean = part.iter().sum::<f64>() / cells as f64;
+        // A single cell has no other field.
+        if cells > 1 {
+            for x in part {
+                *x -= mean;
+            }
+        }
+    }
+    Ok(x)
+}
+
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| x * y).sum()
+}
+
+impl fmt::Debug for Operators {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let directions = self.given.iter().map(UserOperator::directions);
+        f.debug_list().entries(directions).finish()
+    }
+}

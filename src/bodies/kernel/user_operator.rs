@@ -1,0 +1,248 @@
+//! A user-defined operator of any type.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::bodies::component::{Component, Direction};
+use crate::error::{Result, memory};
+use crate::operator::{Operator, Scratch};
+use crate::parallel::layout::Layout;
+use crate::report::EigenvalueBound;
+use crate::support::fallible::zeros;
+
+/// An operator without its type: as many slices as it has components.
+trait Erased: Send + Sync {
+    fn cells(&self) -> usize;
+    fn scratch(&self) -> Result<Scratch>;
+    fn apply(&self, is_single: bool, x: &[&[f64]], out: &mut [&mut [f64]], scratch: &mut Scratch);
+    fn lower_bound(&self) -> f64;
+    fn eigenvalue_bound(&self) -> EigenvalueBound;
+    fn self_compliance(&self) -> f64;
+    fn is_symmetric(&self) -> bool;
+}
+
+struct Typed<T, const N: usize>(T);
+
+impl<T: Operator<N> + Send, const N: usize> Erased for Typed<T, N> {
+    fn cells(&self) -> usize {
+        self.0.cells()
+    }
+
+    fn scratch(&self) -> Result<Scratch> {
+        self.0.scratch()
+    }
+
+    fn apply(&self, is_single: bool, x: &[&[f64]], out: &mut [&mut [f64]], scratch: &mut Scratch) {
+        let mut out = out.iter_mut();
+        let x = std::array::from_fn(|n| x[n]);
+        let out = std::array::from_fn(|_| out.next().map_or(&mut [][..], |out| &mut **out));
+        if is_single {
+            self.0.apply_f32(x, out, scratch);
+        } else {
+            self.0.apply(x, out, scratch);
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.0.lower_bound().max(0.0)
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        self.0.eigenvalue_bound()
+    }
+
+    fn self_compliance(&self) -> f64 {
+        self.0.self_compliance()
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.0.is_symmetric()
+    }
+}
+
+/// An operator of a user, and the directions of its components.
+#[derive(Clone)]
+pub(crate) struct UserOperator {
+    directions: Arc<[Direction]>,
+    operator: Arc<dyn Erased>,
+}
+
+impl UserOperator {
+    pub(super) fn new<T, const N: usize>(directions: [Direction; N], operator: T) -> Self
+    where
+        T: Operator<N> + Send + 'static,
+    {
+        Self {
+            directions: Arc::new(directions),
+            operator: Arc::new(Typed(operator)),
+        }
+    }
+
+    pub(super) fn cells(&self) -> usize {
+        self.operator.cells()
+    }
+
+    pub(super) fn directions(&self) -> &[Direction] {
+        &self.directions
+    }
+
+    pub(super) fn lower_bound(&self) -> f64 {
+        self.operator.lower_bound()
+    }
+
+    pub(super) fn is_symmetric(&self) -> bool {
+        self.operator.is_symmetric()
+    }
+
+    /// A product of all components, one behind the other.
+    pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
+        let (cells, mut out) = (self.cells(), zeros(x.len())?);
+        let mut scratch = self.operator.scratch()?;
+        let x: Vec<&[f64]> = x.chunks(cells).collect();
+        let mut parts: Vec<&mut [f64]> = out.chunks_mut(cells).collect();
+        self.operator.apply(false, &x, &mut parts, &mut scratch);
+        Ok(out)
+    }
+
+    /// Of all components together.
+    pub(super) fn unknowns(&self) -> Result<usize> {
+        let (cells, directions) = (self.cells(), self.directions.len());
+        memory(
+            "field of an operator",
+            [cells, directions],
+            size_of::<f64>(),
+        )?;
+        Ok(cells * directions)
+    }
+
+    /// The component of a direction.
+    pub(super) fn component(&self, direction: Direction) -> Option<usize> {
+        self.directions.iter().position(|own| *own == direction)
+    }
+
+    /// These components (displacement, then traction) on `size` cells; `None` if one of their directions is missing.
+    pub(super) fn part<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+        size: [usize; 2],
+    ) -> Option<Part<N>> {
+        let (mut rows, mut columns) = ([0; N], [0; N]);
+        for n in 0..N {
+            rows[n] = self.component(components[n][0].directions()[0])?;
+            columns[n] = self.component(components[0][n].directions()[1])?;
+        }
+        Some(Part {
+            given: self.clone(),
+            rows,
+            columns,
+            size,
+        })
+    }
+}
+
+impl fmt::Debug for UserOperator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("UserOperator")
+            .field(&self.directions)
+            .finish()
+    }
+}
+
+/// Rows and columns of an operator of a user.
+#[derive(Debug, Clone)]
+pub(crate) struct Part<const N: usize> {
+    given: UserOperator,
+    rows: [usize; N],
+    columns: [usize; N],
+    size: [usize; 2],
+}
+
+impl<const N: usize> Part<N> {
+    /// Whether both are the same part of the same operator.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        let is_of_one = Arc::ptr_eq(&self.given.operator, &other.given.operator);
+        is_of_one && (self.rows, self.columns) == (other.rows, other.columns)
+    }
+
+    fn product(
+        &self,
+        is_single: bool,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        scratch: &mut Scratch,
+    ) {
+        let PartScratch { own, zeros, rest } = scratch.buffers();
+        let all = self.given.directions.len();
+        let mut columns = [&zeros[..]; DIRECTIONS];
+        for (x, column) in x.into_iter().zip(self.columns) {
+            columns[column] = x;
+        }
+        let mut rows = [const { None }; DIRECTIONS];
+        for (out, row) in out.into_iter().zip(self.rows) {
+            rows[row] = Some(out);
+        }
+        let mut rest = rest.chunks_mut(self.given.cells());
+        let mut rows = rows.map(|row| row.or_else(|| rest.next()).unwrap_or_default());
+        let operator = &self.given.operator;
+        operator.apply(is_single, &columns[..all], &mut rows[..all], own);
+    }
+}
+
+/// Directions that an operator has at most.
+const DIRECTIONS: usize = 3;
+
+/// Buffers of products: the scratch of the user, and those of the components that are not needed.
+#[derive(Clone)]
+struct PartScratch {
+    own: Scratch,
+    zeros: Vec<f64>,
+    rest: Vec<f64>,
+}
+
+impl<const N: usize> Operator<N> for Part<N> {
+    fn cells(&self) -> usize {
+        self.given.cells()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::of(self.size)
+    }
+
+    fn scratch(&self) -> Result<Scratch> {
+        let (cells, others) = (self.cells(), self.given.directions.len() - N);
+        Ok(Scratch::new(PartScratch {
+            own: self.given.operator.scratch()?,
+            zeros: zeros(if others > 0 { cells } else { 0 })?,
+            rest: zeros(others * cells)?,
+        }))
+    }
+
+    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.product(false, x, out, scratch);
+    }
+
+    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+        self.product(true, x, out, scratch);
+    }
+
+    /// That of all directions bounds those of some.
+    fn lower_bound(&self) -> f64 {
+        if self.rows == self.columns {
+            self.given.lower_bound()
+        } else {
+            0.0
+        }
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        if Operator::<N>::lower_bound(self) > 0.0 {
+            self.given.operator.eigenvalue_bound()
+        } else {
+            EigenvalueBound::Unknown
+        }
+    }
+
+    fn self_compliance(&self) -> f64 {
+        self.given.operator.self_compliance()
+    }
+}

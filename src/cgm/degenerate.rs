@@ -1,0 +1,155 @@
+//! How cells stand that are all at their bounds.
+
+use crate::cgm::iterate::Run;
+use crate::cgm::law::interval::EDGE;
+use crate::cgm::law::state::{Linearised, Row};
+use crate::cgm::reduce;
+use crate::cgm::start::ROUND_OFF;
+use crate::cgm::totals::{TotalsSystem, sums_of};
+use crate::cgm::{Constraint, MotionOf};
+use crate::numerics::cell_vector::{at, dot, norm, plus, slices, within};
+
+/// How cells stand that are all at their bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Standing {
+    /// Nothing pushes any from its bound.
+    Rests,
+    /// Some are pushed away, in pairs that keep the sum.
+    Pushed,
+    /// This is missing of their sum.
+    Misses(f64),
+}
+
+/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
+/// are turned away from the total by very little, and it is that which carries it.
+const LEAST_TURN: f64 = 1e-13;
+
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+    /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it, or so
+    /// nearly that turning them by an angle of one changes less than is missing.
+    pub(super) fn locked(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
+        let (has_sum, mobility) = (system.has_sum(), system.mobility);
+        if has_sum == [false; N] {
+            return None;
+        }
+        let normal = mobility.weakest(has_sum);
+        let all: f64 = (0..N).map(|a| mobility.0[a][a]).sum();
+        let can_turn = mobility.least(has_sum) > LEAST_TURN * all;
+        let reaches = || {
+            let missing = self.missing_along(normal);
+            missing.is_none_or(|[missing, _]| missing.abs() <= self.turned(normal))
+        };
+        (!can_turn || !reaches()).then_some(normal)
+    }
+
+    /// By how much the sum along a direction changes where each cell turns by an angle of one, as its tangent goes.
+    fn turned(&self, normal: [f64; N]) -> f64 {
+        let x = slices(&self.x);
+        let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
+        moving.sweep((), |entries, ()| {
+            let x = within(&x, &entries.chunk);
+            entries.sums(|k, place| {
+                let turn = entries.row(motions, k, place).restrict(normal);
+                norm(turn) * norm(at(&x, place))
+            })
+        })
+    }
+
+    /// What is missing of the sum along a direction, and the size of what there is; `None` where no sum is prescribed.
+    fn missing_along(&self, normal: [f64; N]) -> Option<[f64; 2]> {
+        let sums = sums_of(self.layout(), &slices(&self.x));
+        let (mut missing, mut magnitude) = (0.0, 0.0);
+        for c in (0..N).filter(|&c| normal[c] != 0.0) {
+            missing += normal[c] * (self.sums()[c]? - sums[c][0]);
+            magnitude += normal[c].abs() * sums[c][1];
+        }
+        Some([missing, magnitude])
+    }
+
+    /// Sees to cells at their bounds, none of which can turn along `normal`, a unit vector: frees those that would stick
+    /// first on the way to what is missing of the sum, if they can carry it, and of cells that rest those that would stick
+    /// first on any way. Else all are freed.
+    pub(super) fn settle(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
+        let opposite = normal.map(|n| -n);
+        let is_settled = match self.stand_at_bounds(normal) {
+            Some(Standing::Misses(missing)) => {
+                let way = if missing > 0.0 { normal } else { opposite };
+                self.free_first(way, missing.abs())
+            }
+            Some(Standing::Rests) => self.free_first(normal, 0.0) || self.free_first(opposite, 0.0),
+            Some(Standing::Pushed) | None => false,
+        };
+        if !is_settled {
+            self.free(|_, _| true);
+        }
+        system.mobility = self.mobility();
+    }
+
+    /// Frees the cells that a motion along `way`, towards what is missing, would let stick first; says if one of them can
+    /// carry it.
+    fn free_first(&mut self, way: [f64; N], missing: f64) -> bool {
+        if !self.is_fresh() {
+            self.refresh();
+        }
+        let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
+        let first = reduce::least(self.layout(), |i| {
+            let points_away = dot(at(&x, i), way) < 0.0;
+            points_away.then(|| (dot(at(&gradient, i), way), norm(at(&x, i))))
+        });
+        let Some((least, _)) = first.filter(|(_, size)| 2.0 * size >= missing) else {
+            return false;
+        };
+        self.free(|x, gradient| dot(x, way) < 0.0 && dot(gradient, way) <= least);
+        true
+    }
+
+    /// Frees the cells that move already and are selected by their unknowns and gradient.
+    fn free(&mut self, is_selected: impl Fn([f64; N], [f64; N]) -> bool + Sync) {
+        let x = slices(&self.x);
+        let w = &mut *self.workspace;
+        let gradient = slices(&w.gradient);
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
+            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
+                let (motion, i) = (&mut motions.items[kept], entries.chunk.start + place);
+                if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
+                    *motion = Row::FREE;
+                }
+            });
+        });
+    }
+
+    /// Where all cells stand at their bounds along a unit vector and have the sum, the multiplier is any between the
+    /// gradients of those at the upper bound and those at the lower: takes the middle. `None` where no sum is prescribed or
+    /// none can move.
+    pub(super) fn stand_at_bounds(&mut self, normal: [f64; N]) -> Option<Standing> {
+        let [missing, magnitude] = self.missing_along(normal)?;
+        if missing.abs() > ROUND_OFF * magnitude {
+            return Some(Standing::Misses(missing));
+        }
+        if !self.is_fresh() {
+            self.refresh();
+        }
+        let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
+        let slope = |i: usize| dot(at(&gradient, i), normal);
+        let stands_at = |i: usize, direction: f64| {
+            let set = self.problem.constraint.of(i);
+            let along = normal.map(|n| direction * n);
+            let bound = dot(set.extreme(along), along);
+            set.can_move() && (bound - dot(at(&x, i), along)).abs() <= EDGE * bound.abs()
+        };
+        let layout = self.layout();
+        let above = reduce::least(layout, |i| stands_at(i, 1.0).then(|| (-slope(i), ())));
+        let below = reduce::least(layout, |i| stands_at(i, -1.0).then(|| (slope(i), ())));
+        let (above, below) = (above.map(|(g, ())| -g), below.map(|(g, ())| g));
+        let (low, high) = (above.or(below)?, below.or(above)?);
+        let multiplier = &mut self.workspace.multiplier;
+        let change = 0.5 * (low + high) - dot(*multiplier, normal);
+        *multiplier = plus(*multiplier, change, normal);
+        Some(if low <= high {
+            Standing::Rests
+        } else {
+            Standing::Pushed
+        })
+    }
+}

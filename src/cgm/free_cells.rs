@@ -1,0 +1,229 @@
+//! The cells that move as a list, so that vector work costs what they are and not what the grid is.
+
+use std::ops::Range;
+
+use crate::cgm::law::state::Row;
+use crate::cgm::reduce::Tally;
+use crate::error::Result;
+use crate::parallel::layout::Layout;
+use crate::parallel::{Blocks, Ragged, Split};
+use crate::support::fallible;
+
+/// Where the cells that move stand, chunk by chunk of the grid.
+///
+/// A compressed vector holds their values in order; chunk `t` of the grid owns the range
+/// `starts[t]..starts[t + 1]` of it.
+#[derive(Debug, Clone)]
+pub(in crate::cgm) struct MovingCells {
+    layout: Layout,
+    /// How far from the chunk's first cell they lie; the list of a chunk lies where its cells do.
+    offsets: Vec<u16>,
+    counts: Vec<usize>,
+    starts: Vec<usize>,
+    /// Where the chunks of a full vector start, and its end.
+    firsts: Vec<usize>,
+    /// Cells that move on all ranks together.
+    all: usize,
+}
+
+/// The cells that move of one chunk.
+pub(in crate::cgm) struct Entries<'a> {
+    /// Where they stand in a compressed vector.
+    pub(in crate::cgm) range: Range<usize>,
+    /// The chunk's cells in a full vector.
+    pub(in crate::cgm) chunk: Range<usize>,
+    offsets: &'a [u16],
+}
+
+impl Entries<'_> {
+    /// Their places in the chunk of a full vector.
+    pub(in crate::cgm) fn places(&self) -> impl Iterator<Item = usize> {
+        self.offsets.iter().map(|&offset| usize::from(offset))
+    }
+
+    /// Visits the cells whose motion is kept, all or those that move, with the place of the motion in its chunk and of
+    /// the cell in its.
+    pub(in crate::cgm) fn visit<M: Row<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
+        if M::IS_STEADY {
+            self.places().enumerate().for_each(|(k, place)| f(k, place));
+        } else {
+            (0..self.chunk.len()).for_each(|place| f(place, place));
+        }
+    }
+
+    /// How a listed cell moves: the one at place `k` of the list and `place` of the chunk.
+    #[inline]
+    pub(in crate::cgm) fn row<R: Row<N>, const N: usize>(
+        &self,
+        rows: &[R],
+        k: usize,
+        place: usize,
+    ) -> R {
+        if R::IS_STEADY {
+            rows[self.range.start + k]
+        } else if R::IS_CURVED {
+            rows[self.chunk.start + place]
+        } else {
+            R::FREE
+        }
+    }
+
+    /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
+    /// overlap.
+    #[inline]
+    pub(in crate::cgm) fn sums<T: Tally>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
+        let mut lanes = [T::ZERO; 4];
+        let groups = self.offsets.chunks_exact(lanes.len());
+        let rest = groups.remainder();
+        let mut k = 0;
+        for group in groups {
+            for (lane, &offset) in lanes.iter_mut().zip(group) {
+                *lane = lane.plus(f(k, usize::from(offset)));
+                k += 1;
+            }
+        }
+        for (lane, &offset) in lanes.iter_mut().zip(rest) {
+            *lane = lane.plus(f(k, usize::from(offset)));
+            k += 1;
+        }
+        lanes.into_iter().fold(T::ZERO, T::plus)
+    }
+}
+
+impl MovingCells {
+    /// Of cells that lie so; none moves.
+    pub(in crate::cgm) fn new(layout: Layout) -> Result<Self> {
+        let (cells, chunks) = (layout.cells(), layout.tasks());
+        let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
+        Ok(Self {
+            offsets: fallible::zeros(cells)?,
+            counts: fallible::filled(0, chunks)?,
+            starts: fallible::filled(0, chunks + 1)?,
+            firsts: fallible::collected(chunks + 1, (0..=chunks).map(first))?,
+            all: 0,
+            layout,
+        })
+    }
+
+    /// Lists the cells that move.
+    pub(in crate::cgm) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
+        let layout = &self.layout;
+        let data = (
+            layout.blocks(&mut self.offsets),
+            Blocks {
+                items: &mut self.counts,
+                width: 1,
+            },
+        );
+        let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
+            let mut count = 0;
+            // A chunk has fewer cells than a u16 has values.
+            for (offset, cell) in (0_u16..).zip(layout.range(task)) {
+                list.items[count] = offset;
+                count += usize::from(moves(cell));
+            }
+            counts.items[0] = count;
+            count
+        };
+        self.all = layout.sweep(data, work, |a, b| a + b);
+        let mut start = 0;
+        for (next, count) in self.starts[1..].iter_mut().zip(&self.counts) {
+            start += count;
+            *next = start;
+        }
+    }
+
+    /// Cells that move and are held here.
+    pub(in crate::cgm) fn len(&self) -> usize {
+        self.starts[self.counts.len()]
+    }
+
+    /// Cells that move on all ranks together.
+    pub(in crate::cgm) fn of_all_ranks(&self) -> usize {
+        self.all
+    }
+
+    /// Whether cells have no motion that is kept.
+    pub(in crate::cgm) fn leaves_any<M: Row<N>, const N: usize>(&self) -> bool {
+        M::IS_STEADY && self.all < self.layout.of_all_ranks()
+    }
+
+    /// Whether a condition holds for any of the motions that are kept.
+    pub(in crate::cgm) fn any<M: Row<N>, const N: usize>(
+        &self,
+        motions: &[M],
+        holds: impl Fn(M) -> bool + Sync,
+    ) -> bool {
+        let starts = if M::IS_STEADY {
+            &self.starts
+        } else {
+            &self.firsts
+        };
+        let of = |chunk: usize| &motions[starts[chunk]..starts[chunk + 1]];
+        let work = |chunk: usize, ()| of(chunk).iter().any(|&motion| holds(motion));
+        self.layout.sweep((), work, |a, b| a || b)
+    }
+
+    /// How many cells move in any direction.
+    pub(in crate::cgm) fn free<R: Row<N>, const N: usize>(&self, rows: &[R]) -> usize {
+        self.sweep((), |entries, ()| {
+            entries.sums(|k, place| usize::from(entries.row(rows, k, place).is_free()))
+        })
+    }
+
+    /// Visits the cells that move, with their place in a compressed vector.
+    pub(in crate::cgm) fn places(&self, f: &mut impl FnMut(usize, usize)) {
+        for task in 0..self.counts.len() {
+            let (start, first) = (self.starts[task], self.firsts[task]);
+            let offsets = &self.offsets[first..][..self.counts[task]];
+            for (k, &offset) in offsets.iter().enumerate() {
+                f(start + k, first + usize::from(offset));
+            }
+        }
+    }
+
+    /// Sums over the parts of a compressed vector.
+    pub(in crate::cgm) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+        self.sweep((), |entries, ()| leaf(entries.range))
+    }
+
+    /// A compressed vector, of which each chunk owns its part.
+    pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> Ragged<'a, T> {
+        Ragged {
+            items: &mut items[..self.len()],
+            starts: &self.starts,
+        }
+    }
+
+    /// How the cells move, as they are kept, of which each chunk owns its part.
+    pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
+        &'a self,
+        motions: &'a mut [M],
+    ) -> Ragged<'a, M> {
+        if M::IS_STEADY {
+            self.compressed(motions)
+        } else {
+            Ragged {
+                items: motions,
+                starts: &self.firsts,
+            }
+        }
+    }
+
+    /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
+    pub(in crate::cgm) fn sweep<D: Split, T: Tally>(
+        &self,
+        data: D,
+        work: impl Fn(Entries<'_>, D) -> T + Sync,
+    ) -> T {
+        let work = |task: usize, data: D| {
+            let entries = Entries {
+                range: self.starts[task]..self.starts[task + 1],
+                chunk: self.layout.range(task),
+                offsets: &self.offsets[self.firsts[task]..][..self.counts[task]],
+            };
+            work(entries, data)
+        };
+        self.layout.sweep(data, work, T::plus)
+    }
+}

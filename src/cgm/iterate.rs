@@ -1,0 +1,542 @@
+//! One solve under way: products, limits, the examination of an iterate, the end.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::certificate::{Certificate, examine};
+use crate::cgm::law::state::{Linearised, Row};
+use crate::cgm::linear::{Linear, Moved};
+use crate::cgm::monitor::Monitor;
+use crate::cgm::problem::Posed;
+use crate::cgm::progress::{INNER_REDUCTION, Progress};
+use crate::cgm::totals::{Total, TotalsSystem, sums_of};
+use crate::cgm::{Admissible, Constraint, MotionOf, Settings, Workspace, reduce};
+use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
+use crate::observer::Observer;
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
+use crate::parallel::layout::Layout;
+use crate::report::{Report, Status};
+
+/// Error of a product in single precision, over the largest displacement.
+pub(super) const SINGLE: f64 = 1e-6;
+/// Part of the tolerance by which a product may be wrong where the answer is examined elsewhere: small, because errors of
+/// all cells add up in the energy norm.
+const ACCEPTED: f64 = 0.03;
+
+/// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
+const FLAT: f64 = 1e-3;
+/// Part of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
+const FLATTEST: f64 = 1e-30;
+/// The same where no eigenvalue is known: small in any system of units.
+const NOTHING: f64 = 1e-60;
+
+/// What a product is computed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Precision {
+    Double,
+    Single,
+}
+
+impl Precision {
+    /// `out = C x`, counted.
+    pub(super) fn apply<const N: usize>(
+        self,
+        operator: &dyn Operator<N>,
+        x: [&[f64]; N],
+        out: [&mut [f64]; N],
+        scratch: &mut Scratch,
+        report: &mut Report,
+    ) {
+        match self {
+            Self::Double => {
+                operator.apply(x, out, scratch);
+                report.double_precision_products += 1;
+            }
+            Self::Single => {
+                operator.apply_f32(x, out, scratch);
+                report.single_precision_products += 1;
+            }
+        }
+    }
+}
+
+/// The iterate that Newton's method begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    Unknown,
+    /// It is feasible, and its product is fresh.
+    LookedAt,
+    /// Its gradient tells where cells become free.
+    Near,
+}
+
+/// The outcome of bringing an iterate within its sets.
+pub(super) struct Feasible {
+    /// Whether the cells stay in the sets they were in.
+    pub(super) keeps_sets: bool,
+    /// Whether nothing has changed, multipliers and product included.
+    pub(super) was_so: bool,
+}
+
+/// One solve under way.
+#[expect(
+    missing_debug_implementations,
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
+pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
+    pub(super) problem: &'a Posed<'b, K, N>,
+    pub(super) monitor: Monitor<'a>,
+    pub(super) x: [&'a mut [f64]; N],
+    pub(super) workspace: &'a mut Workspace<K::Set, N>,
+    /// By how much product and gradient may miss those of `x`, in parts of the largest displacement: by nothing after a
+    /// product in double precision, by anything once `x` has moved.
+    pub(super) product_error: f64,
+    /// The same of the gradient alone, which follows the steps of the linear problem.
+    pub(super) gradient_error: f64,
+    pub(super) start: Start,
+    /// Bound of the eigenvalues for the unknowns that the totals allow.
+    pub(super) lower_bound: LowerBound,
+    /// How far a unit traction displaces its own cell.
+    pub(super) self_compliance: f64,
+    /// Reduction of the inner residual that the next pass of Newton's method begins with.
+    pub(super) inner_reduction: f64,
+    /// Stiffness that is added to the operator about the centre of a stage; zero but in the way out of a cycle.
+    pub(super) restraint: f64,
+    /// Restraint beside which the inverse of the operator alone is of no use.
+    pub(super) stiff: f64,
+    /// What the iterate was shown to be worth, if it is feasible and has not changed since.
+    pub(super) shown: Option<f64>,
+    pub(super) progress: Progress,
+    pub(super) totals: TotalsSystem<N>,
+    /// Whether the gradient of the start tells where cells become free.
+    pub(super) is_near: bool,
+    /// The largest displacement, as last examined.
+    pub(super) displacement: f64,
+    /// Whether the totals leave no choice: every cell stands at an extreme of its set.
+    is_extreme: bool,
+}
+
+impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
+    pub(super) fn new(
+        problem: &'a Posed<'b, K, N>,
+        settings: &'a Settings,
+        x: [&'a mut [f64]; N],
+        workspace: &'a mut Workspace<K::Set, N>,
+        observer: Observer<'a>,
+    ) -> Self {
+        workspace.multiplier = [0.0; N];
+        workspace.linear.report.eigenvalue_bound = problem.lower_bound.known;
+        Self {
+            monitor: Monitor::new(
+                settings,
+                problem.layout,
+                observer,
+                &mut workspace.linear.report,
+            ),
+            lower_bound: problem.lower_bound,
+            self_compliance: problem.operator.self_compliance().max(0.0),
+            problem,
+            x,
+            workspace,
+            product_error: f64::INFINITY,
+            gradient_error: f64::INFINITY,
+            start: Start::Unknown,
+            inner_reduction: INNER_REDUCTION,
+            restraint: 0.0,
+            stiff: f64::INFINITY,
+            shown: None,
+            progress: Progress::new(0, INNER_REDUCTION),
+            totals: TotalsSystem::NONE,
+            is_near: false,
+            displacement: 0.0,
+            is_extreme: false,
+        }
+    }
+
+    /// Finds whether springs alone store the energy of uniform unknowns, where that makes a difference.
+    ///
+    /// An operator whose eigenvalues for all unknowns exceed the bound displaces a cell by at least the bound under
+    /// uniform unknowns of one.
+    pub(super) fn find_bound_of_mean(&mut self) {
+        let (least, layout) = (self.lower_bound.value, self.layout());
+        let cells = layout.of_all_ranks();
+        let springs = self.problem.totals.map(|total| match total {
+            Total::Spring { .. } => total.uniform_compliance(cells),
+            Total::Free | Total::Sum(_) => None,
+        });
+        for (component, spring) in springs.iter().enumerate() {
+            if spring.is_none_or(|compliance| compliance >= least) {
+                continue;
+            }
+            let w = &mut *self.workspace;
+            for (c, direction) in w.linear.direction.iter_mut().enumerate() {
+                direction.fill(if c == component { 1.0 } else { 0.0 });
+            }
+            let (direction, image) = (slices(&w.linear.direction), slices_mut(&mut w.linear.image));
+            (self.problem.operator).apply(direction, image, &mut w.linear.operator);
+            let image = slices(&w.linear.image);
+            if reduce::max(layout, |i| norm(at(&image, i))) < 0.5 * least {
+                self.lower_bound.mean = MeanBound::Springs;
+            }
+        }
+    }
+
+    /// How the cells lie.
+    pub(super) fn layout(&self) -> &'a Layout {
+        self.problem.layout
+    }
+
+    /// The prescribed sums.
+    pub(super) fn sums(&self) -> [Option<f64>; N] {
+        self.problem.totals.map(Total::sum)
+    }
+
+    /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
+    pub(super) fn mark_start(&mut self) {
+        let constraint = self.problem.constraint;
+        if std::mem::replace(&mut self.start, Start::Unknown) != Start::LookedAt {
+            update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
+            self.product_error = f64::INFINITY;
+        }
+        let (x, w) = (slices(&self.x), &mut *self.workspace);
+        if MotionOf::<K, N>::IS_STEADY {
+            w.linear.moving.update(|i| constraint.of(i).can_move());
+        }
+        let data = w.linear.moving.motions(&mut w.linear.rows);
+        w.linear.moving.sweep(data, |entries, motions| {
+            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
+                let cell = entries.chunk.start + place;
+                motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
+            });
+        });
+    }
+
+    /// Moves the cells to their sums: those that move, or are inside their bounds, if they suffice, or `all` alike. Says
+    /// whether the cells keep the way they move.
+    pub(super) fn restore_totals(&mut self, all: bool) -> bool {
+        let motions = &self.workspace.linear.rows;
+        let is_steady = MotionOf::<K, N>::IS_STEADY;
+        let preferred = |i: usize| all || !is_steady && motions[i].moves();
+        let (constraint, sums) = (self.problem.constraint, self.problem.totals.map(Total::sum));
+        self.product_error = f64::INFINITY;
+        let layout = self.problem.layout;
+        K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
+    }
+
+    /// The linear problem of the cells as they may move now.
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, MotionOf<K, N>, N> {
+        self.parts().0
+    }
+
+    /// The same, and the iterate that its solution moves.
+    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
+        let w = &mut *self.workspace;
+        let linear = Linear {
+            operator: self.problem.operator,
+            preconditioner: self.problem.preconditioner,
+            layout: self.problem.layout,
+            own: self.problem.own,
+            self_compliance: self.self_compliance,
+            restraint: self.restraint,
+            stiff: self.stiff,
+            monitor: &mut self.monitor,
+            workspace: &mut w.linear,
+        };
+        let moved = Moved {
+            x: &mut self.x,
+            displacement: &mut w.gradient,
+            gap: [&[]; N],
+            multiplier: &mut w.multiplier,
+        };
+        (linear, moved)
+    }
+
+    /// `product = (C + D) x`, `gradient = (C + D) x + b`.
+    pub(super) fn refresh(&mut self) {
+        self.refresh_in(Precision::Double);
+        self.product_error = 0.0;
+    }
+
+    /// The same in single precision: good enough to iterate, and to test convergence only of what is [examined
+    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
+    pub(super) fn refresh_f32(&mut self) {
+        self.refresh_in(Precision::Single);
+        self.product_error = SINGLE;
+    }
+
+    /// Whether product and gradient are those of `x`.
+    pub(super) fn is_fresh(&self) -> bool {
+        self.product_error == 0.0
+    }
+
+    /// By how much they may miss those of what is returned: not at all, unless it is [examined
+    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
+    fn accepted_error(&self) -> f64 {
+        if self.problem.is_examined_elsewhere {
+            ACCEPTED * self.monitor.tolerance()
+        } else {
+            0.0
+        }
+    }
+
+    /// Takes the gradient for that of `x` where it has followed it closely enough, and the product from it; says whether.
+    pub(super) fn adopt_gradient(&mut self) -> bool {
+        let is_close = self.gradient_error <= self.accepted_error();
+        if is_close {
+            let (w, problem) = (&mut *self.workspace, self.problem);
+            let gradient = slices(&w.gradient);
+            update_cells(&mut w.product, |i, _| {
+                minus(at(&gradient, i), problem.linear(i))
+            });
+            self.product_error = self.gradient_error;
+        }
+        is_close
+    }
+
+    fn refresh_in(&mut self, precision: Precision) {
+        let w = &mut *self.workspace;
+        let (x, product) = (slices(&self.x), slices_mut(&mut w.product));
+        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        precision.apply(operator, x, product, &mut w.linear.operator, report);
+        let restraint = self.restraint;
+        if restraint > 0.0 {
+            let centre = slices(&w.centre);
+            update_cells(&mut w.product, |i, u| {
+                plus(u, restraint, minus(at(&x, i), at(&centre, i)))
+            });
+        }
+        self.add_diagonal(1.0);
+        self.form_gradient();
+    }
+
+    /// Adds a multiple of what the cells displace themselves to the product.
+    pub(super) fn add_diagonal(&mut self, part: f64) {
+        let (x, problem) = (slices(&self.x), self.problem);
+        if !problem.own.is_none() {
+            update_cells(&mut self.workspace.product, |i, u| {
+                problem.own.added(u, part, i, at(&x, i))
+            });
+        }
+    }
+
+    fn form_gradient(&mut self) {
+        let w = &mut *self.workspace;
+        let (product, problem) = (slices(&w.product), self.problem);
+        update_cells(&mut w.gradient, |i, _| {
+            plus(at(&product, i), 1.0, problem.linear(i))
+        });
+    }
+
+    /// The curvature that takes a direction `d` of `square = d' d` on the cells that move to their bounds, if
+    /// its own, `d' C d`, is zero. An operator that maps constants to zero does not resist a uniform direction. The
+    /// operator of a single periodic cell maps everything to zero and has no stiffness to compare with.
+    pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
+        let stiffness = self.lower_bound.value * square;
+        let is_flat = self.problem.totals.contains(&Total::Free)
+            && (curvature < FLAT * stiffness || curvature == 0.0);
+        let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
+        let slides = || {
+            !moving.leaves_any::<MotionOf<K, N>, N>()
+                && !moving.any(motions, |motion| !motion.is_free())
+        };
+        let flattest = if stiffness > 0.0 {
+            FLATTEST * stiffness
+        } else {
+            NOTHING * square
+        };
+        (is_flat && slides()).then_some(flattest)
+    }
+
+    /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
+    /// that product is [fresh](Self::is_fresh).
+    pub(super) fn certificate(&mut self) -> Certificate {
+        let w = &*self.workspace;
+        let (x, product) = (slices(&self.x), slices(&w.product));
+        let iterate = self.problem.iterate(x, product, w.multiplier);
+        let findings = examine(&iterate, self.problem.constraint, self.lower_bound);
+        findings.write_to(&mut self.workspace.linear.report);
+        self.monitor.free = findings.free;
+        findings
+    }
+
+    /// What has to fall to the tolerance.
+    pub(super) fn merit(&self, findings: &Certificate) -> f64 {
+        findings.merit(self.lower_bound.value)
+    }
+
+    /// Records an examined step, and says if it is the last: converged or stopped.
+    pub(super) fn judge(&mut self, merit: f64) -> ControlFlow<Status> {
+        self.monitor.judge(merit, &mut self.workspace.linear.report)
+    }
+
+    /// Counts a step.
+    pub(super) fn count_step(&mut self) {
+        self.monitor.count_step(&mut self.workspace.linear.report);
+    }
+
+    /// Asks observer, clock and limit whether to take another step.
+    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
+        self.monitor.proceed(&self.workspace.linear.report)
+    }
+
+    /// Asks observer and clock alone whether to go on.
+    pub(super) fn ask(&mut self) -> ControlFlow<Status> {
+        self.monitor.ask(&self.workspace.linear.report)
+    }
+
+    /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
+    /// iteration towards zero would have no size left to measure its residual by.
+    pub(super) fn multiplier_at_zero(&self) -> Option<[f64; N]> {
+        let Posed {
+            constraint, totals, ..
+        } = self.problem;
+        let problem = self.problem;
+        let linear = |i: usize| problem.linear(i);
+        let first = || {
+            reduce::first(self.layout(), |i| {
+                constraint.of(i).can_move().then(|| linear(i))
+            })
+        };
+        let mut multiplier = [0.0; N];
+        for (c, total) in totals.iter().enumerate() {
+            multiplier[c] = match *total {
+                Total::Free => 0.0,
+                Total::Sum(0.0) => first().map_or(0.0, |linear| linear[c]),
+                Total::Sum(_) => return None,
+                Total::Spring { far_end, .. } => far_end,
+            };
+        }
+        let is_free = self.sums() == [None; N];
+        let is_driven = |i: usize| {
+            let set = constraint.of(i);
+            let gradient = minus(problem.linear(i), multiplier);
+            let rests = if is_free {
+                norm(set.forbidden([0.0; N], gradient)) == 0.0
+            } else {
+                norm(gradient) == 0.0 || !set.can_move()
+            };
+            !rests || norm(set.project([0.0; N])) != 0.0
+        };
+        (!reduce::any(self.layout(), is_driven)).then_some(multiplier)
+    }
+
+    pub(super) fn at_zero(&mut self, multiplier: [f64; N]) -> Status {
+        for x in &mut self.x {
+            x.fill(0.0);
+        }
+        self.refresh();
+        self.workspace.multiplier = multiplier;
+        Status::Converged
+    }
+
+    /// The only feasible point when the sums are the extreme ones along a direction; the multiplier is the one at
+    /// which the first cell would move.
+    pub(super) fn at_extreme(&mut self, direction: [f64; N]) -> Status {
+        let Posed {
+            constraint, totals, ..
+        } = self.problem;
+        update_cells(&mut self.x, |i, _| constraint.of(i).extreme(direction));
+        self.is_extreme = true;
+        self.refresh();
+        let gradient = slices(&self.workspace.gradient);
+        let onset = reduce::least(self.layout(), |i| {
+            let (moves, g) = (constraint.of(i).can_move(), at(&gradient, i));
+            moves.then(|| (-dot(g, direction), g))
+        });
+        let sums = sums_of(self.layout(), &slices(&self.x));
+        self.workspace.multiplier = std::array::from_fn(|c| {
+            let last = onset.map_or(0.0, |(_, g)| g[c]);
+            totals[c].held(last, sums[c])
+        });
+        Status::Converged
+    }
+
+    /// Moves the iterate within its sets and to its sums, if it is not there but for round-off; its product is then fresh,
+    /// or as accurate as is needed.
+    pub(super) fn make_feasible(&mut self) -> Feasible {
+        let mut keeps_sets = true;
+        let constraint = self.problem.constraint;
+        let x = slices(&self.x);
+        let outside: f64 = reduce::sum(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
+        let mut was_so = outside == 0.0 && !self.has_springs();
+        if outside > 0.0 {
+            update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
+            // No cell displaces another further than itself.
+            self.move_by(self.self_compliance * outside / self.displacement);
+        }
+        let prescribed = self.sums();
+        // At an extreme the bounds themselves are the total.
+        if prescribed != [None; N] && !self.is_extreme {
+            let x = slices(&self.x);
+            let (sums, magnitude): ([f64; N], f64) =
+                reduce::sum(self.layout(), |i| (at(&x, i), norm(at(&x, i))));
+            let missing: [f64; N] =
+                std::array::from_fn(|c| prescribed[c].map_or(0.0, |sum| sum - sums[c]));
+            if norm(missing) > 1e-13 * magnitude {
+                let product_error = self.product_error;
+                keeps_sets = self.restore_totals(false);
+                was_so = false;
+                if keeps_sets {
+                    // Displacements change by about the part of the sum that was missing.
+                    self.product_error = product_error;
+                    self.move_by(norm(missing) / magnitude);
+                }
+            }
+        }
+        let accepted = self.accepted_error();
+        if self.product_error > accepted {
+            was_so = false;
+            if SINGLE <= accepted {
+                self.refresh_f32();
+            } else {
+                self.refresh();
+            }
+        }
+        self.hold_springs();
+        Feasible { keeps_sets, was_so }
+    }
+
+    /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.
+    fn move_by(&mut self, part: f64) {
+        let is_known = part > 0.0 && self.problem.own.is_none();
+        if is_known && self.problem.is_examined_elsewhere {
+            self.product_error += part;
+        } else {
+            self.product_error = f64::INFINITY;
+        }
+    }
+
+    fn has_springs(&self) -> bool {
+        self.problem.totals.iter().any(|total| total.is_spring())
+    }
+
+    /// The multipliers of the springs follow what the iterate has become.
+    pub(super) fn hold_springs(&mut self) {
+        let totals = self.problem.totals;
+        if self.has_springs() {
+            let sums = sums_of(self.layout(), &slices(&self.x));
+            let multiplier = &mut self.workspace.multiplier;
+            *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));
+        }
+    }
+
+    /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
+    pub(super) fn finish(&mut self, status: Status) -> Status {
+        if let Some(merit) = self.shown {
+            let report = &mut self.workspace.linear.report;
+            return self.monitor.finish(status, merit, report);
+        }
+        self.make_feasible();
+        let findings = self.certificate();
+        let mut merit = self.merit(&findings);
+        if self.is_extreme && !merit.is_nan() {
+            // No other unknowns have these sums: nothing is left to be wrong but the sums. Slip is along
+            // all of them only in the limit of a large motion.
+            merit = findings.load_error;
+            let report = &mut self.workspace.linear.report;
+            (report.residual, report.duality_gap) = (0.0, 0.0);
+        }
+        self.monitor
+            .finish(status, merit, &mut self.workspace.linear.report)
+    }
+}

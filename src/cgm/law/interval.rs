@@ -1,0 +1,333 @@
+//! Intervals: one unknown a cell between two bounds.
+
+use crate::cgm::iterate::Run;
+use crate::cgm::law::state::{Linearised, Motion, Reach, Row};
+use crate::cgm::{Admissible, Constraint, reduce};
+use crate::error::{Error, Result};
+use crate::numerics::cell_vector::update_cells;
+use crate::parallel::layout::Layout;
+use crate::report::Status;
+
+/// The numbers from `lower` to `upper`; equal bounds fix the cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Least value; may be minus infinity.
+    pub lower: f64,
+    /// Greatest value; may be infinity.
+    pub upper: f64,
+}
+
+/// Where a cell stands in its interval.
+#[expect(
+    unnameable_types,
+    reason = "it appears in the sealed traits of the sets alone"
+)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Between the bounds, or free to move from one.
+    Free,
+    /// Held by the lower bound.
+    Lower,
+    /// Held by the upper bound.
+    Upper,
+    /// Held by equal bounds.
+    Fixed,
+}
+
+impl Row<1> for Side {
+    const IS_CURVED: bool = false;
+    const IS_STEADY: bool = false;
+    const FREE: Self = Self::Free;
+    const FIXED: Self = Self::Fixed;
+
+    #[inline]
+    fn moves(self) -> bool {
+        self == Self::Free
+    }
+
+    fn is_free(self) -> bool {
+        self == Self::Free
+    }
+
+    #[inline]
+    fn extend(self, v: [f64; 1]) -> [f64; 1] {
+        v
+    }
+
+    #[inline]
+    fn restrict(self, w: [f64; 1]) -> [f64; 1] {
+        w
+    }
+
+    #[inline]
+    fn bend(self, _: [f64; 1]) -> [f64; 1] {
+        [0.0]
+    }
+
+    #[inline]
+    fn weighted(self, r: [f64; 1]) -> [f64; 1] {
+        r
+    }
+
+    #[inline]
+    fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
+        answer
+    }
+}
+
+impl Motion<1> for Side {
+    fn weighed(self, _: f64, _: f64) -> Self {
+        self
+    }
+
+    fn released(self, [g]: [f64; 1]) -> Self {
+        match self {
+            Self::Lower if g < 0.0 => Self::Free,
+            Self::Upper if g > 0.0 => Self::Free,
+            other => other,
+        }
+    }
+}
+
+impl Admissible<1> for Interval {
+    #[inline]
+    fn project(self, [x]: [f64; 1]) -> [f64; 1] {
+        [x.max(self.lower).min(self.upper)]
+    }
+}
+
+impl Linearised<1> for Interval {
+    type Motion = Side;
+    const HAS_SINGLE_LOOP: bool = true;
+
+    fn check(self, index: usize) -> Result<()> {
+        let Self { lower, upper } = self;
+        if lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY {
+            return Ok(());
+        }
+        Err(Error::Bounds {
+            index,
+            lower,
+            upper,
+        })
+    }
+
+    #[inline]
+    fn can_move(self) -> bool {
+        self.lower < self.upper
+    }
+
+    #[inline]
+    fn is_inside(self, [x]: [f64; 1]) -> bool {
+        x > self.lower && x < self.upper
+    }
+
+    #[inline]
+    fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
+        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
+        [if g.is_nan() {
+            g
+        } else if self.lower >= self.upper {
+            0.0
+        } else if x <= self.lower {
+            g.min(0.0)
+        } else if x >= self.upper {
+            g.max(0.0)
+        } else {
+            g
+        }]
+    }
+
+    #[inline]
+    fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
+        // The signs of gradients near the answer come in no order: a choice costs less than a branch.
+        let bound = if g > 0.0 { self.lower } else { self.upper };
+        let least = if g == 0.0 { 0.0 } else { bound * g };
+        g * x - least
+    }
+
+    fn excess(self, x: [f64; 1]) -> f64 {
+        (self.project(x)[0] - x[0]).abs()
+    }
+
+    fn extreme(self, [direction]: [f64; 1]) -> [f64; 1] {
+        [if direction < 0.0 {
+            self.lower
+        } else {
+            self.upper
+        }]
+    }
+
+    fn arrive(self, [x]: [f64; 1], [d]: [f64; 1]) -> [f64; 1] {
+        let (next, noise) = (x + d, 2.0 * f64::EPSILON * (x.abs() + d.abs()));
+        [if next <= self.lower + noise {
+            self.lower
+        } else if next >= self.upper - noise {
+            self.upper
+        } else {
+            next
+        }]
+    }
+
+    fn motion(self, [x]: [f64; 1]) -> Side {
+        if self.lower >= self.upper {
+            Side::Fixed
+        } else if x <= self.lower {
+            Side::Lower
+        } else if x >= self.upper {
+            Side::Upper
+        } else {
+            Side::Free
+        }
+    }
+
+    fn measured(self, motion: Side, _: [f64; 1]) -> Side {
+        motion
+    }
+
+    #[inline]
+    fn next(
+        self,
+        was: Side,
+        [x]: [f64; 1],
+        [g]: [f64; 1],
+        noise: f64,
+        _: [f64; 2],
+    ) -> (Side, [f64; 1]) {
+        let next = match was {
+            Side::Free if x < self.lower => Side::Lower,
+            Side::Free if x > self.upper => Side::Upper,
+            Side::Lower if g < -noise => Side::Free,
+            Side::Upper if g > noise => Side::Free,
+            other => other,
+        };
+        (next, self.project([x]))
+    }
+
+    fn reach(
+        layout: &Layout,
+        constraint: &impl Constraint<1, Set = Self>,
+        [sum]: [Option<f64>; 1],
+    ) -> Result<Reach<1>> {
+        let Some(total) = sum else {
+            return Ok(Reach::Inside);
+        };
+        let [lower, upper, lower_size, upper_size] = reduce::sum(layout, |i| {
+            let Self { lower, upper } = constraint.of(i);
+            [lower, upper, lower.abs(), upper.abs()]
+        });
+        // Round-off of either sum; an infinite side is never reached.
+        let edge = |size: f64| if size.is_finite() { EDGE * size } else { 0.0 };
+        let (low_edge, high_edge) = (edge(lower_size), edge(upper_size));
+        if !total.is_finite() || total < lower - low_edge || total > upper + high_edge {
+            Err(Error::Total {
+                total,
+                lower,
+                upper,
+            })
+        } else if total <= lower + low_edge {
+            Ok(Reach::Extreme([-1.0]))
+        } else if total >= upper - high_edge {
+            Ok(Reach::Extreme([1.0]))
+        } else {
+            Ok(Reach::Inside)
+        }
+    }
+
+    fn restore(
+        layout: &Layout,
+        [x]: [&mut [f64]; 1],
+        constraint: &impl Constraint<1, Set = Self>,
+        preferred: impl Fn(usize) -> bool + Sync,
+        [sum]: [Option<f64>; 1],
+    ) -> bool {
+        let Some(total) = sum else { return true };
+        let suffices = shift_to_total(layout, x, constraint, preferred, total);
+        if !suffices {
+            shift_to_total(layout, x, constraint, |_| true, total);
+        }
+        suffices
+    }
+
+    fn single_loop<K: Constraint<1, Set = Self>>(run: &mut Run<'_, '_, K, 1>) -> Option<Status> {
+        run.polonsky_keer()
+    }
+}
+
+/// Relative distance from an extreme total that still counts as the extreme.
+pub(in crate::cgm) const EDGE: f64 = 1e-12;
+
+/// Moves the selected cells to the nearest points of their intervals that have the total:
+/// `x_i = P_i(x_i + t)`, with one `t` for all. Returns whether the total was reached.
+pub(in crate::cgm) fn shift_to_total(
+    layout: &Layout,
+    x: &mut [f64],
+    constraint: &impl Constraint<1, Set = Interval>,
+    selected: impl Fn(usize) -> bool + Sync,
+    total: f64,
+) -> bool {
+    // A `t` far larger than what it leaves rounds that off; from there the next one is small.
+    (0..2).any(|_| shift(layout, x, constraint, &selected, total))
+}
+
+/// One move. The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a
+/// few passes.
+fn shift(
+    layout: &Layout,
+    x: &mut [f64],
+    constraint: &impl Constraint<1, Set = Interval>,
+    selected: impl Fn(usize) -> bool + Sync,
+    total: f64,
+) -> bool {
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut shift = 0.0;
+    for _ in 0..200 {
+        let [sum, moving, magnitude, may_rise, may_fall] = reduce::sum(layout, |i| {
+            if !selected(i) {
+                return [x[i], 0.0, x[i].abs(), 0.0, 0.0];
+            }
+            let interval = constraint.of(i);
+            let [value] = interval.project([x[i] + shift]);
+            let one_if = |condition: bool| f64::from(u8::from(condition));
+            let is_moving = interval.is_inside([value]);
+            let (rises, falls) = (
+                one_if(value < interval.upper),
+                one_if(value > interval.lower),
+            );
+            [value, one_if(is_moving), value.abs(), rises, falls]
+        });
+        let missing = total - sum;
+        let has_room = if missing > 0.0 { may_rise } else { may_fall };
+        if missing.abs() <= 1e-14 * magnitude || has_room == 0.0 {
+            break;
+        }
+        if missing > 0.0 {
+            low = shift;
+        } else {
+            high = shift;
+        }
+        let newton = shift + missing / moving;
+        let next = if newton > low && newton < high {
+            newton
+        } else if low.is_finite() && high.is_finite() {
+            0.5 * (low + high)
+        } else {
+            // Nothing moves and one side is open: step out until something does.
+            let step = magnitude.max(missing.abs()).max(shift.abs());
+            shift + step.copysign(missing)
+        };
+        if !next.is_finite() || (next - shift).abs() <= f64::EPSILON * shift.abs() {
+            break;
+        }
+        shift = next;
+    }
+    update_cells(&mut [&mut *x], |i, [value]| {
+        if selected(i) {
+            constraint.of(i).project([value + shift])
+        } else {
+            [value]
+        }
+    });
+    let [sum, magnitude] = reduce::sum(layout, |i| [x[i], x[i].abs()]);
+    (total - sum).abs() <= 1e-12 * magnitude
+}

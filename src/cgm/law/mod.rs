@@ -1,0 +1,214 @@
+//! What each cell is allowed to carry.
+
+pub(super) mod disc;
+pub(super) mod interval;
+pub(super) mod state;
+pub(super) mod turn;
+
+use crate::cgm::law::state::Linearised;
+use crate::cgm::{Disc, Interval};
+use crate::error::{Result, length};
+use crate::grid::per_cell::PerCell;
+
+/// The sets of all cells: one closed convex set a cell, from those that [`Admissible`] lists.
+///
+/// The engine asks for [`of`](Self::of) and nothing else of a cell, and each answer must be the same at every call.
+/// `N` is the number of components a cell has, one by default.
+///
+/// ```
+/// use stickslip::cgm::{self, Constraint, Interval, Problem, Settings};
+/// use stickslip::Identity;
+///
+/// /// Cell `i` may carry `-i` to `i`.
+/// struct Growing;
+///
+/// impl Constraint for Growing {
+///     type Set = Interval;
+///     fn of(&self, cell: usize) -> Interval {
+///         Interval { lower: -(cell as f64), upper: cell as f64 }
+///     }
+/// }
+///
+/// let linear = [-5.0; 3];
+/// let problem = Problem::new(Identity::new(3), [&linear], Growing);
+/// let mut x = [0.0; 3];
+/// cgm::minimise(&problem, &Settings::default(), [&mut x])?;
+/// assert_eq!(x, [0.0, 1.0, 2.0]);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub trait Constraint<const N: usize = 1>: Sync {
+    /// The kind of set.
+    type Set: Admissible<N>;
+
+    /// The number of cells the constraint is for; `None` (the default) if it fits any.
+    fn cells(&self) -> Option<usize> {
+        None
+    }
+
+    /// The set of a cell.
+    fn of(&self, cell: usize) -> Self::Set;
+}
+
+/// A closed convex set of `N` components: an [`Interval`] of one, a [`Disc`] of two.
+///
+/// Sealed, because the engine linearises each kind of set in its own way.
+pub trait Admissible<const N: usize>: Linearised<N> {
+    /// The nearest point of the set.
+    #[must_use]
+    fn project(self, x: [f64; N]) -> [f64; N];
+}
+
+/// `Ok` if a constraint fits this many cells and leaves each a point.
+pub(crate) fn check<const N: usize>(constraint: &impl Constraint<N>, cells: usize) -> Result<()> {
+    if let Some(own) = constraint.cells() {
+        length("constraint", cells, own)?;
+    }
+    (0..cells).try_for_each(|cell| constraint.of(cell).check(cell))
+}
+
+/// `x >= 0`: pressure under unilateral contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NonNegative;
+
+impl Constraint for NonNegative {
+    type Set = Interval;
+
+    #[inline]
+    fn of(&self, _: usize) -> Interval {
+        Interval {
+            lower: 0.0,
+            upper: f64::INFINITY,
+        }
+    }
+}
+
+/// `0 <= p <= H`, with or without a limit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Carried<'a>(pub(crate) PerCell<&'a [f64]>);
+
+impl Constraint for Carried<'_> {
+    type Set = Interval;
+
+    fn cells(&self) -> Option<usize> {
+        match self.0 {
+            PerCell::Uniform(_) => None,
+            PerCell::Cells(cells) => Some(cells.len()),
+        }
+    }
+
+    #[inline]
+    fn of(&self, cell: usize) -> Interval {
+        Interval {
+            lower: 0.0,
+            upper: self.0.of(cell),
+        }
+    }
+}
+
+/// Where nothing limits the pressure.
+pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
+
+/// `lower_i <= x_i <= upper_i`.
+///
+/// ```
+/// use stickslip::cgm::{Admissible, Bounds, Constraint};
+/// let bounds = Bounds { lower: &[0.0, -1.0], upper: &[f64::INFINITY, 1.0] };
+/// assert_eq!(bounds.of(1).project([3.0]), [1.0]);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounds<'a> {
+    /// Lower bounds; minus infinity allowed.
+    pub lower: &'a [f64],
+    /// Upper bounds; infinity allowed.
+    pub upper: &'a [f64],
+}
+
+impl Constraint for Bounds<'_> {
+    type Set = Interval;
+
+    fn cells(&self) -> Option<usize> {
+        // Slices of different length fit no number of cells.
+        Some(if self.lower.len() == self.upper.len() {
+            self.lower.len()
+        } else {
+            usize::MAX
+        })
+    }
+
+    #[inline]
+    fn of(&self, cell: usize) -> Interval {
+        Interval {
+            lower: self.lower[cell],
+            upper: self.upper[cell],
+        }
+    }
+}
+
+/// `|x_i| <= m_i`: shear under the friction limit of each cell, along an axis (`N = 1`) or in the plane
+/// (`N = 2`, `|x|` being the length of the vector).
+///
+/// ```
+/// use stickslip::cgm::{self, Magnitude, Problem, Settings};
+/// use stickslip::Identity;
+///
+/// // The points of two discs nearest to (3, 4).
+/// let (x, y) = ([-3.0; 2], [-4.0; 2]);
+/// let problem = Problem::new(Identity::new(2), [&x, &y], Magnitude(&[10.0, 1.0]));
+/// let (mut qx, mut qy) = ([0.0; 2], [0.0; 2]);
+/// cgm::minimise(&problem, &Settings::default(), [&mut qx, &mut qy])?;
+/// assert!((qx[0] - 3.0).abs() < 1e-8 && (qy[0] - 4.0).abs() < 1e-8);
+/// assert!((qx[1] - 0.6).abs() < 1e-8 && (qy[1] - 0.8).abs() < 1e-8);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Magnitude<'a>(pub &'a [f64]);
+
+impl<const N: usize> Constraint<N> for Magnitude<'_>
+where
+    Within: Ball<N>,
+{
+    type Set = <Within as Ball<N>>::Set;
+
+    fn cells(&self) -> Option<usize> {
+        Some(self.0.len())
+    }
+
+    #[inline]
+    fn of(&self, cell: usize) -> Self::Set {
+        Within::of_radius(self.0[cell])
+    }
+}
+
+/// Vectors within a radius; [`Ball`] says which set that is for each number of components.
+#[derive(Debug, Clone, Copy)]
+pub struct Within;
+
+/// The set of all vectors of `N` components no longer than a radius.
+pub trait Ball<const N: usize> {
+    /// [`Interval`] for one component, [`Disc`] for two.
+    type Set: Admissible<N>;
+
+    /// The ball of a radius.
+    fn of_radius(radius: f64) -> Self::Set;
+}
+
+impl Ball<1> for Within {
+    type Set = Interval;
+
+    #[inline]
+    fn of_radius(radius: f64) -> Interval {
+        Interval {
+            lower: -radius,
+            upper: radius,
+        }
+    }
+}
+
+impl Ball<2> for Within {
+    type Set = Disc;
+
+    #[inline]
+    fn of_radius(radius: f64) -> Disc {
+        Disc { radius }
+    }
+}

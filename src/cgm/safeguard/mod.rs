@@ -1,0 +1,4 @@
+//! TODO
+
+pub(super) mod projected_gradient;
+pub(super) mod proximal_point;

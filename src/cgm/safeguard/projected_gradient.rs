@@ -1,0 +1,148 @@
+//! The first way out when sets cycle: projected gradients with Barzilai-Borwein lengths.
+//!
+//! Every step goes along `P(x - a g) - x`, with the exact projection on sets and sums, to the
+//! minimum of the objective on it: the objective falls at every step, from any start, whatever the
+//! sets do (Dai & Fletcher, Mathematical Programming 106 (2006) 403,
+//! <https://doi.org/10.1007/s10107-005-0595-2>). A few steps lead the other methods past most places where they went
+//! in circles; many would be slow, and nothing where the operator is ill-conditioned.
+
+use std::ops::ControlFlow;
+
+use crate::cgm::iterate::{Precision, Run};
+use crate::cgm::law::state::Linearised;
+use crate::cgm::totals::{Total, sums_of};
+use crate::cgm::{Admissible, Constraint, reduce};
+use crate::numerics::cell_vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
+use crate::report::Status;
+
+/// What the objective does at the end of the steps.
+pub(in crate::cgm) enum Objective {
+    Falls,
+    /// It no longer falls, but by round-off.
+    Stands,
+}
+
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+    /// At most `steps` steps from the present iterate.
+    pub(in crate::cgm) fn project_gradients(
+        &mut self,
+        steps: usize,
+    ) -> ControlFlow<Status, Objective> {
+        self.mark_start();
+        self.restore_totals(true);
+        self.ask()?;
+        self.refresh();
+        self.ask()?;
+        let Some(mut length) = self.length_without_bounds() else {
+            return ControlFlow::Continue(Objective::Stands);
+        };
+        for _ in 0..steps {
+            self.set_multiplier_of_all();
+            let [descent, square] = self.set_projected_direction(length);
+            if descent.is_nan() || descent >= 0.0 {
+                return ControlFlow::Continue(Objective::Stands);
+            }
+            self.proceed()?;
+            self.linear().apply(Precision::Double);
+            self.count_step();
+            let curvature = self.curvature_of_all();
+            if curvature.is_nan() || curvature <= 0.0 {
+                return ControlFlow::Continue(Objective::Stands);
+            }
+            self.go_along((-descent / curvature).min(1.0));
+            length = square / curvature;
+        }
+        ControlFlow::Continue(Objective::Falls)
+    }
+
+    /// A step length of the right size: that of the steepest descent without bounds.
+    fn length_without_bounds(&mut self) -> Option<f64> {
+        let w = &mut *self.workspace;
+        for (direction, gradient) in w.linear.direction.iter_mut().zip(&w.gradient) {
+            direction.copy_from_slice(gradient);
+        }
+        self.linear().apply(Precision::Double);
+        let direction = slices(&self.workspace.linear.direction);
+        let square = reduce::sum(self.layout(), |i| dot(at(&direction, i), at(&direction, i)));
+        let curvature = self.curvature_of_all();
+        (curvature > 0.0).then(|| square / curvature)
+    }
+
+    /// The multipliers of springs, and the mean of the gradient for those of sums: it changes nothing, but beside it
+    /// the products would be lost in round-off.
+    fn set_multiplier_of_all(&mut self) {
+        let totals = self.problem.totals;
+        if totals == [Total::Free; N] {
+            return;
+        }
+        let constraint = self.problem.constraint;
+        let gradient = slices(&self.workspace.gradient);
+        let (sum, count): ([f64; N], f64) = reduce::sum(self.layout(), |i| {
+            if constraint.of(i).can_move() {
+                (at(&gradient, i), 1.0)
+            } else {
+                ([0.0; N], 0.0)
+            }
+        });
+        let sums = sums_of(self.layout(), &slices(&self.x));
+        self.workspace.multiplier =
+            std::array::from_fn(|c| totals[c].held(sum[c] / count, sums[c]));
+    }
+
+    /// `d = P(x - a g) - x`; returns `[g'd, d'd]`.
+    fn set_projected_direction(&mut self, length: f64) -> [f64; 2] {
+        let (constraint, sums) = (self.problem.constraint, self.sums());
+        let w = &mut *self.workspace;
+        let (x, gradient, multiplier) = (slices(&self.x), slices(&w.gradient), w.multiplier);
+        let slope = |i: usize| minus(at(&gradient, i), multiplier);
+        update_cells(&mut w.linear.direction, |i, _| {
+            plus(at(&x, i), -length, slope(i))
+        });
+        if sums != [None; N] {
+            K::Set::restore(
+                self.problem.layout,
+                slices_mut(&mut w.linear.direction),
+                constraint,
+                |_| true,
+                sums,
+            );
+        }
+        update_cells(&mut w.linear.direction, |i, d| {
+            minus(constraint.of(i).project(d), at(&x, i))
+        });
+        let direction = slices(&w.linear.direction);
+        reduce::sum(self.problem.layout, |i| {
+            let d = at(&direction, i);
+            [dot(slope(i), d), dot(d, d)]
+        })
+    }
+
+    /// `d' C d` of the direction, and what the springs add to it.
+    fn curvature_of_all(&self) -> f64 {
+        let w = &*self.workspace;
+        let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
+        let (bodies, sums): (f64, [f64; N]) = reduce::sum(self.layout(), |i| {
+            let d = at(&direction, i);
+            (dot(d, at(&image, i)), d)
+        });
+        let springs = self.problem.totals.iter().zip(sums);
+        springs.fold(bodies, |curvature, (total, sum)| match total {
+            Total::Spring { compliance, .. } => curvature + compliance * sum * sum,
+            Total::Free | Total::Sum(_) => curvature,
+        })
+    }
+
+    /// Takes a part of the direction.
+    fn go_along(&mut self, part: f64) {
+        let constraint = self.problem.constraint;
+        let w = &mut *self.workspace;
+        let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
+        update_cells(&mut self.x, |i, x| {
+            constraint
+                .of(i)
+                .arrive(x, at(&direction, i).map(|d| part * d))
+        });
+        update_cells(&mut w.gradient, |i, g| plus(g, part, at(&image, i)));
+        self.product_error = f64::INFINITY;
+    }
+}

@@ -1,0 +1,130 @@
+//! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
+
+use crate::bodies::component::Direction;
+use crate::cgm::{self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace};
+use crate::contact::has_iterate;
+use crate::error::Result;
+use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace};
+use crate::observer::Observer;
+use crate::operator::Operator;
+use crate::parallel::layout::Layout;
+use crate::report::Report;
+use crate::support::pool::Lease;
+
+/// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
+/// gives them back; all engines of a rectangle that work one after the other have the same.
+#[derive(Debug, Clone)]
+pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
+    compliance: Compliance<N>,
+    layout: Layout,
+    workspace: Lease<Workspace<S, N>>,
+    multiplier: [f64; N],
+    report: Report,
+}
+
+/// What such an engine is asked.
+pub(crate) type ElasticProblem<'a, K, const N: usize> =
+    Problem<'a, ElasticOperator<N>, K, ElasticPreconditioner<N>, N>;
+
+/// The multipliers of totals that are known from before: zero where nothing is prescribed.
+pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|n| match totals[n] {
+        Total::Free => 0.0,
+        _ => known[n],
+    })
+}
+
+impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
+    /// For tractions and displacements along these directions, on `size` cells.
+    pub(crate) fn new(
+        bodies: &HalfSpace,
+        directions: [Direction; N],
+        size: [usize; 2],
+    ) -> Result<Self> {
+        let compliance = bodies.compliance(directions, size)?;
+        Ok(Self {
+            layout: compliance.operator.layout().alike(bodies.team()),
+            compliance,
+            workspace: Lease::new(bodies.pool_of_products(directions, size)?),
+            multiplier: [0.0; N],
+            report: Report::with_room(),
+        })
+    }
+
+    /// A problem of its operator and preconditioner, with this linear term and these sets.
+    pub(crate) fn problem<'a, K: Constraint<N>>(
+        &self,
+        linear: [&'a [f64]; N],
+        constraint: K,
+    ) -> ElasticProblem<'a, K, N> {
+        let Compliance { operator, inverse } = &self.compliance;
+        Problem::new(operator.clone(), linear, constraint)
+            .layout(&self.layout)
+            .preconditioner(inverse.clone())
+    }
+
+    /// Minimises from `x`, of which something may be known, into `x`; the rest is in the accessors, converged or not.
+    pub(crate) fn minimise(
+        &mut self,
+        problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
+        (x, known): ([&mut [f64]; N], Known<N>),
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let operator = &self.compliance.operator;
+        let bound = operator.lower_bound_of(problem.uniform_compliance())?;
+        let workspace = self.workspace.take(|| problem.workspace())?;
+        let posed = problem.posed().bounded(bound);
+        let outcome = cgm::minimise_from(&posed, settings, x, known, workspace, observer);
+        if has_iterate(&outcome) {
+            self.multiplier = workspace.multiplier();
+            self.report.clone_from(workspace.report());
+        }
+        outcome
+    }
+
+    /// Gives the buffers back, and the product of the answer with them.
+    pub(crate) fn rest(&mut self) {
+        self.workspace.give_back();
+    }
+
+    /// Writes `C x` to `out`; the answer stays.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory) if the buffers are not there, and cannot be had.
+    pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) -> Result<()> {
+        let Compliance { operator, inverse } = &self.compliance;
+        let workspace = self.workspace.take(|| Workspace::new(operator, inverse))?;
+        operator.apply(x, out, workspace.operator_mut());
+        Ok(())
+    }
+
+    /// `C x` of the answer; no cells once the buffers are given back.
+    pub(crate) fn product(&self) -> [&[f64]; N] {
+        self.workspace.held().map_or([&[]; N], Workspace::product)
+    }
+
+    /// The same alone, without the buffers.
+    pub(crate) fn into_product(self) -> [Vec<f64>; N] {
+        let workspace = self.workspace.into_piece();
+        workspace.map_or([const { Vec::new() }; N], Workspace::into_product)
+    }
+
+    pub(crate) fn multiplier(&self) -> [f64; N] {
+        self.multiplier
+    }
+
+    /// Measures the last answer in another unit.
+    pub(crate) fn rescale(&mut self, factor: f64) {
+        for multiplier in &mut self.multiplier {
+            *multiplier *= factor;
+        }
+        if let Some(workspace) = self.workspace.held_mut() {
+            workspace.rescale(factor);
+        }
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
+    }
+}

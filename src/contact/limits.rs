@@ -1,0 +1,196 @@
+//! What the passes of one solve have in common: settings, clock and observer, and limits and counts that hold for all of
+//! them together.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::cgm::{Iteration, Settings};
+use crate::error::{Error, Result};
+use crate::half_space::HalfSpace;
+use crate::observer::Observer;
+use crate::report::{Report, Status};
+use crate::support::clock::Instant;
+
+/// The loosest relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells.
+const COARSE_TOLERANCE: f64 = 3e-3;
+/// The same as part of the residual that the next coarser solve began with: interpolation misses the next answer by about
+/// so much, and a stricter one costs more than the finer cells save.
+const COARSE_PART: f64 = 0.5;
+/// The strictest.
+const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
+/// Steps a coarse answer may take: one that is hard to find is not worth more.
+const COARSE_STEPS: usize = 100;
+
+/// Settings, clock and observer of a solve.
+pub(crate) struct Conditions<'a, 'b> {
+    pub(crate) settings: &'a Settings,
+    pub(crate) start: Instant,
+    pub(crate) observer: Observer<'b>,
+}
+
+impl<'a, 'b> Conditions<'a, 'b> {
+    /// From now on.
+    pub(crate) fn new(settings: &'a Settings, observer: Observer<'b>) -> Self {
+        Self {
+            settings,
+            start: Instant::now(),
+            observer,
+        }
+    }
+
+    /// The same clock and observer under other settings.
+    pub(crate) fn under<'c>(&'c mut self, settings: &'c Settings) -> Conditions<'c, 'c> {
+        Conditions {
+            settings,
+            start: self.start,
+            observer: &mut *self.observer,
+        }
+    }
+
+    /// The settings with what is left of their time limit.
+    pub(crate) fn in_time(&self) -> Settings {
+        Settings {
+            time_limit: self
+                .settings
+                .time_limit
+                .map(|limit| limit.saturating_sub(self.start.elapsed())),
+            ..*self.settings
+        }
+    }
+
+    /// The settings with what earlier passes have left of their limits, one step at least.
+    pub(crate) fn left(&self, earlier: &Report) -> Settings {
+        let steps = self.settings.max_iterations;
+        let left = steps.saturating_sub(earlier.iterations).max(1);
+        self.in_time().max_iterations(left)
+    }
+
+    /// `Ok` if the limit of iterations leaves some for a further pass, else the report of the solve, which it ends.
+    pub(crate) fn check_iterations_left(&self, report: &mut Report) -> Result<()> {
+        if report.iterations < self.settings.max_iterations {
+            return Ok(());
+        }
+        report.status = Status::IterationLimit;
+        Err(Error::NotConverged(Box::new(report.clone())))
+    }
+
+    /// The settings of a coarse solve whose start came from one with this residual at its beginning: a rough answer, within
+    /// the time that is left.
+    pub(crate) fn rough(&self, residual: f64) -> Settings {
+        // In this order a residual that is no number asks for the loosest.
+        let loose = (COARSE_PART * residual).min(COARSE_TOLERANCE);
+        let least = self.settings.tolerance.max(LEAST_COARSE_TOLERANCE);
+        self.in_time()
+            .tolerance(loose.max(least))
+            .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
+    }
+}
+
+/// Record of whether the observer of a solve has cancelled it.
+///
+/// A part of a solve may serve although it was cancelled, and the part that follows may end without another product. The
+/// solve still reports [`Status::Cancelled`].
+#[derive(Debug, Default)]
+pub(crate) struct Cancellation(AtomicBool);
+
+impl Cancellation {
+    /// Returns an observer that records the first cancellation, and cancels at every later call.
+    pub(crate) fn watch<'a>(
+        &'a self,
+        observer: Observer<'a>,
+    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
+        move |iteration| {
+            if self.is_recorded() || observer(iteration).is_break() {
+                self.0.store(true, Ordering::Relaxed);
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        }
+    }
+
+    fn is_recorded(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
+    /// Returns the outcome, or the error of a cancelled solve. `report` marks the report of the solve as cancelled, and
+    /// returns it. The first of the ranks that solve together decides.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`], cancelled; those of the outcome.
+    pub(crate) fn applied<T>(
+        &self,
+        bodies: &HalfSpace,
+        outcome: Result<T>,
+        report: impl FnOnce() -> Report,
+    ) -> Result<T> {
+        let own = self.is_recorded();
+        let is_cancelled = match bodies.team() {
+            Some(team) => team.decided(own.into()) == Some(1),
+            None => own,
+        };
+        match outcome {
+            outcome if !is_cancelled => outcome,
+            Err(Error::NotConverged(found)) if found.status == Status::Cancelled => {
+                Err(Error::NotConverged(found))
+            }
+            Ok(_) | Err(Error::NotConverged(_) | Error::BeyondFrictionCapacity { .. }) => {
+                let report = report();
+                Err(Error::NotConverged(Box::new(report)))
+            }
+            outcome => outcome,
+        }
+    }
+}
+
+/// An observer of a further pass, which counts those before it too.
+pub(crate) fn with_counts_of<'a>(
+    earlier: &Report,
+    observer: Observer<'a>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
+    let before = earlier.counts();
+    move |step| observer(&step.after(before))
+}
+
+/// Whether a solve has left an iterate, converged or not.
+pub(crate) fn has_iterate(outcome: &Result<()>) -> bool {
+    matches!(outcome, Ok(()) | Err(Error::NotConverged(_)))
+}
+
+/// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.
+pub(crate) fn ended_from_outside(outcome: Result<()>) -> Result<Option<Status>> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(Error::NotConverged(report)) => {
+            let is_outside = matches!(report.status, Status::Cancelled | Status::TimeLimit);
+            Ok(is_outside.then_some(report.status))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coarse_answers_are_as_good_as_their_starts_within_limits() {
+        for (asked, residual, tolerance) in [
+            (1e-6, 1e-3, 5e-4),
+            (1e-6, f64::INFINITY, 3e-3),
+            (1e-6, f64::NAN, 3e-3),
+            (1e-6, 1e-9, 1e-5),
+            (1e-6, 0.0, 1e-5),
+            (1e-3, 1e-4, 1e-3),
+            (1e-2, f64::INFINITY, 1e-2),
+        ] {
+            let settings = Settings::default().tolerance(asked);
+            let mut observer = |_: &Iteration| ControlFlow::Continue(());
+            let conditions = Conditions::new(&settings, &mut observer);
+            let found = conditions.rough(residual).tolerance;
+            assert!(
+                (found - tolerance).abs() <= 1e-15,
+                "of {residual} at {asked}: {found}"
+            );
+        }
+    }
+}

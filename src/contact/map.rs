@@ -1,0 +1,282 @@
+//! Properties of a map of contact: area, edge, spots.
+
+use std::array::from_fn;
+
+use crate::contact::survey::Survey;
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::grid::neighbours::neighbours;
+use crate::half_space::HalfSpace;
+use crate::support::fallible;
+use crate::warning::{Resolution, Warning};
+
+/// A map of the cells that belong to a set.
+pub(crate) struct ContactMap<'a, F> {
+    pub(crate) grid: Grid,
+    /// Whether it repeats along x and along y.
+    pub(crate) repeats: [bool; 2],
+    pub(crate) contains: F,
+    /// The counts of all ranks that hold a slab each; nothing else is asked of their map.
+    pub(crate) counted: Option<&'a Survey>,
+}
+
+impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
+    /// Of a solution. Of a slab nothing but its rows is known before a solve.
+    pub(crate) fn of(
+        grid: Grid,
+        boundary: Boundary,
+        contains: F,
+        counted: Option<&'a Survey>,
+    ) -> Self {
+        Self {
+            grid: counted.map_or(grid, |_| grid.whole()),
+            repeats: boundary.repeats(),
+            contains,
+            counted,
+        }
+    }
+}
+
+impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
+    /// All counts.
+    pub(crate) fn counts(&self) -> Survey {
+        self.counted.copied().unwrap_or_else(|| self.survey(None))
+    }
+
+    /// Cells in the set.
+    pub(crate) fn cells(&self) -> usize {
+        if let Some(counted) = self.counted {
+            return counted.cells;
+        }
+        (0..self.grid.cells())
+            .filter(|&i| (self.contains)(i))
+            .count()
+    }
+
+    /// Area by counting cells.
+    pub(crate) fn area(&self) -> f64 {
+        self.cells() as f64 * self.grid.cell_area()
+    }
+
+    /// Area minus the excess from counting cells along the perimeter: `(pi - 1 + ln 2)/24` of a cell for
+    /// each pair of neighbours of which one is in the set (Yastrebov, Anciaux & Molinari, Tribology
+    /// International 114 (2017) 161, <https://doi.org/10.1016/j.triboint.2017.04.023>).
+    pub(crate) fn corrected_area(&self) -> f64 {
+        let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+        let cells = self.cells() as f64 - share * self.switches() as f64;
+        cells.max(0.0) * self.grid.cell_area()
+    }
+
+    /// Pairs of neighbours, along x or y, of which exactly one is in the set.
+    pub(crate) fn switches(&self) -> usize {
+        if let Some(counted) = self.counted {
+            return counted.switches;
+        }
+        let contains = &self.contains;
+        (0..self.grid.cells())
+            .map(|i| {
+                let [left, below, ..] = self.neighbours(i);
+                let others = [left, below].into_iter().flatten();
+                others.filter(|&j| contains(i) != contains(j)).count()
+            })
+            .sum()
+    }
+
+    /// All warnings.
+    pub(crate) fn warnings(&self) -> Vec<Warning> {
+        let Survey {
+            cells,
+            cells_on_edge,
+            spots,
+            ..
+        } = self.counts();
+        if cells == 0 {
+            return vec![Warning::NoContact];
+        }
+        let mut warnings = Vec::new();
+        if cells_on_edge > 0 {
+            warnings.push(Warning::ContactAtEdge {
+                cells: cells_on_edge,
+            });
+        }
+        let ([columns, rows], repeats) = (self.grid.size(), self.repeats);
+        let [along_x, along_y] = from_fn(|axis| !repeats[axis] && spots.is_across[axis]);
+        if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
+            warnings.push(Warning::LineOfCells);
+        } else if along_x || along_y {
+            warnings.push(Warning::ContactAcross { along_x, along_y });
+        }
+        if spots.unresolved == 0 || 10 * spots.unresolved_cells < cells {
+            let contact = Resolution::of_contact(self.grid, cells);
+            warnings.extend(contact.contact_warning());
+        } else {
+            warnings.push(Warning::UnresolvedSpots {
+                unresolved: spots.unresolved,
+                spots: spots.all,
+            });
+        }
+        warnings
+    }
+
+    /// Cells on the radius of a spot of mean size, of a line on half its width, zero without spots; and the number of
+    /// spots.
+    pub(crate) fn mean_spot(&self) -> (f64, usize) {
+        let counts = self.counts();
+        let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
+        let is_line = self.grid.size().contains(&1);
+        let radius = if is_line {
+            0.5 * cells
+        } else {
+            (cells / std::f64::consts::PI).sqrt()
+        };
+        (radius, counts.spots.all)
+    }
+
+    fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
+        neighbours(i, self.grid.size(), self.repeats)
+    }
+
+    /// Contact cells on the edge of a grid that has edges.
+    pub(crate) fn cells_on_edge(&self) -> usize {
+        if let Some(counted) = self.counted {
+            return counted.cells_on_edge;
+        }
+        let ([along_x, along_y], nx) = (self.repeats, self.grid.nx());
+        let (first, rows) = (self.grid.rows().start, self.grid.whole().ny());
+        let edge = self.grid.rows().flat_map(|row| {
+            let is_end = !along_y && (row == 0 || row + 1 == rows);
+            let inner = if along_x { nx } else { (nx - 1).max(1) };
+            let stride = if is_end { 1 } else { inner };
+            let start = if is_end || !along_x { 0 } else { nx };
+            (start..nx)
+                .step_by(stride)
+                .map(move |column| (row - first) * nx + column)
+        });
+        edge.filter(|&i| (self.contains)(i)).count()
+    }
+
+    /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, and cell.
+    /// Ends with the first error of `show`, and where memory cannot be had.
+    pub(crate) fn walk_spots(
+        &self,
+        mut show: impl FnMut(usize, usize) -> Result<()>,
+    ) -> Result<()> {
+        let mut visited = fallible::filled(false, self.grid.cells())?;
+        let (mut spot, mut stack) = (0, Vec::new());
+        for seed in 0..visited.len() {
+            if visited[seed] || !(self.contains)(seed) {
+                continue;
+            }
+            visited[seed] = true;
+            fallible::push(&mut stack, seed)?;
+            while let Some(cell) = stack.pop() {
+                show(spot, cell)?;
+                for next in self.neighbours(cell).into_iter().flatten() {
+                    if !visited[next] && (self.contains)(next) {
+                        visited[next] = true;
+                        fallible::push(&mut stack, next)?;
+                    }
+                }
+            }
+            spot += 1;
+        }
+        Ok(())
+    }
+
+    /// The sides of a cell along y and along x beyond which the set ends.
+    pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
+        let [left, below, right, above] = self
+            .neighbours(cell)
+            .map(|next| usize::from(next.is_none_or(|next| !(self.contains)(next))));
+        [left + right, below + above]
+    }
+}
+
+impl HalfSpace {
+    /// Counts of the cells of the whole grid that are in a set, of the cells held here; `None` without ranks.
+    pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<Survey> {
+        let map = ContactMap {
+            grid: self.grid(),
+            repeats: self.boundary().repeats(),
+            contains,
+            counted: None,
+        };
+        self.sharing().map(|team| map.survey(Some(team)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
+        let mut sizes = Vec::new();
+        map.walk_spots(|spot, _| {
+            sizes.resize(sizes.len().max(spot + 1), 0);
+            sizes[spot] += 1;
+            Ok(())
+        })
+        .unwrap();
+        let counts = map.survey(None);
+        assert_eq!(counts.spots.all, sizes.len());
+        assert_eq!(counts.switches, map.switches());
+        assert_eq!(counts.cells_on_edge, map.cells_on_edge());
+        assert_eq!(counts.cells, map.cells());
+        sizes
+    }
+
+    #[test]
+    fn spots_edges_and_switches_of_a_drawn_map() {
+        let drawing = "..##....\
+                       ..#...#.\
+                       ......#.\
+                       ####....";
+        let cells: Vec<bool> = drawing.chars().map(|c| c == '#').collect();
+        let mut map = ContactMap {
+            grid: Grid::new(8, 4, 0.5, 0.5).unwrap(),
+            repeats: [false; 2],
+            contains: |i: usize| cells[i],
+            counted: None,
+        };
+        assert_eq!(map.cells(), 9);
+        assert_eq!(sizes(&map), [3, 2, 4]);
+        assert_eq!(map.cells_on_edge(), 2 + 4);
+        assert_eq!(map.survey(None).extent, Some([7, 4]));
+        // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
+        assert_eq!(map.switches(), 6 + 6 + 5);
+        let unresolved = Warning::UnresolvedSpots {
+            unresolved: 3,
+            spots: 3,
+        };
+        assert_eq!(
+            map.warnings(),
+            [Warning::ContactAtEdge { cells: 6 }, unresolved]
+        );
+
+        // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
+        map.repeats = [true; 2];
+        assert_eq!(sizes(&map), [7, 2]);
+        // Columns 4, 5 and 7 are free, and no row is.
+        assert_eq!(map.survey(None).extent, Some([6, 4]));
+        assert_eq!(map.switches(), 6 + 6 + 5 + 3);
+        let unresolved = Warning::UnresolvedSpots {
+            unresolved: 1,
+            spots: 2,
+        };
+        assert_eq!(map.warnings(), [unresolved]);
+    }
+
+    #[test]
+    fn a_grid_of_one_row_wraps_onto_itself() {
+        let map = ContactMap {
+            grid: Grid::new(4, 1, 1.0, 1.0).unwrap(),
+            repeats: [true; 2],
+            contains: |i: usize| i == 0 || i == 3,
+            counted: None,
+        };
+        assert_eq!(sizes(&map), [2]);
+        assert_eq!(map.switches(), 2);
+        assert_eq!(map.survey(None).extent, Some([2, 1]));
+    }
+}

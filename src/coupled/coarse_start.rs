@@ -1,0 +1,70 @@
+//! Starts from coarser cells.
+
+use crate::cgm::UNLIMITED;
+use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
+use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::error::Result;
+use crate::normal::Hardness;
+use crate::support::fallible::{self, try_each};
+use crate::tangential::{Motion, handed_down, reserve};
+
+impl CoupledIncrement {
+    /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
+    pub(super) fn start_from_coarser(
+        &mut self,
+        demand: CoupledDemand<'_>,
+        before: Motion,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<bool> {
+        let size = self.bodies.grid().whole().size();
+        if !is_worth_coarsening(&self.bodies, size) {
+            return Ok(false);
+        }
+        let bodies = self.bodies.coarser()?.clone();
+        let coarsened = |field: &[f64]| self.bodies.coarsened(&bodies, size, field);
+        let gap = self.bodies.coarsened_field(&bodies, demand.gap)?;
+        let friction = demand.friction.coarsened(&self.bodies, &bodies)?;
+        let hardness = demand.hardness;
+        let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));
+        let hardness = hardness.transpose()?;
+        let mut coarse = Self::new(&bodies)?;
+        coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
+        if self.enters {
+            (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
+        }
+        let rough = conditions.rough(f64::INFINITY);
+        let coarse_demand = CoupledDemand {
+            gap: &gap,
+            friction: &friction,
+            hardness: hardness.as_ref(),
+            ..demand
+        };
+        let outcome = coarse.solve(coarse_demand, before, &mut conditions.under(&rough));
+        if ended_from_outside(outcome)?.is_some() {
+            return Ok(false);
+        }
+        self.refine(&coarse, size, demand)?;
+        Ok(true)
+    }
+
+    /// Interpolates the coarse answer.
+    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) -> Result<()> {
+        let answer = coarse.answer();
+        self.set_known(coarse.approach(), answer.motion.shift);
+        let [qx, qy] = answer.traction;
+        let cells = answer.limits.len();
+        let reserves = (0..cells).map(|cell| reserve([qx[cell], qy[cell]], answer.limits[cell]));
+        let reserves = fallible::collected(cells, reserves)?;
+        let zone = |field: &[f64]| self.bodies.refined_zone(&coarse.bodies, size, field);
+        let (pressure, reserves) = (zone(answer.pressure)?, zone(&reserves)?);
+        let [x, y] = try_each(|n| self.bodies.refined(&coarse.bodies, size, [qx, qy][n]))?;
+        let limits = demand.hardness.map_or(UNLIMITED, Hardness::limits);
+        for (cell, pressure) in pressure.iter().enumerate() {
+            let pressure = pressure.min(limits.of(cell));
+            let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
+            let [x, y] = handed_down(q, limit, reserves[cell] > 0.0, [0.0; 2]);
+            self.set_cell(cell, [pressure, x, y]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,482 @@
+//! The engine of a coupled contact: Newton's method on all tractions, with alternating halves as start and as safeguard.
+
+use crate::bodies::component::Direction;
+use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
+use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
+use crate::contact::{Conditions, ElasticSolver, OnWindow, ended_from_outside, with_counts_of};
+use crate::coupled::error_bound::Contraction;
+use crate::coupled::increment::CoupledDemand;
+use crate::coupled::{CoupledReport, N};
+use crate::error::Result;
+use crate::grid::boundary::Boundary;
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
+use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
+use crate::normal::Hardness;
+use crate::numerics::cell_vector::{slices, slices_mut};
+use crate::observer::Observer;
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
+use crate::parallel::layout::Layout;
+use crate::report::{Report, Status};
+use crate::support::fallible;
+use crate::tangential::{FrictionWithin, own_compliance};
+
+/// Relative accuracy of the halves that a solve starts from.
+const START: f64 = 1e-2;
+/// Residual of a start beside which a sweep of halves is cheaper than Newton's method.
+const POOR: f64 = 0.1;
+/// Times that the sets may cycle, each followed by more sweeps of halves.
+const ROUNDS: usize = 12;
+/// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
+const HELD: f64 = 0.999;
+
+/// How a solve begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    /// From a sweep of halves.
+    Halves,
+    /// From the present tractions, interpolated from coarser cells.
+    Coarse,
+    /// From the present tractions, unless they are far from the answer.
+    Present,
+}
+
+/// What is asked of a solve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) demand: CoupledDemand<'a>,
+    /// What the gap is measured from.
+    pub(super) datum: f64,
+    /// What is prescribed of the sums.
+    pub(super) totals: [Total; N],
+    /// Approach and shift beyond what is prescribed, as far as they are known before.
+    pub(super) multiplier: [f64; N],
+    /// The largest coefficient of the whole grid.
+    pub(super) largest_coefficient: f64,
+    /// Whether a force that friction does not hold at the pressure found so far ends the solve as stalled at once.
+    pub(super) is_doubtful: bool,
+}
+
+impl Task<'_> {
+    /// Whether no tangential force or spring moves the bodies.
+    fn is_driven_by_shift(&self) -> bool {
+        self.totals[1..].iter().all(|total| *total == Total::Free)
+    }
+
+    /// The size of the prescribed sum of the tractions.
+    fn force(&self) -> f64 {
+        let [x, y] = [1, 2].map(|c| self.totals[c].sum().unwrap_or(0.0));
+        x.hypot(y)
+    }
+}
+
+/// Pressure and tractions of a window, and what finds them.
+#[derive(Debug, Clone)]
+pub(super) struct Engine {
+    /// Where it works.
+    region: Region,
+    layout: Layout,
+    /// What it takes to see the rest of the grid, if there is a rest.
+    whole: Option<Whole>,
+    compliance: Compliance<N>,
+    workspace: ConeWorkspace,
+    normal: ElasticSolver<Interval, 1>,
+    plane: ElasticSolver<Disc, 2>,
+    /// Operators of the whole grid, along z and in the plane, for the bounds of their eigenvalues.
+    normal_operator: ElasticOperator<1>,
+    plane_operator: ElasticOperator<2>,
+    /// Of the tangential part.
+    self_compliance: f64,
+    contraction: Contraction,
+    /// Whether the bounds of the halves may bound the whole: the mean on a grid that repeats along both axes has no norm.
+    is_bounded: bool,
+    /// Pressure and tractions: the start, and the answer.
+    x: [Vec<f64>; N],
+    /// What is asked of the cells of the window.
+    asked: [Vec<f64>; N],
+    /// The tractions that halves have come to; of no cells before there are any.
+    kept: [Vec<f64>; N],
+    /// What a half adds to what the other asks.
+    linear: [Vec<f64>; N],
+    /// `kappa g` of the cells that would enter the contact, if any would.
+    closing: Vec<f64>,
+    enters: bool,
+    /// `kappa g / p` of the pressure of a half; of no cells where none enters.
+    own: Vec<f64>,
+    image: [Vec<f64>; N],
+    limits: Vec<f64>,
+    /// The largest pressure of all cells, or of each in what follows.
+    hardness: PerCell<()>,
+    hardness_of_cells: Vec<f64>,
+}
+
+/// The products of the whole grid.
+#[derive(Debug, Clone)]
+struct Whole {
+    operator: ElasticOperator<N>,
+    scratch: Scratch,
+}
+
+impl OnWindow for Engine {
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
+        let (size, region) = (window.size, Region::new(bodies, window));
+        let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+        let compliance = bodies.compliance([z, x, y], size)?;
+        // What is certified of the window is to hold for the grid.
+        let tensor = bodies.compliance([z, x, y], whole.size)?.operator;
+        let normal = bodies.compliance([z], whole.size)?.operator;
+        let plane = bodies.compliance([x, y], whole.size)?.operator;
+        let cells = region.cells();
+        let whole = if window == whole {
+            None
+        } else {
+            Some(Whole {
+                scratch: tensor.scratch()?,
+                operator: tensor.clone(),
+            })
+        };
+        Ok(Self {
+            workspace: ConeWorkspace::new(&compliance.operator, &compliance.inverse)?,
+            normal: ElasticSolver::new(bodies, [z], size)?,
+            plane: ElasticSolver::new(bodies, [x, y], size)?,
+            is_bounded: bodies.boundary() != Boundary::Periodic,
+            contraction: Contraction {
+                beta: bodies.pair().coupling_strength().abs(),
+                coupling: tensor.coupling(),
+                spread: (plane.upper_bound() / normal.bound_without_mean().0).sqrt(),
+            },
+            whole,
+            layout: region.layout().clone().alike(bodies.team()),
+            region,
+            compliance,
+            self_compliance: plane.self_compliance(),
+            normal_operator: normal,
+            plane_operator: plane,
+            x: fallible::vector(cells)?,
+            asked: fallible::vector(cells)?,
+            kept: Default::default(),
+            linear: fallible::vector(cells)?,
+            closing: Vec::new(),
+            enters: false,
+            own: Vec::new(),
+            image: fallible::vector(cells)?,
+            limits: fallible::zeros(cells)?,
+            hardness: PerCell::Uniform(f64::INFINITY),
+            hardness_of_cells: Vec::new(),
+        })
+    }
+
+    fn window(&self) -> Window {
+        self.region.window()
+    }
+
+    fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
+        if window != self.window() {
+            self.region = Region::new(bodies, window);
+        }
+    }
+}
+
+impl Engine {
+    /// Takes tractions of the whole grid as the start.
+    pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
+        for (x, whole) in self.x.iter_mut().zip(tractions) {
+            self.region.gather(whole, x);
+        }
+    }
+
+    /// Writes the tractions of the answer, and the displacements of the whole grid.
+    pub(super) fn write(
+        &mut self,
+        tractions: &mut [Vec<f64>; N],
+        displacement: &mut [Vec<f64>; N],
+    ) {
+        for (x, whole) in self.x.iter().zip(&mut *tractions) {
+            whole.fill(0.0);
+            self.region.scatter(x, whole);
+        }
+        match &mut self.whole {
+            Some(Whole { operator, scratch }) => {
+                operator.apply(slices(tractions), slices_mut(displacement), scratch);
+            }
+            None => {
+                for (whole, product) in displacement.iter_mut().zip(self.workspace.product()) {
+                    whole.copy_from_slice(product);
+                }
+            }
+        }
+    }
+
+    /// Approach and shift beyond what is prescribed.
+    pub(super) fn multiplier(&self) -> [f64; N] {
+        self.workspace.multiplier()
+    }
+
+    /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
+    pub(super) fn solve(
+        &mut self,
+        (linear, closing): ([&[f64]; N], Option<&[f64]>),
+        task: Task<'_>,
+        start: Start,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<()> {
+        self.workspace.set_multiplier(task.multiplier);
+        for (asked, whole) in self.asked.iter_mut().zip(linear) {
+            self.region.gather(whole, asked);
+        }
+        self.enters = closing.is_some();
+        if let Some(closing) = closing {
+            fallible::resize(&mut self.closing, self.region.cells(), 0.0)?;
+            self.region.gather(closing, &mut self.closing);
+        }
+        let limits = task.demand.hardness.map_or(UNLIMITED, Hardness::limits);
+        self.hardness = limits.map(|_| ());
+        if let PerCell::Cells(cells) = limits {
+            fallible::resize(&mut self.hardness_of_cells, self.region.cells(), 0.0)?;
+            self.region.gather(cells, &mut self.hardness_of_cells);
+        }
+        let cells = self.normal_operator.layout().of_all_ranks();
+        let added = task.totals.map(|total| total.uniform_compliance(cells));
+        let [z, x, y] = added;
+        let mut normal = self.normal_operator.lower_bound_of([z])?;
+        let mut in_plane = self.plane_operator.lower_bound_of([x, y])?;
+        if !self.is_bounded {
+            (normal.mean, in_plane.mean) = (MeanBound::Springs, MeanBound::Springs);
+        }
+        let (lower_bounds, known) = ([normal, in_plane], normal.known.min(in_plane.known));
+        let friction = &task.demand.friction.within(&self.region);
+        let (mut sweeps, mut opening) = match start {
+            Start::Halves => (1, Opening::Sound),
+            Start::Coarse => (0, Opening::Coarse),
+            Start::Present => (0, Opening::Doubtful(POOR)),
+        };
+        let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
+        let mut stopped = None;
+        for round in 1..=ROUNDS {
+            for _ in 0..sweeps {
+                stopped = self.sweep(task, friction, tolerance, conditions, report)?;
+                if stopped.is_some() {
+                    break;
+                }
+            }
+            // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
+            // back and measured, and stopped too.
+            let multiplier = self.workspace.multiplier();
+            let has_halves = sweeps > 0;
+            if has_halves {
+                self.keep_halves()?;
+            }
+            let (status, findings) = self.newton(
+                (task, friction),
+                (opening, lower_bounds),
+                conditions,
+                report,
+            )?;
+            let status = status.or(stopped);
+            report.take(&findings);
+            report.work.eigenvalue_bound = known;
+            let (contraction, coefficient) = (self.contraction, task.largest_coefficient);
+            report.error_estimate = contraction.estimate(coefficient, &findings);
+            let may_bound = self.is_bounded && task.is_driven_by_shift();
+            let bounds = || contraction.bounds(coefficient, &findings);
+            report.error_bounds = may_bound.then(bounds).flatten();
+            if let Some(status) = status {
+                return report.end(status);
+            }
+            if findings.merit().is_nan()
+                || task.is_doubtful && task.force() >= self.set_limits(friction)
+            {
+                break;
+            }
+            if has_halves && round < ROUNDS {
+                // Where the sets have cycled nothing is better than what the halves came to.
+                std::mem::swap(&mut self.x, &mut self.kept);
+                self.workspace.set_multiplier(multiplier);
+            }
+            (sweeps, opening) = (sweeps + 1, Opening::Sound);
+            tolerance = (0.1 * findings.merit().min(tolerance)).clamp(least, START);
+        }
+        report.end(Status::Stalled)
+    }
+
+    /// Keeps the tractions that the halves have come to.
+    fn keep_halves(&mut self) -> Result<()> {
+        for (kept, x) in self.kept.iter_mut().zip(&self.x) {
+            fallible::resize(kept, x.len(), 0.0)?;
+            kept.copy_from_slice(x);
+        }
+        Ok(())
+    }
+
+    /// All at once.
+    fn newton(
+        &mut self,
+        (task, friction): (Task<'_>, &FrictionWithin<'_>),
+        (opening, lower_bounds): (Opening, [LowerBound; 2]),
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<(Option<Status>, ConeFindings)> {
+        let problem = ConeProblem {
+            operator: &self.compliance.operator,
+            preconditioner: &self.compliance.inverse,
+            layout: &self.layout,
+            linear: slices(&self.asked),
+            closing: self.enters.then_some(&self.closing),
+            hardness: self.hardness.map(|()| &*self.hardness_of_cells),
+            friction,
+            totals: task.totals,
+            lower_bounds,
+            self_compliance: self.self_compliance,
+            coupling: self.contraction.beta,
+        };
+        let settings = conditions.left(&report.work);
+        let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
+        let x = slices_mut(&mut self.x);
+        let ended = cone::solve(
+            &problem,
+            &settings,
+            opening,
+            x,
+            &mut self.workspace,
+            &mut observer,
+        );
+        drop(observer);
+        report.work.add_pass(self.workspace.report());
+        ended
+    }
+
+    /// The pressure for the tractions as they are, then the tractions for that pressure. Returns a status if observer or
+    /// clock ended it.
+    fn sweep(
+        &mut self,
+        task: Task<'_>,
+        friction: &FrictionWithin<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        let mut multiplier = [0.0; N];
+        let ended = self.solve_normal_half(task, tolerance, conditions, report)?;
+        [multiplier[0]] = self.normal.multiplier();
+        if ended.is_some() {
+            return Ok(ended);
+        }
+        let ended = self.solve_tangential_half(task, friction, tolerance, conditions, report)?;
+        [multiplier[1], multiplier[2]] = self.plane.multiplier();
+        self.workspace.set_multiplier(multiplier);
+        Ok(ended)
+    }
+
+    fn solve_normal_half(
+        &mut self,
+        task: Task<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        self.add_displacements_of(&[1, 2]);
+        let limits = self.hardness.map(|()| &*self.hardness_of_cells);
+        let problem = self.normal.problem([&self.linear[0]], Carried(limits));
+        let problem = problem.totals([task.totals[0]]);
+        let (normal, x) = (&mut self.normal, &mut self.x[0]);
+        let solve = |settings: &Settings, observer: Observer<'_>| {
+            normal.minimise(&problem, ([x], Known::Nothing), settings, observer)
+        };
+        let ended = half(tolerance, conditions, &report.work, solve);
+        self.normal.rest();
+        report.normal.add_pass(self.normal.report());
+        ended
+    }
+
+    fn solve_tangential_half(
+        &mut self,
+        task: Task<'_>,
+        friction: &FrictionWithin<'_>,
+        tolerance: f64,
+        conditions: &mut Conditions<'_, '_>,
+        report: &mut CoupledReport,
+    ) -> Result<Option<Status>> {
+        self.add_displacements_of(&[0]);
+        let capacity = self.set_limits(friction);
+        let [_, along_x, along_y] = task.totals;
+        let part = (HELD * capacity / task.force()).min(1.0);
+        let totals = [along_x, along_y].map(|total| match total {
+            Total::Sum(sum) if part < 1.0 => Total::Sum(part * sum),
+            other => other,
+        });
+        if capacity <= 0.0 {
+            self.x[1].fill(0.0);
+            self.x[2].fill(0.0);
+            return Ok(None);
+        }
+        self.set_own()?;
+        let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
+        let problem = self
+            .plane
+            .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
+            .diagonal(&self.own)
+            .totals(totals);
+        let plane = &mut self.plane;
+        let solve = |settings: &Settings, observer: Observer<'_>| {
+            plane.minimise(&problem, ([x, y], Known::Nothing), settings, observer)
+        };
+        let ended = half(tolerance, conditions, &report.work, solve);
+        self.plane.rest();
+        report.tangential.add_pass(self.plane.report());
+        ended
+    }
+
+    /// The compliance that the cells have of their own at the present pressure.
+    fn set_own(&mut self) -> Result<()> {
+        self.own.clear();
+        if self.enters {
+            fallible::resize(&mut self.own, self.closing.len(), 0.0)?;
+            let cells = self.closing.iter().zip(&self.x[0]);
+            for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
+                *own = own_compliance(*closing, *pressure);
+            }
+        }
+        Ok(())
+    }
+
+    /// The friction limits of the present pressure; returns their sum.
+    fn set_limits(&mut self, friction: &FrictionWithin<'_>) -> f64 {
+        for (i, limit) in self.limits.iter_mut().enumerate() {
+            *limit = friction.limit(i, self.x[0][i]);
+        }
+        reduce::total(&self.layout, &self.limits)
+    }
+
+    /// What is asked of the cells, with the displacements that these components of the tractions cause.
+    fn add_displacements_of(&mut self, components: &[usize]) {
+        for c in 0..N {
+            if components.contains(&c) {
+                self.linear[c].copy_from_slice(&self.x[c]);
+            } else {
+                self.linear[c].fill(0.0);
+            }
+        }
+        let Compliance { operator, .. } = &self.compliance;
+        let (tractions, image) = (slices(&self.linear), slices_mut(&mut self.image));
+        self.workspace.apply(operator, tractions, image);
+        for (c, image) in self.image.iter().enumerate() {
+            for (i, sum) in self.linear[c].iter_mut().enumerate() {
+                *sum = self.asked[c][i] + image[i];
+            }
+        }
+    }
+}
+
+/// Solves a half; returns the status of one that observer or clock ended. An unfinished half serves too.
+fn half(
+    tolerance: f64,
+    conditions: &mut Conditions<'_, '_>,
+    done: &Report,
+    solve: impl FnOnce(&Settings, Observer<'_>) -> Result<()>,
+) -> Result<Option<Status>> {
+    let settings = conditions.left(done).tolerance(tolerance);
+    let mut observer = with_counts_of(done, &mut *conditions.observer);
+    ended_from_outside(solve(&settings, &mut observer))
+}

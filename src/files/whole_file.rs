@@ -1,0 +1,156 @@
+//! Files that take their names when they are whole, written by one process or by ranks together.
+
+use std::fs::{File, OpenOptions};
+use std::io::{ErrorKind, Result as IoResult, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use crate::error::Result;
+use crate::files::refused;
+use crate::parallel::ranks::Team;
+
+/// A new file beside another, `NAME.PID.NUMBER.part`, which is removed again unless it takes the name of that.
+#[derive(Debug)]
+pub(crate) struct Part<'a> {
+    target: &'a Path,
+    path: PathBuf,
+    /// Process and number.
+    id: u64,
+}
+
+impl<'a> Part<'a> {
+    /// Makes one of a name that no other thread or process has.
+    pub(crate) fn beside(target: &'a Path) -> Result<Self> {
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        loop {
+            let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+            let id = u64::from(std::process::id()) << 32 | u64::from(number);
+            let path = Self::path(target, id);
+            match File::create_new(&path) {
+                Ok(_) => return Ok(Self { target, path, id }),
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(refused(target, &error)),
+            }
+        }
+    }
+
+    /// The one that another rank has made.
+    fn of_another(target: &'a Path, id: u64) -> Self {
+        let path = Self::path(target, id);
+        Self { target, path, id }
+    }
+
+    fn path(target: &Path, id: u64) -> PathBuf {
+        let mut name = target.file_name().unwrap_or_default().to_owned();
+        let (process, number) = (id >> 32, id & u64::from(u32::MAX));
+        name.push(format!(".{process}.{number}.part"));
+        target.with_file_name(name)
+    }
+
+    /// Opens it to be written.
+    pub(crate) fn open(&self) -> Result<File> {
+        let file = OpenOptions::new().write(true).open(&self.path);
+        file.map_err(|error| refused(self.target, &error))
+    }
+
+    /// Writes to it, onto the disk.
+    pub(crate) fn write(&self, write: impl FnOnce(&mut File) -> IoResult<()>) -> Result<()> {
+        let mut file = self.open()?;
+        let written = write(&mut file).and_then(|()| file.sync_all());
+        written.map_err(|error| refused(self.target, &error))
+    }
+
+    /// Replaces the other file, on the disk too.
+    pub(crate) fn take_name(&self) -> Result<()> {
+        std::fs::rename(&self.path, self.target).map_err(|error| refused(self.target, &error))?;
+        // Some systems cannot open a folder.
+        let folder = self.target.parent();
+        let folder = folder.filter(|folder| !folder.as_os_str().is_empty());
+        if let Ok(folder) = File::open(folder.unwrap_or(Path::new("."))) {
+            drop(folder.sync_all());
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Part<'_> {
+    fn drop(&mut self) {
+        // Nothing is there if it has taken the name; what is left of a failure has no use.
+        drop(std::fs::remove_file(&self.path));
+    }
+}
+
+/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk. A process that is
+/// killed meanwhile leaves that one, `NAME.PID.NUMBER.part`.
+pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
+    replace(path, None, |file| file.write_all(bytes))
+}
+
+/// The same of a file to which every rank writes its bytes.
+pub(crate) fn replace(
+    path: &Path,
+    team: Option<&Team>,
+    write: impl FnOnce(&mut File) -> IoResult<()>,
+) -> Result<()> {
+    let is_first = team.is_none_or(|team| team.rank() == 0);
+    let part = shared_part(path, team)?;
+    Team::agreed_of(team, part.write(write))?;
+    let named = if is_first { part.take_name() } else { Ok(()) };
+    Team::agreed_of(team, named)
+}
+
+/// A file beside another, which the first rank makes for all.
+fn shared_part<'a>(path: &'a Path, team: Option<&Team>) -> Result<Part<'a>> {
+    let Some(team) = team else {
+        return Part::beside(path);
+    };
+    let made = (team.rank() == 0).then(|| Part::beside(path)).transpose();
+    let made = team.agreed(made)?;
+    let id = team.decided(made.as_ref().map_or(0, |part| part.id));
+    team.check()?;
+    // A number that did not arrive is that of no file.
+    Ok(made.unwrap_or_else(|| Part::of_another(path, id.unwrap_or_default())))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use super::*;
+    use crate::error::{Error, RankFailure};
+    use crate::parallel::ranks::{Ranks, Threads};
+
+    /// A disk that is full for one rank, after the others have written all of their bytes.
+    #[test]
+    fn a_full_disk_leaves_the_old_file() {
+        let folder = format!("stickslip_full_disk_{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("file");
+        std::fs::write(&path, "old").unwrap();
+        let outcomes = Threads::run(3, Duration::from_secs(60), |rank| {
+            let is_full = rank.rank() == 1;
+            let team = Team::new(Arc::new(rank));
+            replace(&path, Some(&team), |file| {
+                file.write_all(b"new")?;
+                if is_full {
+                    return Err(ErrorKind::StorageFull.into());
+                }
+                Ok(())
+            })
+        });
+        for (rank, outcome) in outcomes.iter().enumerate() {
+            let refused = Err(Error::Ranks(RankFailure::Refused { rank: 1 }));
+            let is_own = matches!(outcome, Err(Error::File { .. }));
+            assert!(if rank == 1 {
+                is_own
+            } else {
+                *outcome == refused
+            });
+        }
+        assert_eq!(std::fs::read(&path).unwrap(), b"old");
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

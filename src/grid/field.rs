@@ -1,0 +1,397 @@
+//! Samples on a grid.
+
+use std::sync::Arc;
+
+use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
+
+use crate::error::{Result, all_finite, finite, length};
+use crate::grid::Grid;
+use crate::grid::per_cell::PerCell;
+use crate::parallel;
+use crate::parallel::layout::Layout;
+use crate::support::debug::shown;
+use crate::support::fallible::{self, TryClone, or_abort, try_clone};
+
+/// One number per cell of a [`Grid`], row-major with x fastest.
+///
+/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is
+/// stored at index `iy * nx + ix`. The unit is that of the sampled quantity.
+///
+/// If memory runs out, its constructors and operations end the program, as any `Vec` does; bodies and surfaces return
+/// [`Error::Memory`](crate::Error::Memory) for such a grid, and [`TryClone`] copies a field.
+///
+/// ```
+/// use stickslip::{Field, Grid};
+/// let grid = Grid::new(3, 2, 1.0, 1.0)?;
+/// let field = Field::from_fn(grid, |x, y| x + 10.0 * y);
+/// assert_eq!(field.get(2, 1), Some(6.0));
+/// assert_eq!(field[(2, 1)], 6.0);
+/// assert_eq!(field.as_slice()[5], 6.0);
+/// let doubled = (&field + &field)?;
+/// assert_eq!(doubled, &field * 2.0);
+/// assert_eq!((doubled.mean(), field.iter().count()), (2.0 * field.mean(), 6));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
+pub struct Field {
+    grid: Grid,
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::numbers"))]
+    samples: Vec<f64>,
+}
+
+shown!(Field: grid, min(), max());
+
+/// `Clone` field by field, so that `clone_from` keeps the memory that each field has; `derive` would give it up.
+macro_rules! clone_in_place {
+    ($type:ident $(<const $n:ident: usize>)? { $($field:ident),* $(,)? }) => {
+        impl$(<const $n: usize>)? Clone for $type$(<$n>)? {
+            fn clone(&self) -> Self {
+                Self { $($field: self.$field.clone()),* }
+            }
+
+            fn clone_from(&mut self, source: &Self) {
+                $(self.$field.clone_from(&source.$field);)*
+            }
+        }
+    };
+}
+
+pub(crate) use clone_in_place;
+
+clone_in_place!(Field { grid, samples });
+
+try_clone!(Field { samples } { grid });
+
+/// The values read, before they are checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Unchecked {
+    grid: Grid,
+    #[serde(with = "crate::support::serialise::numbers")]
+    samples: Vec<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for Field {
+    type Error = crate::error::Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        Self::from_vec(read.grid, read.samples)
+    }
+}
+
+/// A copy, to be shared.
+impl From<&Field> for Arc<Field> {
+    fn from(field: &Field) -> Self {
+        Self::new(field.clone())
+    }
+}
+
+/// Replaces a shared field, of which others may hold the old samples; allocates only if they do.
+///
+/// # Errors
+/// [`Error::Memory`](crate::Error::Memory); the field is then as it was.
+pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
+    match Arc::get_mut(shared) {
+        Some(own) => own.try_clone_from(field)?,
+        None => *shared = Arc::new(field.try_clone()?),
+    }
+    Ok(())
+}
+
+impl PerCell<Field> {
+    /// `Ok` if the samples fit the grid, named so in the error.
+    pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
+        match self {
+            Self::Cells(field) => grid.expect(quantity, field.grid()),
+            Self::Uniform(_) => Ok(()),
+        }
+    }
+}
+
+impl Field {
+    /// Zero in every cell.
+    #[must_use]
+    pub fn zeros(grid: Grid) -> Self {
+        Self::constant(grid, 0.0)
+    }
+
+    /// [`Self::zeros`] where memory may run out.
+    pub(crate) fn try_zeros(grid: Grid) -> Result<Self> {
+        let samples = fallible::zeros(grid.cells())?;
+        Ok(Self { grid, samples })
+    }
+
+    /// The same value in every cell.
+    #[must_use]
+    pub fn constant(grid: Grid, value: f64) -> Self {
+        Self {
+            grid,
+            samples: vec![value; grid.cells()],
+        }
+    }
+
+    /// A function of the cell centres, `f(x, y)`.
+    #[must_use]
+    pub fn from_fn(grid: Grid, f: impl FnMut(f64, f64) -> f64) -> Self {
+        or_abort(Self::try_from_fn(grid, f))
+    }
+
+    /// [`Self::from_fn`] where memory may run out.
+    pub(crate) fn try_from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Result<Self> {
+        let mut samples = fallible::with_room(grid.cells())?;
+        for iy in 0..grid.ny() {
+            let y = grid.y(iy);
+            samples.extend((0..grid.nx()).map(|ix| f(grid.x(ix), y)));
+        }
+        Ok(Self { grid, samples })
+    }
+
+    /// A function of column and row, `f(ix, iy)`.
+    #[must_use]
+    pub fn from_indices(grid: Grid, f: impl Fn(usize, usize) -> f64) -> Self {
+        let cells = (0..grid.ny()).flat_map(|iy| (0..grid.nx()).map(move |ix| (ix, iy)));
+        Self {
+            grid,
+            samples: cells.map(|(ix, iy)| f(ix, iy)).collect(),
+        }
+    }
+
+    /// Samples in row-major order, x fastest.
+    ///
+    /// # Errors
+    /// [`Error::Length`](crate::Error::Length) if there are not `nx * ny` samples.
+    pub fn from_vec(grid: Grid, samples: Vec<f64>) -> Result<Self> {
+        length("field", grid.cells(), samples.len())?;
+        Ok(Self { grid, samples })
+    }
+
+    /// The grid.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// `Ok` if the field is on the grid and all its samples are finite.
+    pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
+        grid.expect(quantity, self.grid)?;
+        all_finite(quantity, &self.samples)
+    }
+
+    /// The sample of cell `(ix, iy)`, `None` outside the grid.
+    #[must_use]
+    pub fn get(&self, ix: usize, iy: usize) -> Option<f64> {
+        if ix < self.grid.nx() && iy < self.grid.ny() {
+            self.samples.get(iy * self.grid.nx() + ix).copied()
+        } else {
+            None
+        }
+    }
+
+    /// All samples, row-major with x fastest.
+    #[must_use]
+    pub fn as_slice(&self) -> &[f64] {
+        &self.samples
+    }
+
+    /// All samples one after the other, row by row with x fastest.
+    pub fn iter(&self) -> std::slice::Iter<'_, f64> {
+        self.samples.iter()
+    }
+
+    /// All samples, mutable.
+    #[must_use]
+    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+        &mut self.samples
+    }
+
+    /// Adds `factor` times another field.
+    ///
+    /// ```
+    /// use stickslip::{Field, Grid};
+    /// let grid = Grid::square(8, 1.0)?;
+    /// let (mut gap, depth) = (Field::constant(grid, 3.0), Field::constant(grid, 0.5));
+    /// gap.add_scaled(100.0, &depth)?;
+    /// assert_eq!(gap, Field::constant(grid, 53.0));
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the factor,
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the field is then unchanged.
+    pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
+        finite("factor", factor)?;
+        self.grid.expect("field to be added", other.grid)?;
+        let other = other.as_slice();
+        parallel::enter_with(other.len(), || {
+            parallel::update(&mut self.samples, |first, chunk| {
+                for (sample, other) in chunk.iter_mut().zip(&other[first..]) {
+                    *sample += factor * other;
+                }
+            });
+        });
+        Ok(())
+    }
+
+    /// The field of a function of the samples.
+    ///
+    /// ```
+    /// use stickslip::{Field, Grid};
+    /// let heights = Field::from_fn(Grid::square(8, 1.0)?, |x, y| x * y);
+    /// let highest = heights.max();
+    /// let gap = heights.map(|z| highest - z);
+    /// assert_eq!(gap.min(), 0.0);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[must_use]
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self {
+            grid: self.grid,
+            samples: self.samples.iter().map(|&sample| f(sample)).collect(),
+        }
+    }
+
+    /// The field times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.map(|sample| factor * sample)
+    }
+
+    /// The field less another.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Memory`](crate::Error::Memory).
+    pub fn minus(&self, other: &Self) -> Result<Self> {
+        let mut difference = self.try_clone()?;
+        difference.add_scaled(-1.0, other)?;
+        Ok(difference)
+    }
+
+    /// The samples, without the grid.
+    #[must_use]
+    pub fn into_vec(self) -> Vec<f64> {
+        self.samples
+    }
+
+    /// The rows, from the lowest y up; each runs along x.
+    #[must_use]
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        self.samples.chunks_exact(self.grid.nx())
+    }
+
+    /// Largest sample; NaN samples are ignored.
+    #[must_use]
+    pub fn max(&self) -> f64 {
+        self.extreme(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Smallest sample; NaN samples are ignored.
+    #[must_use]
+    pub fn min(&self) -> f64 {
+        self.extreme(f64::INFINITY, f64::min)
+    }
+
+    fn extreme(&self, least: f64, of: impl Fn(f64, f64) -> f64 + Copy + Send + Sync) -> f64 {
+        let samples = &self.samples;
+        let leaf = |range: Range<usize>| samples[range].iter().copied().fold(least, of);
+        let count = samples.len();
+        parallel::enter_with(count, || parallel::fold(count, leaf, of))
+    }
+
+    /// Mean of the samples.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        let samples = &self.samples;
+        let leaf = |range: Range<usize>| samples[range].iter().fold(0.0, |sum, x| sum + x);
+        parallel::fold(samples.len(), leaf, |a, b| a + b) / self.grid.cells() as f64
+    }
+
+    /// Integral over the grid, cell area times the sum of the samples.
+    #[must_use]
+    pub fn integral(&self) -> f64 {
+        self.integral_over(&self.grid.layout())
+    }
+
+    /// Integral over the grid of all ranks, whose cells lie so.
+    pub(crate) fn integral_over(&self, layout: &Layout) -> f64 {
+        let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
+        let sum = parallel::enter_with(self.samples.len(), || layout.fold(leaf, |a, b| a + b));
+        self.grid.cell_area() * sum
+    }
+}
+
+impl<'a> IntoIterator for &'a Field {
+    type Item = &'a f64;
+    type IntoIter = std::slice::Iter<'a, f64>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// The sample of the cell in this column and row; [`Field::get`] does not panic.
+///
+/// # Panics
+/// Outside the grid, as the index of a slice does.
+impl Index<(usize, usize)> for Field {
+    type Output = f64;
+
+    fn index(&self, (ix, iy): (usize, usize)) -> &f64 {
+        let start = iy * self.grid.nx();
+        &self.samples[start..start + self.grid.nx()][ix]
+    }
+}
+
+/// # Panics
+/// Outside the grid, as the index of a slice does.
+impl IndexMut<(usize, usize)> for Field {
+    fn index_mut(&mut self, (ix, iy): (usize, usize)) -> &mut f64 {
+        let (start, columns) = (iy * self.grid.nx(), self.grid.nx());
+        &mut self.samples[start..start + columns][ix]
+    }
+}
+
+/// The sum, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+impl Add for &Field {
+    type Output = Result<Field>;
+
+    fn add(self, other: &Field) -> Result<Field> {
+        let mut sum = self.clone();
+        sum.add_scaled(1.0, other)?;
+        Ok(sum)
+    }
+}
+
+/// The difference, cell by cell: [`Field::minus`].
+impl Sub for &Field {
+    type Output = Result<Field>;
+
+    fn sub(self, other: &Field) -> Result<Field> {
+        self.minus(other)
+    }
+}
+
+/// The product, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+impl Mul for &Field {
+    type Output = Result<Field>;
+
+    fn mul(self, other: &Field) -> Result<Field> {
+        self.grid.expect("field to be multiplied", other.grid)?;
+        let pairs = self.iter().zip(other);
+        Field::from_vec(self.grid, pairs.map(|(a, b)| a * b).collect())
+    }
+}
+
+/// The field times a factor: [`Field::scaled`].
+impl Mul<f64> for &Field {
+    type Output = Field;
+
+    fn mul(self, factor: f64) -> Field {
+        self.scaled(factor)
+    }
+}

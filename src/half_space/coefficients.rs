@@ -1,0 +1,108 @@
+//! The kernels that operators are made of.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::bodies::component::Component;
+use crate::bodies::kernel;
+use crate::bodies::material::ElasticPair;
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::influence::{Added, Kernel, Samples, Symbols};
+use crate::parallel::get_or_make;
+
+/// The kernels of bodies on cells of one size, each made at its first use.
+#[derive(Debug)]
+pub(super) struct Kernels {
+    grid: Grid,
+    bodies: kernel::Kernel,
+    boundary: Boundary,
+    cell_value: CellValue,
+    /// What they are made of; none where they repeat along both axes.
+    samples: Option<Arc<Samples>>,
+    /// The part that coated bodies add to their outermost layers, or a kernel in their place.
+    added: Option<Arc<Added>>,
+    made: [OnceLock<Kernel>; Component::ALL.len()],
+}
+
+impl Kernels {
+    pub(super) fn new(
+        grid: Grid,
+        bodies: &kernel::Kernel,
+        boundary: Boundary,
+        cell_value: CellValue,
+        (samples, added): (Option<Arc<Samples>>, Option<Arc<Added>>),
+    ) -> Self {
+        Self {
+            grid,
+            bodies: bodies.clone(),
+            boundary,
+            // The symbols of waves have values at the centres.
+            cell_value: match boundary {
+                Boundary::Periodic => CellValue::Centre,
+                _ => cell_value,
+            },
+            samples,
+            added,
+            made: Default::default(),
+        }
+    }
+
+    /// The whole one.
+    pub(super) fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    pub(super) fn pair(&self) -> &ElasticPair {
+        self.bodies.pair()
+    }
+
+    pub(super) fn bodies(&self) -> &kernel::Kernel {
+        &self.bodies
+    }
+
+    pub(super) fn samples(&self) -> Option<&Arc<Samples>> {
+        self.samples.as_ref()
+    }
+
+    pub(super) fn added(&self) -> Option<&Arc<Added>> {
+        self.added.as_ref()
+    }
+
+    pub(super) fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
+    pub(super) fn cell_value(&self) -> CellValue {
+        self.cell_value
+    }
+
+    /// Those of these components.
+    pub(super) fn of<const N: usize>(
+        &self,
+        components: [[Component; N]; N],
+    ) -> Result<[[&Kernel; N]; N]> {
+        let mut kernels = [[self.kernel(components[0][0])?; N]; N];
+        for (row, components) in kernels.iter_mut().zip(components) {
+            for (kernel, component) in row.iter_mut().zip(components) {
+                *kernel = self.kernel(component)?;
+            }
+        }
+        Ok(kernels)
+    }
+
+    fn kernel(&self, component: Component) -> Result<&Kernel> {
+        let (grid, bodies) = (self.grid, &self.bodies);
+        get_or_make(&self.made[component as usize], || {
+            let Some(samples) = &self.samples else {
+                return Ok(Kernel::Symbols(Symbols::new(grid, bodies, component)));
+            };
+            let table = samples.table(grid, bodies.pair(), component)?;
+            Ok(match self.boundary.repeats() {
+                [false, false] => Kernel::Table(table),
+                _ => Kernel::Rows(table),
+            })
+        })
+    }
+}

@@ -1,0 +1,206 @@
+//! The loop that force and shift describe in a cycle, and cycles in tables.
+
+use std::fmt::Write;
+
+use crate::history::{Cycle, History};
+
+/// A point of the loop of force and shift: the beginning of a cycle, or the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct LoopPoint {
+    /// Tangential force that body 2 exerts on body 1.
+    pub force: [f64; 2],
+    /// Shift of body 2 relative to body 1 since the start of the history (lengths).
+    pub shift: [f64; 2],
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
+    pub moment: f64,
+    /// Rotation of body 2 relative to body 1 since the start of the history (radians).
+    pub twist: f64,
+}
+
+impl LoopPoint {
+    /// Where the history is.
+    pub(in crate::history) fn of(history: &History) -> Self {
+        Self {
+            force: history.tangential_force(),
+            shift: history.shift(),
+            moment: history.moment(),
+            twist: history.twist(),
+        }
+    }
+}
+
+impl Cycle {
+    /// Work of the tangential force and of the moment, $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n +
+    /// M_{n+1})\,\Delta\varphi`$ (a force times a length): the area that the loop of the [points](Cycle::points) encloses
+    /// where it closes.
+    ///
+    /// The [`work`](crate::history::EnergyBalance::work) of the balance, which slip dissipates around a closed loop, is this
+    /// as long as nothing else works: it has in addition the work of a changing
+    /// [relative displacement](crate::tangential::RelativeDisplacement), such as that of bulk stress, that of the pressure
+    /// where pressure and traction are coupled, and, where the contact grows, less of the motion that new cells have not
+    /// followed.
+    ///
+    /// ```
+    /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    /// let mut cycle = Cycle::new(&history);
+    /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 8)?, LoadStep::shift);
+    /// fretting.cycle(&mut history, &mut cycle)?;
+    /// // A force alone: the loop encloses all work.
+    /// assert!((cycle.work_of_loads() / cycle.energy().work - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn work_of_loads(&self) -> f64 {
+        let steps = self.points().windows(2);
+        let work = |ends: &[LoopPoint]| {
+            let [from, to] = [ends[0], ends[1]];
+            let along = |axis: usize| {
+                0.5 * (from.force[axis] + to.force[axis]) * (to.shift[axis] - from.shift[axis])
+            };
+            let turn = 0.5 * (from.moment + to.moment) * (to.twist - from.twist);
+            along(0) + along(1) + turn
+        };
+        steps.map(work).sum()
+    }
+
+    /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
+    /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
+    /// stood still meanwhile.
+    ///
+    /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
+    /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
+    /// theirs. On a sphere pressed by a constant force the ratio grows to 1/5 at the limit of sliding
+    /// (Mindlin & Deresiewicz), and by sliding to one: Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
+    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, take 1/5 for the transition from partial to gross
+    /// slip. Loops round an ellipse may exceed one.
+    #[must_use]
+    pub fn energy_ratio(&self) -> f64 {
+        part_of(self.energy().dissipated_energy, total_energy(self.points()))
+    }
+
+    /// The [loop](Cycle::points) of force and shift as CSV: one line for each point, behind a line of names.
+    ///
+    /// ```
+    /// use stickslip::history::Cycle;
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// let mut cycle = Cycle::new(&history);
+    /// history.step(&LoadStep::shift([0.1, 0.0]).normal(NormalControl::Force(0.5)))?;
+    /// cycle.add(&history)?;
+    /// let text = cycle.points_as_csv();
+    /// let names = "shift_x,shift_y,twist,force_x,force_y,moment";
+    /// assert_eq!(text.lines().next(), Some(names));
+    /// assert_eq!(text.lines().count(), 3);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn points_as_csv(&self) -> String {
+        let mut text = String::from("shift_x,shift_y,twist,force_x,force_y,moment\n");
+        for point in self.points() {
+            let ([dx, dy], [fx, fy]) = (point.shift, point.force);
+            let (twist, moment) = (point.twist, point.moment);
+            writeln!(text, "{dx:?},{dy:?},{twist:?},{fx:?},{fy:?},{moment:?}")
+                .expect("writing to a string cannot fail");
+        }
+        text
+    }
+
+    /// The names of the columns of [`Cycle::summary_as_csv`], without the end of the line.
+    pub const SUMMARY_NAMES: &str = "steps,force_amplitude_x,force_amplitude_y,shift_amplitude_x,shift_amplitude_y,\
+         dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
+
+    /// The cycle as a line of CSV without its end, for a table of cycles: number of steps, half the ranges of force and
+    /// shift, energy dissipated by the tractions at the ends of steps, [energy ratio](Cycle::energy_ratio),
+    /// [residual](Cycle::cyclic_residual) and [stick ratios](Cycle::stick_ratios).
+    ///
+    /// ```
+    /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
+    /// # use stickslip::*;
+    /// # let grid = Grid::square(16, 8.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
+    ///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
+    /// });
+    /// let mut table = format!("{}\n", Cycle::SUMMARY_NAMES);
+    /// let mut cycle = Cycle::new(&history);
+    /// for _ in 0..3 {
+    ///     fretting.cycle(&mut history, &mut cycle)?;
+    ///     table += &(cycle.summary_as_csv() + "\n");
+    /// }
+    /// assert!(table.lines().all(|line| line.split(',').count() == 10));
+    /// assert!(table.lines().nth(3).is_some_and(|line| line.starts_with("4,")));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn summary_as_csv(&self) -> String {
+        let ([fx, fy], [dx, dy]) = (self.force_amplitude(), self.shift_amplitude());
+        let [least, largest] = self.stick_ratios();
+        let (energy, ratio) = (self.energy().dissipated_energy, self.energy_ratio());
+        let (steps, residual) = (self.steps(), self.cyclic_residual());
+        format!(
+            "{steps},{fx:?},{fy:?},{dx:?},{dy:?},{energy:?},{ratio:?},{residual:?},{least:?},{largest:?}"
+        )
+    }
+}
+
+/// Half of what lies between the least and the largest value over the loop.
+pub(in crate::history) fn half_range(
+    points: &[LoopPoint],
+    value: impl Fn(&LoopPoint) -> f64,
+) -> f64 {
+    let values = points.iter().map(value);
+    let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    0.5 * (ends[1] - ends[0])
+}
+
+/// $`4 (Q^* \delta^* + M^* \varphi^*)`$: what the loop would dissipate if it filled the rectangles around it.
+///
+/// Force and shift are taken along the longest chord of the path of force.
+fn total_energy(points: &[LoopPoint]) -> f64 {
+    let chord = longest_chord(points);
+    let length = chord[0].hypot(chord[1]);
+    let along = chord.map(|component| component / length.max(f64::MIN_POSITIVE));
+    let shift = half_range(points, |point| {
+        along[0] * point.shift[0] + along[1] * point.shift[1]
+    });
+    let moment = half_range(points, |point| point.moment);
+    let twist = half_range(points, |point| point.twist);
+    4.0 * (0.5 * length * shift + moment * twist)
+}
+
+/// From one point of the path of force to that farthest from it, of all pairs.
+fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
+    let mut longest = [0.0_f64; 2];
+    for (later, to) in points.iter().enumerate() {
+        for from in &points[..later] {
+            let chord = [0, 1].map(|axis| to.force[axis] - from.force[axis]);
+            if chord[0].hypot(chord[1]) > longest[0].hypot(longest[1]) {
+                longest = chord;
+            }
+        }
+    }
+    longest
+}
+
+/// A part over the whole; no part is zero, and a part of nothing infinite.
+pub(in crate::history) fn part_of(part: f64, whole: f64) -> f64 {
+    if part > 0.0 { part / whole } else { 0.0 }
+}

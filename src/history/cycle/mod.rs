@@ -1,0 +1,409 @@
+//! What the steps of a cycle add up to.
+
+pub(super) mod fretting_loop;
+pub(super) mod hysteresis;
+pub(super) mod regime;
+
+use crate::cgm::reduce;
+#[cfg(feature = "serde")]
+use crate::error::positive;
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
+use crate::history::step::remarks::Remarks;
+use crate::history::{EnergyBalance, History, Regime};
+use crate::numerics::cell_vector::norm;
+use crate::parallel::{self, Blocks, CHUNK, blocks};
+use crate::support::debug::shown;
+use crate::support::fallible::or_abort;
+#[cfg(feature = "serde")]
+use crate::support::serialise::checked;
+
+/// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
+///
+/// It begins where the history is, and [takes](Self::add) each step once, after it was done; a
+/// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
+/// allocates nothing in a cycle of no more steps than one before. Of [distributed](crate::HalfSpace::distributed) bodies
+/// all ranks [begin](Self::begin) and [add](Self::add) together. Each rank then has the numbers of the whole cycle, without
+/// further messages, and in the fields the cells that it holds.
+///
+/// ```
+/// use stickslip::history::{Cycle, LoadPath, Regime};
+/// use stickslip::*;
+/// let grid = Grid::square(48, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+///
+/// let path = LoadPath::sine([40.0, 0.0], 16)?;
+/// let mut cycle = Cycle::new(&history);
+/// for _ in 0..2 {
+///     cycle.begin(&history)?;
+///     for &force in path.steps() {
+///         history.step(&LoadStep::force(force))?;
+///         cycle.add(&history)?;
+///     }
+/// }
+/// assert_eq!(cycle.regime(), Regime::PartialSlip);
+/// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
+/// // The second cycle ends as it began, and all its work is dissipated.
+/// assert!(cycle.cyclic_residual() < 1e-6);
+/// let energy = cycle.energy();
+/// assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-6);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Cycle {
+    sums: Sums,
+    /// The largest magnitude of a traction in the cycle.
+    largest_traction: f64,
+    /// The largest magnitude of what a traction has changed since the beginning.
+    traction_change: f64,
+    energy: EnergyBalance,
+    points: Vec<LoopPoint>,
+    stick_ratios: [f64; 2],
+    regime: Regime,
+    pub(super) remarks: Remarks,
+    /// The number of the last step in it, or of that it begins after.
+    last_step: u64,
+}
+
+shown!(Cycle: steps(), regime, stick_ratios, energy);
+
+/// What the steps of a cycle add up to in every cell.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+struct Sums {
+    slip_distance: Field,
+    slip_pressure: Field,
+    dissipated_energy: Field,
+    slip_amplitude: [Field; 2],
+    /// The least slip since the start of the history, which the amplitude rises from.
+    least_slip: [Field; 2],
+    first_traction: [Field; 2],
+}
+
+#[cfg(feature = "serde")]
+impl Sums {
+    fn fields(&self) -> impl Iterator<Item = &Field> {
+        let scalars = [
+            &self.slip_distance,
+            &self.slip_pressure,
+            &self.dissipated_energy,
+        ];
+        let vectors = [&self.slip_amplitude, &self.least_slip, &self.first_traction];
+        scalars.into_iter().chain(vectors.into_iter().flatten())
+    }
+}
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "Cycle")]
+struct Unchecked {
+    sums: Sums,
+    largest_traction: f64,
+    traction_change: f64,
+    energy: EnergyBalance,
+    points: Vec<LoopPoint>,
+    stick_ratios: [f64; 2],
+    regime: Regime,
+    remarks: Remarks,
+    last_step: u64,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Cycle {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.sums.slip_distance.grid();
+            for field in read.sums.fields() {
+                field.check("field of the cycle", grid)?;
+            }
+            positive("points of the cycle", read.points.len() as f64)?;
+            Ok(())
+        })
+    }
+}
+
+impl Cycle {
+    /// No steps yet, from where the history is.
+    #[must_use]
+    pub fn new(history: &History) -> Self {
+        or_abort(Self::try_new(history))
+    }
+
+    /// [`Self::new`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    pub fn try_new(history: &History) -> Result<Self> {
+        let zeros = || Field::try_zeros(history.grid());
+        let mut cycle = Self {
+            sums: Sums {
+                slip_distance: zeros()?,
+                slip_pressure: zeros()?,
+                dissipated_energy: zeros()?,
+                slip_amplitude: [zeros()?, zeros()?],
+                least_slip: [zeros()?, zeros()?],
+                first_traction: [zeros()?, zeros()?],
+            },
+            largest_traction: 0.0,
+            traction_change: 0.0,
+            energy: EnergyBalance::default(),
+            points: Vec::new(),
+            stick_ratios: [1.0, 0.0],
+            regime: Regime::FullStick,
+            remarks: Remarks::default(),
+            last_step: 0,
+        };
+        cycle.restart(history);
+        Ok(cycle)
+    }
+
+    /// Forgets all steps and begins anew where the history is.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the cycle is then as it was.
+    pub fn begin(&mut self, history: &History) -> Result<()> {
+        history.bodies.agreed(self.check(history))?;
+        self.restart(history);
+        Ok(())
+    }
+
+    fn restart(&mut self, history: &History) {
+        let sums = [
+            &mut self.sums.slip_distance,
+            &mut self.sums.slip_pressure,
+            &mut self.sums.dissipated_energy,
+        ];
+        for sum in sums.into_iter().chain(&mut self.sums.slip_amplitude) {
+            sum.as_mut_slice().fill(0.0);
+        }
+        let slips = self.sums.least_slip.iter_mut().zip(history.slip());
+        let tractions = self.sums.first_traction.iter_mut().zip(history.traction());
+        for (first, of_history) in slips.chain(tractions) {
+            first.as_mut_slice().copy_from_slice(of_history.as_slice());
+        }
+        (self.largest_traction, self.traction_change) = (0.0, 0.0);
+        self.energy = EnergyBalance::default();
+        self.points.clear();
+        self.points.push(LoopPoint::of(history));
+        (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
+        self.remarks = Remarks::default();
+        self.last_step = history.steps();
+    }
+
+    /// Adds the last step of the history: to be called once after each. Steps that are never added are left out.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`]; [`Error::StepNotNew`] if the history has taken no step since the last one added, or
+    /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
+    /// passes. [`Error::Ranks`]. The cycle is then as it was.
+    pub fn add(&mut self, history: &History) -> Result<()> {
+        let (bodies, step) = (&history.bodies, history.last_step());
+        let (number, last) = (history.steps(), self.last_step);
+        let is_new = if number > last {
+            Ok(())
+        } else {
+            Err(Error::StepNotNew { step: number, last })
+        };
+        bodies.agreed(self.check(history).and(is_new))?;
+        // What ranks find together comes first: where they lose each other the cycle is as it was.
+        let [largest_traction, traction_change] = self.compare_traction(history);
+        let regime = self.regime_with(history);
+        bodies.joint(Ok(()))?;
+        self.largest_traction = self.largest_traction.max(largest_traction);
+        (self.traction_change, self.regime) = (traction_change, regime);
+        self.last_step = number;
+        let sums = &mut self.sums;
+        sums.slip_distance.add_scaled(1.0, step.slip_distance())?;
+        let dissipated = step.dissipated_energy();
+        sums.dissipated_energy.add_scaled(1.0, dissipated)?;
+        self.average_pressure(history);
+        for (axis, slip) in history.slip().into_iter().enumerate() {
+            widen(
+                &mut self.sums.least_slip[axis],
+                &mut self.sums.slip_amplitude[axis],
+                slip,
+            );
+        }
+        if self.steps() == 0 {
+            self.energy = *step.energy();
+        } else {
+            self.energy.extend(step.energy());
+        }
+        let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
+        self.stick_ratios = [least.min(ratio), largest.max(ratio)];
+        self.remarks = self.remarks.and(step.remarks);
+        self.points.push(LoopPoint::of(history));
+        Ok(())
+    }
+
+    fn check(&self, history: &History) -> Result<()> {
+        let grid = self.sums.slip_distance.grid();
+        grid.expect("history of the cycle", history.grid())
+    }
+
+    /// The regime of the cycle with the last step.
+    fn regime_with(&self, history: &History) -> Regime {
+        let (step, layout) = (history.last_step(), history.bodies.grid_layout());
+        let slip = step.slip_distance().as_slice();
+        if step.is_gross_slip() {
+            Regime::GrossSlip
+        } else if self.regime == Regime::FullStick && reduce::any(&layout, |i| slip[i] > 0.0) {
+            Regime::PartialSlip
+        } else {
+            self.regime
+        }
+    }
+
+    /// Takes the step into the mean of the pressure, which weighs by the length of slip.
+    fn average_pressure(&mut self, history: &History) {
+        let [pressure, slip, path] = [
+            history.pressure(),
+            history.last_step().slip_distance(),
+            &self.sums.slip_distance,
+        ]
+        .map(Field::as_slice);
+        parallel::update(self.sums.slip_pressure.as_mut_slice(), |first, chunk| {
+            for (i, mean) in (first..).zip(chunk) {
+                if slip[i] > 0.0 {
+                    *mean += slip[i] / path[i] * (pressure[i] - *mean);
+                }
+            }
+        });
+    }
+
+    /// The largest traction, at the beginning too if this is the first step, and the largest change since.
+    fn compare_traction(&self, history: &History) -> [f64; 2] {
+        let [x, y] = history.traction().map(Field::as_slice);
+        let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
+        let (layout, is_first) = (history.bodies.grid_layout(), self.steps() == 0);
+        let traction = reduce::max(&layout, |i| {
+            let before = is_first.then(|| norm([first_x[i], first_y[i]]));
+            reduce::larger(norm([x[i], y[i]]), before.unwrap_or(0.0))
+        });
+        let change = reduce::max(&layout, |i| norm([x[i] - first_x[i], y[i] - first_y[i]]));
+        [traction, change]
+    }
+
+    /// Steps added.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// Length of the path that each cell slipped in the cycle (lengths, non-negative).
+    #[must_use]
+    pub fn slip_distance(&self) -> &Field {
+        &self.sums.slip_distance
+    }
+
+    /// Pressure that each cell slipped under, the mean over the length of its path
+    /// $`\sum p\,|s| / \sum |s|`$; zero where nothing slipped.
+    ///
+    /// [`wear::archard`](crate::history::wear::archard) of this and of [`slip_distance`](Self::slip_distance) is
+    /// the sum over the steps, whatever the pressure did.
+    #[must_use]
+    pub fn slip_pressure(&self) -> &Field {
+        &self.sums.slip_pressure
+    }
+
+    /// Slip amplitude: half the range of each component of the slip of each cell (lengths, non-negative).
+    #[must_use]
+    pub fn slip_amplitude(&self) -> [&Field; 2] {
+        self.sums.slip_amplitude.each_ref()
+    }
+
+    /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
+    /// [`wear::energy`](crate::history::wear::energy) takes.
+    #[doc(alias = "dissipated energy")]
+    #[must_use]
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.sums.dissipated_energy
+    }
+
+    /// Work, elastic energy and dissipation of the cycle.
+    #[must_use]
+    pub fn energy(&self) -> &EnergyBalance {
+        &self.energy
+    }
+
+    /// The loop of force and shift: the beginning, and the end of each step. It encloses the
+    /// [work of the loads](Self::work_of_loads).
+    #[doc(alias = "friction loop")]
+    #[doc(alias = "fretting loop")]
+    #[doc(alias = "hysteresis")]
+    #[must_use]
+    pub fn points(&self) -> &[LoopPoint] {
+        &self.points
+    }
+
+    /// Half the range of each component of the force.
+    #[must_use]
+    pub fn force_amplitude(&self) -> [f64; 2] {
+        [0, 1].map(|axis| half_range(&self.points, |point| point.force[axis]))
+    }
+
+    /// Half the range of each component of the shift (lengths).
+    #[must_use]
+    pub fn shift_amplitude(&self) -> [f64; 2] {
+        [0, 1].map(|axis| half_range(&self.points, |point| point.shift[axis]))
+    }
+
+    /// The least and the largest stick ratio at the end of a step; one and zero before the first.
+    #[must_use]
+    pub fn stick_ratios(&self) -> [f64; 2] {
+        self.stick_ratios
+    }
+
+    /// Whether the contact stuck, slipped in part, or slid.
+    #[doc(alias = "fretting map")]
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// How far the cycle is from closing: the largest change of a traction from beginning to end over the
+    /// largest traction in between, or that of the shift over its half range, whichever is more.
+    ///
+    /// A cycle that closes repeats itself under the same loads.
+    #[must_use]
+    pub fn cyclic_residual(&self) -> f64 {
+        let (first, last) = (self.points[0], self.points[self.steps()]);
+        let moved = (last.shift[0] - first.shift[0]).hypot(last.shift[1] - first.shift[1]);
+        let [x, y] = self.shift_amplitude();
+        let of_shift = part_of(moved, x.hypot(y));
+        of_shift.max(part_of(self.traction_change, self.largest_traction))
+    }
+
+    /// Room for the points of a cycle of so many steps.
+    pub(super) fn reserve(&mut self, steps: usize) {
+        self.points.reserve(steps);
+    }
+}
+
+/// Takes a slip into the range that reaches from the least by twice the amplitude.
+fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
+    let slip = slip.as_slice();
+    let work = |task: usize, (least, amplitude): (Blocks<'_, f64>, Blocks<'_, f64>)| {
+        let ranges = least.items.iter_mut().zip(amplitude.items);
+        for (slip, (least, amplitude)) in slip[task * CHUNK..].iter().zip(ranges) {
+            if slip < least {
+                *amplitude += 0.5 * (*least - slip);
+                *least = *slip;
+            } else {
+                *amplitude = amplitude.max(0.5 * (slip - *least));
+            }
+        }
+    };
+    let data = (
+        blocks(least.as_mut_slice()),
+        blocks(amplitude.as_mut_slice()),
+    );
+    parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
+}

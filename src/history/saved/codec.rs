@@ -1,0 +1,203 @@
+//! The primitives of the format, each for both directions: what is written from a value is read back into it.
+
+use std::fmt::Debug;
+use std::ops::RangeBounds;
+
+use super::FORMAT;
+use crate::error::{Error, Result, samples_obey};
+use crate::files::Cursor;
+use crate::support::fallible::lacking;
+
+/// A rule for numbers, in words and in code.
+pub(super) type Rule = (&'static str, fn(f64) -> bool);
+
+pub(super) const FINITE: Rule = ("must be finite", f64::is_finite);
+pub(super) const NOT_NEGATIVE: Rule = ("must be non-negative and finite", |value| {
+    value >= 0.0 && value.is_finite()
+});
+pub(super) const POSITIVE: Rule = ("must be positive and finite", |value| {
+    value > 0.0 && value.is_finite()
+});
+/// An error that was not measured is infinite.
+pub(super) const NOT_NEGATIVE_OR_INFINITE: Rule = ("must be non-negative", |value| value >= 0.0);
+/// The modulus of a rigid body is infinite.
+pub(super) const POSITIVE_OR_INFINITE: Rule = ("must be positive", |value| value > 0.0);
+pub(super) const TOLERANCE: Rule = ("must lie strictly between 0 and 1", |value| {
+    value > 0.0 && value < 1.0
+});
+
+/// Writes or reads values, one after another. Numbers are little-endian; rules and ranges are those of reading, and
+/// what is written obeys them.
+pub(super) trait Codec {
+    /// The next `N` bytes: written from the value, or read into it unless `from` tells a problem.
+    fn value<T, const N: usize>(
+        &mut self,
+        what: &str,
+        value: &mut T,
+        to: impl FnOnce(&T) -> [u8; N],
+        from: impl FnOnce([u8; N]) -> Result<T, String>,
+    ) -> Result<()>;
+
+    /// The next numbers, as many as there are values.
+    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: Rule) -> Result<()>;
+
+    fn number(&mut self, what: &str, value: &mut f64, rule: Rule) -> Result<()> {
+        let to = |value: &f64| value.to_le_bytes();
+        self.value(what, value, to, |bytes| {
+            let (found, (words, obeys)) = (f64::from_le_bytes(bytes), rule);
+            if obeys(found) {
+                Ok(found)
+            } else {
+                Err(format!("{what} is {found}: {words}"))
+            }
+        })
+    }
+
+    fn integer(
+        &mut self,
+        what: &str,
+        value: &mut u64,
+        range: impl RangeBounds<u64> + Debug,
+    ) -> Result<()> {
+        let to = |value: &u64| value.to_le_bytes();
+        self.value(what, value, to, |bytes| {
+            let found = u64::from_le_bytes(bytes);
+            if range.contains(&found) {
+                Ok(found)
+            } else {
+                Err(format!("{what} is {found}, not in {range:?}"))
+            }
+        })
+    }
+
+    /// An integer that counts something in memory.
+    fn count(
+        &mut self,
+        what: &str,
+        value: &mut usize,
+        range: impl RangeBounds<u64> + Debug,
+    ) -> Result<()> {
+        let mut integer = *value as u64;
+        self.integer(what, &mut integer, range)?;
+        *value = usize::try_from(integer).unwrap_or(usize::MAX);
+        Ok(())
+    }
+
+    /// A value by its place in a table, one byte.
+    fn kind<T: Copy + PartialEq>(&mut self, what: &str, value: &mut T, table: &[T]) -> Result<()> {
+        let to = |value: &T| {
+            let place = table.iter().position(|kind| kind == value);
+            [place.map_or(0, |place| u8::try_from(place).unwrap_or(0))]
+        };
+        self.value(what, value, to, |[place]| {
+            let kind = table.get(usize::from(place));
+            kind.copied()
+                .ok_or_else(|| format!("{what} {place} is unknown"))
+        })
+    }
+
+    /// Whether there is a value; one that is to be read is made first.
+    fn option<T>(
+        &mut self,
+        what: &str,
+        value: &mut Option<T>,
+        make: impl FnOnce() -> Result<T>,
+    ) -> Result<()> {
+        let mut is_there = value.is_some();
+        self.kind(what, &mut is_there, &[false, true])?;
+        if is_there && value.is_none() {
+            *value = Some(make()?);
+        }
+        Ok(())
+    }
+}
+
+/// Bytes that grow.
+#[derive(Default)]
+pub(super) struct Writer(pub(super) Vec<u8>);
+
+impl Writer {
+    pub(super) fn extend(
+        &mut self,
+        count: usize,
+        bytes: impl IntoIterator<Item = u8>,
+    ) -> Result<()> {
+        let room = self.0.try_reserve(count);
+        room.map_err(|_| lacking(self.0.len() + count))?;
+        self.0.extend(bytes);
+        Ok(())
+    }
+}
+
+impl Codec for Writer {
+    fn value<T, const N: usize>(
+        &mut self,
+        _: &str,
+        value: &mut T,
+        to: impl FnOnce(&T) -> [u8; N],
+        _: impl FnOnce([u8; N]) -> Result<T, String>,
+    ) -> Result<()> {
+        self.extend(N, to(value))
+    }
+
+    fn numbers(&mut self, _: &str, values: &mut [f64], _: Rule) -> Result<()> {
+        let bytes = values.iter().flat_map(|v| v.to_le_bytes());
+        self.extend(size_of_val(values), bytes)
+    }
+}
+
+/// Bytes, read in order.
+pub(super) struct Reader<'a>(pub(super) Cursor<'a>);
+
+impl Reader<'_> {
+    /// `Ok` if so many bytes are left, else the error of a file that ends.
+    pub(super) fn expect(&self, what: &str, count: usize) -> Result<()> {
+        let found = self.0.rest().len();
+        if found >= count {
+            return Ok(());
+        }
+        let problem = format!("the file ends within {what}: {found} of {count} bytes");
+        Err(FORMAT.at_byte(self.0.position(), problem))
+    }
+
+    /// `Ok` if nothing is left.
+    pub(super) fn end(&self) -> Result<()> {
+        if self.0.rest().is_empty() {
+            return Ok(());
+        }
+        let problem = "more bytes follow than a history has";
+        Err(FORMAT.at_byte(self.0.position(), problem))
+    }
+}
+
+impl Codec for Reader<'_> {
+    fn value<T, const N: usize>(
+        &mut self,
+        what: &str,
+        value: &mut T,
+        _: impl FnOnce(&T) -> [u8; N],
+        from: impl FnOnce([u8; N]) -> Result<T, String>,
+    ) -> Result<()> {
+        let start = self.0.position();
+        let found = from(self.0.array(what)?);
+        *value = found.map_err(|problem| FORMAT.at_byte(start, problem))?;
+        Ok(())
+    }
+
+    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: Rule) -> Result<()> {
+        let start = self.0.position();
+        let stored = self.0.take(what, size_of_val(values))?;
+        for (value, stored) in values.iter_mut().zip(stored.chunks_exact(8)) {
+            let mut bytes = [0; 8];
+            bytes.copy_from_slice(stored);
+            *value = f64::from_le_bytes(bytes);
+        }
+        samples_obey(what, values, rule.0, rule.1).map_err(|error| {
+            let index = match error {
+                Error::Sample { index, .. } => index,
+                _ => 0,
+            };
+            FORMAT.at_byte(start + 8 * index, error.to_string())
+        })
+    }
+}

@@ -1,0 +1,195 @@
+//! A history as bytes, to continue from later.
+//!
+//! | bytes | holds |
+//! |---|---|
+//! | 8 | `\x93STKSLIP` |
+//! | 4 | version of the format |
+//! | 8 | number of all bytes |
+//! | | bodies, then the parts of the state in the order of its `visit` |
+//! | 8 | FNV-1a sum of all bytes before |
+//!
+//! Numbers are little-endian; counts take 8 bytes, samples are doubles.
+
+mod codec;
+mod file;
+mod format;
+mod slabs;
+
+use crate::error::Result;
+use crate::files::{Cursor, Format};
+use crate::half_space::HalfSpace;
+use crate::history::History;
+use crate::history::state::State;
+use crate::support::checksum;
+use crate::support::fallible::{TryClone, or_abort};
+
+use codec::{Reader, Writer};
+use format::{Host, LEAST_PER_CELL};
+
+const FORMAT: Format = Format("saved history");
+const MAGIC: &[u8; 8] = b"\x93STKSLIP";
+const VERSION: u32 = 16;
+/// Magic, version and length; and the sum at the end.
+const HEADER: usize = 20;
+const SUM: usize = 8;
+
+impl State {
+    /// Returns the state as bytes, from which [`State::from_bytes`] makes it again.
+    ///
+    /// # Memory
+    /// | part | bytes, one axis | bytes, in the plane |
+    /// |---|---|---|
+    /// | each cell of the grid | 57 | 73 |
+    /// | each cell of the window of the contact | 24 | 64 |
+    /// | each cell of the window of the contact, if cells entered it in the last step | 8 | 8 |
+    /// | each cell of the window of the pressure, once the normal load has changed | 8 | 8 |
+    /// | each cell of the grid, if the gap has changed since it was pressed | 8 | 8 |
+    /// | each cell of the grid, for a friction per cell | 8 | 8 |
+    /// | each cell of the grid, for a hardness per cell | 8 | 8 |
+    /// | each cell of the grid, for a permanent set | 8 | 8 |
+    /// | each cell of the grid, for a relative displacement | 32 | 32 |
+    ///
+    /// A contact that fills the grid takes 89 to 121 bytes per cell, and 145 to 177 in the plane, without a relative
+    /// displacement. Pressure and traction that are found together take 129 bytes per cell of the grid. The rest is less than
+    /// a kilobyte.
+    ///
+    /// # What is kept
+    /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
+    /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
+    /// it is written, as much memory again holds a copy of the state. Of a slab they are those of its rows; from the bytes of
+    /// all slabs [`State::of_slabs`] makes the state again, on any number of ranks.
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        or_abort(self.try_to_bytes())
+    }
+
+    /// [`State::to_bytes`] where memory may run out.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn try_to_bytes(&self) -> Result<Vec<u8>> {
+        self.try_clone()?.into_bytes()
+    }
+
+    /// The codec takes what it visits by mutable reference, in both directions: so this takes the state.
+    fn into_bytes(mut self) -> Result<Vec<u8>> {
+        let mut writer = Writer::default();
+        writer.extend(MAGIC.len(), *MAGIC)?;
+        writer.extend(size_of_val(&VERSION), VERSION.to_le_bytes())?;
+        // The length, which is known at the end only.
+        writer.extend(8, [0; 8])?;
+        Host::of(&self).visit(&mut writer)?;
+        self.visit(&mut writer)?;
+
+        let length = (writer.0.len() + SUM) as u64;
+        writer.0[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
+        let sum = checksum::of_bytes(&writer.0);
+        writer.extend(SUM, sum.to_le_bytes())?;
+        Ok(writer.0)
+    }
+
+    /// A state saved by [`State::to_bytes`].
+    ///
+    /// Of a slab, force, contact area and the like of the [normal contact](State::normal) are those of its rows until
+    /// [`State::of_slabs`] or a history takes it, on the bodies that ranks share: then they are those of the whole grid.
+    ///
+    /// # Errors
+    /// [`Error::Format`](crate::Error::Format), with the byte, if the bytes are no such state, of another version,
+    /// truncated or changed. It takes no more than twice the memory of the bytes.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        let mut reader = Reader(opened(bytes)?);
+        let mut host = Host::default();
+        host.visit(&mut reader)?;
+        let grid = host.grid()?;
+        reader.expect("the cells", grid.cells().saturating_mul(LEAST_PER_CELL))?;
+        let mut state = host.blank(grid)?;
+        state.visit(&mut reader)?;
+        reader.end()?;
+        if state.is_joint() && !state.is_whole() {
+            let problem = "a coupled contact must remember both axes on all of its grid";
+            return Err(FORMAT.at_byte(HEADER, problem));
+        }
+        Ok(state)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<State> for Vec<u8> {
+    fn from(state: State) -> Self {
+        or_abort(state.into_bytes())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Vec<u8>> for State {
+    type Error = crate::error::Error;
+
+    fn try_from(bytes: Vec<u8>) -> Result<Self> {
+        Self::from_bytes(&bytes)
+    }
+}
+
+impl History {
+    /// The bytes of the [state](History::state): all that the next step needs but the bodies, which are known again
+    /// by grid, boundary, meaning of the values and elastic constants. See [`State::to_bytes`].
+    #[doc(alias = "checkpoint")]
+    #[must_use]
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.state().to_bytes()
+    }
+
+    /// A history saved by [`History::to_bytes`], on the bodies it had; it continues to the same bits. Its [last
+    /// step](History::last_step) is empty.
+    ///
+    /// # Errors
+    /// As [`State::from_bytes`] and [`History::from_state`].
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::square(16, 4.0)?;
+    /// let rubber = Material::new(1.0, 0.5)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// let ball = surface::sphere(grid, 10.0)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.1)))?;
+    ///
+    /// let mut restored = History::from_bytes(&bodies, &history.to_bytes())?;
+    /// let shear = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.02));
+    /// assert_eq!(history.step(&shear)?.shift(), restored.step(&shear)?.shift());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
+        Self::from_state(bodies, bodies.agreed(State::from_bytes(bytes))?)
+    }
+}
+
+/// Passes the magic and the version, which must be those of this format.
+fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
+    if start.take("the magic string", MAGIC.len())? != MAGIC {
+        return Err(FORMAT.at_byte(0, "the bytes do not begin with \\x93STKSLIP"));
+    }
+    let version = start.u32("the version")?;
+    if version != VERSION {
+        let problem = format!("version {version} is unknown; this is version {VERSION}");
+        return Err(FORMAT.at_byte(MAGIC.len(), problem));
+    }
+    Ok(())
+}
+
+/// The contents of the bytes, whose magic, version, length and sum are right.
+fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
+    let mut start = Cursor::new(FORMAT, bytes);
+    check_kind(&mut start)?;
+    let (length, found) = (start.u64("the length")?, bytes.len());
+    if length != found as u64 || found < HEADER + SUM {
+        let problem = format!("{length} bytes were saved, {found} are here");
+        return Err(FORMAT.at_byte(MAGIC.len() + 4, problem));
+    }
+    let (contents, sum) = bytes.split_at(found - SUM);
+    if checksum::of_bytes(contents).to_le_bytes() != sum {
+        return Err(FORMAT.at_byte(found - SUM, "the checksum of the bytes is another"));
+    }
+    let mut contents = Cursor::new(FORMAT, contents);
+    contents.take("the header", HEADER)?;
+    Ok(contents)
+}

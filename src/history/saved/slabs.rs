@@ -1,0 +1,246 @@
+//! The state of a contact that ranks share, put together from the slabs that others had.
+
+use crate::error::{Error, RankFailure, Result};
+use crate::grid::Grid;
+use crate::grid::field::Field;
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
+use crate::half_space::HalfSpace;
+use crate::history::saved::codec::Writer;
+use crate::history::state::State;
+use crate::history::state::memory::Memory;
+use crate::normal::Hardness;
+use crate::parallel::ranks::Words;
+use crate::support::checksum;
+use crate::support::fallible::or_abort;
+use crate::tangential::{Axis, Zone};
+
+impl State {
+    /// The state of the cells held here of these bodies, put together from slabs: from the states that any number of ranks
+    /// had, in any order, or from that of the whole grid. Slabs without rows held here may be left out. All ranks call it.
+    ///
+    /// # Errors
+    /// The first error among the slabs; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    /// [`Error::MaterialMismatch`] for other bodies; [`Error::Ranks`] with [`RankFailure::NoSlab`] if a row is missing, with
+    /// [`RankFailure::OtherState`] for slabs that were not saved together.
+    ///
+    /// ```
+    /// use std::{sync::Arc, time::Duration};
+    /// use stickslip::{*, history::State, ranks::Threads};
+    /// let grid = Grid::square(32, 8.0)?;
+    /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+    /// let boundary = Boundary::NonPeriodic;
+    /// let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    /// let slide = LoadStep::force([0.1, 0.0]);
+    /// let patience = Duration::from_secs(60);
+    ///
+    /// // Three ranks begin, and save their slabs.
+    /// let slabs = Threads::run(3, patience, |rank| {
+    ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
+    ///     let ball = surface::sphere(bodies.grid(), 10.0)?;
+    ///     let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    ///     history.step(&press)?;
+    ///     Ok::<_, Error>(history.to_bytes())
+    /// });
+    /// let slabs = slabs.into_iter().collect::<Result<Vec<_>, _>>()?;
+    ///
+    /// // Two continue, and so does one process, to the same bits.
+    /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
+    /// let shifts = Threads::run(2, patience, |rank| {
+    ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
+    ///     let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    ///     Ok::<_, Error>(history.step(&slide)?.shift())
+    /// });
+    /// let bodies = HalfSpace::new(grid, pair)?;
+    /// let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    /// let alone = history.step(&slide)?.shift();
+    /// for shift in shifts {
+    ///     assert_eq!(shift?, alone);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn of_slabs(
+        bodies: &HalfSpace,
+        slabs: impl IntoIterator<Item = Result<Self>>,
+    ) -> Result<Self> {
+        let mut state = bodies.agreed(put_together(bodies, slabs))?;
+        state.gather_whole(bodies);
+        bodies.joint(Ok(state))
+    }
+
+    /// The same, with all cells of another slab at zero.
+    fn blank_on(mut self, grid: Grid) -> Self {
+        self.zones = vec![Zone::Separated; grid.cells()];
+        for (window, part) in self.parts_mut() {
+            *part = vec![0.0; window.held(grid).cells()];
+        }
+        for field in self.fields_mut() {
+            *field = Field::zeros(grid);
+        }
+        self
+    }
+
+    /// Takes over the rows of a slab that are held here.
+    fn take_rows(&mut self, slab: &mut Self) {
+        let (grid, from) = (self.grid(), slab.grid());
+        let parts = self.parts_mut().into_iter().zip(slab.parts_mut());
+        for ((window, part), (_, found)) in parts {
+            copy_rows(window, (grid, part), (from, found));
+        }
+        let whole = Window::whole(grid);
+        for (field, found) in self.fields_mut().into_iter().zip(slab.fields_mut()) {
+            let (field, found) = (field.as_mut_slice(), found.as_slice());
+            copy_rows(whole, (grid, field), (from, found));
+        }
+        copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
+    }
+
+    /// A sum of all that is not in cells, which slabs of one state have in common; zero where nothing is to be compared.
+    pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
+        if bodies.is_shared() { self.digest() } else { 0 }
+    }
+
+    /// The same of those numbers alone that tell the states of one history from each other.
+    pub(in crate::history) fn numbers_on(&self, bodies: &HalfSpace) -> u64 {
+        if !bodies.is_shared() {
+            return 0;
+        }
+        let mut words = vec![self.steps];
+        (self.force, self.moment).write(&mut words);
+        (self.motion.shift, self.motion.twist).write(&mut words);
+        (self.approach(), self.settings.tolerance).write(&mut words);
+        let window = self.contact.as_ref().map(|memory| memory.window);
+        (self.press_window, window).write(&mut words);
+        let bytes = words.into_iter().flat_map(u64::to_le_bytes);
+        checksum::of_bytes(&bytes.collect::<Vec<_>>())
+    }
+
+    fn digest(&self) -> u64 {
+        let nothing = self.grid().whole().slab(0..0);
+        let mut writer = Writer::default();
+        let mut rest = self.clone().blank_on(nothing);
+        or_abort(rest.visit(&mut writer));
+        checksum::of_bytes(&writer.0)
+    }
+
+    /// All fields of the grid.
+    fn fields_mut(&mut self) -> Vec<&mut Field> {
+        let (pressure, under_load, ..) = self.normal.parts_mut();
+        let mut fields = vec![
+            &mut self.gap,
+            &mut self.pressed_gap,
+            pressure,
+            under_load,
+            &mut self.accumulated_slip,
+            &mut self.dissipated_energy,
+        ];
+        fields.extend(self.traction.iter_mut().chain(&mut self.slip));
+        fields.extend(&mut self.yielded);
+        let (coefficient, _) = self.friction.parts_mut();
+        let limits = self.hardness.as_mut().map(Hardness::limit_mut);
+        for quantity in [Some(coefficient), limits].into_iter().flatten() {
+            if let PerCell::Cells(field) = quantity {
+                fields.push(field);
+            }
+        }
+        if let Some(relative) = &mut self.relative {
+            fields.extend(relative.pattern.fields_mut());
+            fields.extend(relative.reached.fields_mut());
+        }
+        fields
+    }
+
+    /// All fields of windows, in the cells held here.
+    fn parts_mut(&mut self) -> Vec<(Window, &mut Vec<f64>)> {
+        let is_joint = self.is_joint();
+        let mut parts = Vec::new();
+        if let Some(window) = self.press_window.filter(|_| self.trend.is_known()) {
+            parts.extend(self.trend.change.iter_mut().map(|change| (window, change)));
+        }
+        if let Some(memory) = &mut self.contact {
+            let Memory {
+                window,
+                displacement,
+                offset,
+                trend,
+                slip,
+                entered,
+                has_entered,
+            } = memory;
+            let (axes, in_plane) = (self.axes, self.axes == Axis::BOTH);
+            let vectors = [
+                (displacement, true),
+                (offset, true),
+                (&mut trend.change, !is_joint),
+                (slip, in_plane),
+            ];
+            for (vector, _) in vectors.into_iter().filter(|(_, is_there)| *is_there) {
+                let found = vector.iter_mut().enumerate();
+                let of_model =
+                    found.filter(|(part, _)| axes.iter().any(|axis| axis.index() == *part));
+                parts.extend(of_model.map(|(_, part)| (*window, part)));
+            }
+            if *has_entered {
+                parts.push((*window, entered));
+            }
+        }
+        parts
+    }
+}
+
+fn put_together(
+    bodies: &HalfSpace,
+    slabs: impl IntoIterator<Item = Result<State>>,
+) -> Result<State> {
+    let grid = bodies.grid();
+    let mut found: Option<(State, u64)> = None;
+    let mut is_missing = vec![true; grid.ny()];
+    for slab in slabs {
+        let mut slab = slab?;
+        slab.check_origin(bodies)?;
+        let rows = slab.grid().rows();
+        let state = match &mut found {
+            Some((_, digest)) if *digest != slab.digest() => {
+                return Err(Error::Ranks(RankFailure::OtherState { row: rows.start }));
+            }
+            Some((state, _)) => state,
+            none => {
+                let digest = slab.digest();
+                &mut none.insert((slab.clone().blank_on(grid), digest)).0
+            }
+        };
+        state.take_rows(&mut slab);
+        for (row, is_missing) in grid.rows().zip(&mut is_missing) {
+            *is_missing &= !rows.contains(&row);
+        }
+    }
+    let first = grid.rows().start;
+    let missing = is_missing.iter().position(|is_missing| *is_missing);
+    let missing = missing.map(|row| RankFailure::NoSlab { row: first + row });
+    match (found, missing) {
+        (Some((state, _)), None) => Ok(state),
+        (_, missing) => Err(Error::Ranks(
+            missing.unwrap_or(RankFailure::NoSlab { row: first }),
+        )),
+    }
+}
+
+/// Copies the rows of a window that both slabs have.
+fn copy_rows<T: Copy>(
+    window: Window,
+    (to_grid, to): (Grid, &mut [T]),
+    (from_grid, from): (Grid, &[T]),
+) {
+    let rows = |grid: Grid| {
+        let [columns, rows] = window.held(grid).ranges();
+        let first = grid.rows().start;
+        (columns.len(), first + rows.start..first + rows.end)
+    };
+    let ((columns, own), (_, others)) = (rows(to_grid), rows(from_grid));
+    let (start, end) = (own.start.max(others.start), own.end.min(others.end));
+    if start < end {
+        let place = |row: usize, first: usize| (row - first) * columns;
+        let source = &from[place(start, others.start)..place(end, others.start)];
+        to[place(start, own.start)..place(end, own.start)].copy_from_slice(source);
+    }
+}

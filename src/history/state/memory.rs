@@ -1,0 +1,168 @@
+//! The memory of the cells in and around the contact.
+
+use crate::contact::Trend;
+use crate::error::Result;
+use crate::grid::Grid;
+use crate::grid::field::{Field, clone_in_place};
+use crate::grid::window::Window;
+use crate::history::state::State;
+use crate::support::fallible::{self, TryClone, try_clone, try_each};
+use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, zeros};
+
+/// Displacement and offset of the cells of a window that are held here.
+#[derive(Debug)]
+pub(in crate::history) struct Memory {
+    pub(in crate::history) window: Window,
+    /// Displacement u after the last step.
+    pub(in crate::history) displacement: PlaneVector,
+    /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
+    /// the contact, where it would touch now.
+    pub(in crate::history) offset: PlaneVector,
+    /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and traction are
+    /// found together.
+    pub(in crate::history) trend: Trend<2>,
+    /// Slip of the last step, which resists turning; of no cells in the scalar model.
+    pub(in crate::history) slip: PlaneVector,
+    /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
+    pub(in crate::history) entered: Vec<f64>,
+    /// Whether cells entered, here or on another rank.
+    pub(in crate::history) has_entered: bool,
+}
+
+clone_in_place!(Memory {
+    window,
+    displacement,
+    offset,
+    trend,
+    slip,
+    entered,
+    has_entered,
+});
+
+try_clone!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
+
+impl Memory {
+    /// At the first touch, of bodies that have no displacement.
+    pub(in crate::history) fn first(
+        grid: Grid,
+        axes: &[Axis],
+        window: Window,
+        motion: Motion,
+    ) -> Result<Self> {
+        let held = window.held(grid);
+        let mut offset = zeros(axes, held.cells())?;
+        for (k, i) in held.indices().enumerate() {
+            let moved = motion.at(centre(grid, i));
+            for axis in axes.iter().map(|axis| axis.index()) {
+                offset[axis][k] = -moved[axis];
+            }
+        }
+        Ok(Self {
+            window,
+            displacement: zeros(axes, held.cells())?,
+            offset,
+            trend: Trend {
+                change: zeros(axes, held.cells())?,
+                ..Trend::default()
+            },
+            slip: if axes == Axis::BOTH {
+                zeros(axes, held.cells())?
+            } else {
+                PlaneVector::default()
+            },
+            entered: Vec::new(),
+            has_entered: false,
+        })
+    }
+
+    /// Forgets the last step, after one without contact.
+    pub(in crate::history) fn forget_step(&mut self) {
+        for part in &mut self.slip {
+            part.fill(0.0);
+        }
+        self.entered.clear();
+        self.has_entered = false;
+    }
+
+    /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory); to [narrow](Self::narrow) it to the window it had then makes it what it was.
+    pub(in crate::history) fn widen(
+        &mut self,
+        grid: Grid,
+        increment: &mut Increment,
+        traction: [&Field; 2],
+        motion: Motion,
+    ) -> Result<()> {
+        let (held, old) = (increment.pressed.region.held(), self.window.held(grid));
+        let axes = increment.axes();
+        for field in self.fields_mut(axes) {
+            fallible::make_room(field, held.cells())?;
+        }
+        for field in self.fields_mut(axes) {
+            held.spread(old, field);
+        }
+        self.window = increment.pressed.window();
+        increment.set_traction(traction.map(Field::as_slice));
+        let displacement = increment.fresh_displacement()?;
+        let cells = held.indices().enumerate();
+        let added = cells.filter(|(_, i)| !old.contains(*i));
+        for (k, i) in added {
+            let moved = motion.at(centre(grid, i));
+            for axis in axes.iter().map(|axis| axis.index()) {
+                self.displacement[axis][k] = displacement[axis][k];
+                self.offset[axis][k] = displacement[axis][k] - moved[axis];
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a smaller window around all contact. What a cell apart remembers is lost with it: [`Self::widen`] finds it
+    /// again.
+    pub(in crate::history) fn narrow(&mut self, grid: Grid, window: Window) {
+        let (held, old) = (window.held(grid), self.window.held(grid));
+        let fields = self.fields_mut(Axis::BOTH);
+        for field in fields.filter(|field| !field.is_empty()) {
+            held.cut(old, field);
+        }
+        self.window = window;
+    }
+
+    /// Returns the fields of the window of tractions along these axes.
+    fn fields_mut(&mut self, axes: &[Axis]) -> impl Iterator<Item = &mut Vec<f64>> {
+        let has_slip = axes == Axis::BOTH;
+        let vectors = [
+            Some(&mut self.displacement),
+            Some(&mut self.offset),
+            Some(&mut self.trend.change),
+            has_slip.then_some(&mut self.slip),
+        ];
+        let parts = vectors.into_iter().flatten().flat_map(|parts| {
+            let parts = parts.iter_mut().zip([Axis::X, Axis::Y]);
+            parts
+                .filter(|(_, axis)| axes.contains(axis))
+                .map(|(part, _)| part)
+        });
+        parts.chain(self.has_entered.then_some(&mut self.entered))
+    }
+
+    /// How many times the last step the load continues in the same direction; `None` where it does not, or turns without
+    /// rolling.
+    pub(in crate::history) fn parts_ahead(
+        &self,
+        state: &State,
+        demand: &Demand,
+        is_rolled: bool,
+    ) -> Option<f64> {
+        let ahead = demand.ahead(state.force, state.motion.shift);
+        let turns = !is_rolled && demand.twist.to_bits() != state.motion.twist.to_bits();
+        let parts = self.trend.parts(ahead);
+        parts.filter(|parts| *parts > 0.0 && !turns)
+    }
+
+    /// The displacements of all cells, of a window that is the grid.
+    pub(in crate::history) fn fields(&self, grid: Grid) -> Result<[Field; 2]> {
+        try_each(|axis| Field::from_vec(grid, self.displacement[axis].try_clone()?))
+    }
+}

@@ -1,0 +1,418 @@
+//! What survives from one step to the next.
+
+pub(super) mod memory;
+pub(super) mod narrowing;
+pub(super) mod over_ranks;
+pub(super) mod permanent_set;
+pub(super) mod readers;
+pub(super) mod relative_displacement;
+
+use crate::bodies::component::Direction;
+use crate::bodies::coupling::Coupling;
+use crate::bodies::material::ElasticPair;
+use crate::cgm::Settings;
+use crate::contact::Trend;
+use crate::coupled::check_joint;
+use crate::error::{Error, Result};
+use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::grid::cell_value::CellValue;
+use crate::grid::field::{Field, clone_in_place};
+use crate::grid::window::Window;
+use crate::half_space::HalfSpace;
+use crate::history::state::memory::Memory;
+use crate::history::state::relative_displacement::Relative;
+use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
+use crate::support::debug::shown;
+use crate::support::fallible::{self, TryClone, try_clone};
+use crate::tangential::TouchRule;
+use crate::tangential::{Axis, Friction, Motion, Zone, check_axes};
+
+/// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
+/// the buffers.
+///
+/// [`History::state`](crate::History::state) lends it. A clone keeps it, and
+/// [`History::set_state`](crate::History::set_state) returns to it; `clone_from` and `set_state` copy into the memory
+/// that is there. Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::square(32, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let ball = surface::sphere(grid, 3.5e-3)?;
+/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+///
+/// // Try a step, and take it back.
+/// let mut kept = history.state().clone();
+/// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
+/// history.step(&shear(40.0))?;
+/// history.set_state(&kept)?;
+/// assert_eq!((history.steps(), history.tangential_force()), (1, [0.0, 0.0]));
+///
+/// // Take a smaller one, and keep it.
+/// history.step(&shear(20.0))?;
+/// kept.clone_from(history.state());
+/// assert!(kept.tangential_force()[0] > 19.9 && kept.shift()[0] > 0.0);
+///
+/// // Continue elsewhere, or later, to the same bits.
+/// let mut other = History::from_state(&bodies, kept)?;
+/// assert_eq!(other.step(&shear(0.0))?.shift(), history.step(&shear(0.0))?.shift());
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// With the feature `serde` a state is written as the bytes of [`State::to_bytes`], in any format.
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(into = "Vec<u8>", try_from = "Vec<u8>")
+)]
+pub struct State {
+    /// The axes of the tractions.
+    pub(super) axes: &'static [Axis],
+    pub(super) settings: Settings,
+    pub(super) friction: Friction,
+    pub(super) gap: Field,
+    /// Of the pressure of all steps.
+    pub(super) hardness: Option<Hardness>,
+    /// What has yielded, if it is to stay.
+    pub(super) yielded: Option<Field>,
+    /// What displaces the bodies beside the contact.
+    pub(super) relative: Option<Relative>,
+    /// The normal contact after the last step.
+    pub(super) normal: NormalSolution,
+    /// The gap that the pressure belongs to; another than `gap` after wear.
+    pub(super) pressed_gap: Field,
+    pub(super) is_pressure_stale: bool,
+    /// The load that the pressure was found under; `Hold` before the first.
+    pub(super) pressed_by: NormalControl,
+    /// Where the pressure was found; `None` before the first contact.
+    pub(super) press_window: Option<Window>,
+    /// How the pressure changed with the load there.
+    pub(super) trend: Trend<1>,
+    /// What the cells in and around the contact remember; `None` before the first contact.
+    pub(super) contact: Option<Memory>,
+    pub(super) traction: [Field; 2],
+    pub(super) slip: [Field; 2],
+    pub(super) accumulated_slip: Field,
+    pub(super) dissipated_energy: Field,
+    pub(super) zones: Vec<Zone>,
+    pub(super) motion: Motion,
+    pub(super) force: [f64; 2],
+    pub(super) moment: f64,
+    pub(super) steps: u64,
+    pub(super) touch_rule: TouchRule,
+    pub(super) coupling: Coupling,
+    /// What friction holds in all, where ranks share the contact.
+    pub(super) capacity: Option<f64>,
+}
+
+shown!(State: grid(), steps(), approach(), tangential_force(), shift(), twist());
+
+clone_in_place!(State {
+    axes,
+    settings,
+    friction,
+    gap,
+    hardness,
+    yielded,
+    relative,
+    normal,
+    pressed_gap,
+    is_pressure_stale,
+    pressed_by,
+    press_window,
+    trend,
+    contact,
+    traction,
+    slip,
+    accumulated_slip,
+    dissipated_energy,
+    zones,
+    motion,
+    force,
+    moment,
+    steps,
+    touch_rule,
+    coupling,
+    capacity,
+});
+
+try_clone!(State {
+    friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
+    dissipated_energy, zones,
+} {
+    axes, settings, is_pressure_stale, pressed_by, press_window, motion, force, moment, steps, touch_rule, coupling, capacity,
+});
+
+const QUANTITY: &str = "state of a history";
+
+impl State {
+    /// Unsheared, nothing in contact.
+    pub(super) fn new(
+        gap: Field,
+        (boundary, cell_value): (Boundary, CellValue),
+        pair: &ElasticPair,
+        friction: Friction,
+        axes: &'static [Axis],
+        settings: Settings,
+        touch_rule: TouchRule,
+    ) -> Result<Self> {
+        let grid = gap.grid();
+        let zeros = || Field::try_zeros(grid);
+        let normal = NormalSolution::empty(&gap, (boundary, cell_value), pair)?;
+        Ok(Self {
+            axes,
+            settings,
+            friction,
+            normal,
+            pressed_gap: gap.try_clone()?,
+            gap,
+            hardness: None,
+            yielded: None,
+            relative: None,
+            is_pressure_stale: false,
+            pressed_by: NormalControl::Hold,
+            press_window: None,
+            trend: Trend::default(),
+            contact: None,
+            traction: [zeros()?, zeros()?],
+            slip: [zeros()?, zeros()?],
+            accumulated_slip: zeros()?,
+            dissipated_energy: zeros()?,
+            zones: fallible::filled(Zone::Separated, grid.cells())?,
+            motion: Motion::default(),
+            force: [0.0; 2],
+            moment: 0.0,
+            steps: 0,
+            touch_rule,
+            coupling: Coupling::default(),
+            capacity: None,
+        })
+    }
+
+    /// With pressures limited by this hardness, and a permanent set if what yields is to stay.
+    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Result<Self> {
+        let yielded = stays.then(|| Field::try_zeros(self.grid()));
+        self.yielded = yielded.transpose()?;
+        self.hardness = hardness;
+        Ok(self)
+    }
+
+    /// Whether the pressure is the answer under this load, as certain as is asked now.
+    pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
+        let report = self.normal.report();
+        load == self.pressed_by
+            && !self.is_joint()
+            && !self.is_pressure_stale
+            && report.is_converged()
+            && report.is_within(self.settings.tolerance)
+    }
+
+    /// Makes what finds a pressure alone continue from here.
+    pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
+        let window = self.press_window.filter(|_| !self.is_joint());
+        press.resume(bodies, self.approach(), window, &self.trend)
+    }
+
+    /// Makes what the cells remember that of this window again, which was widened since; `None` if there was none.
+    pub(super) fn forget_beyond(&mut self, window: Option<Window>) {
+        let grid = self.grid();
+        match (&mut self.contact, window) {
+            (Some(memory), Some(window)) => memory.narrow(grid, window),
+            (contact, _) => *contact = None,
+        }
+    }
+
+    /// `Ok` if the state is one of the cells held here of these bodies.
+    pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
+        bodies.grid().expect(QUANTITY, self.grid())?;
+        self.check_origin(bodies)?;
+        if self.is_joint() {
+            return check_joint(bodies);
+        }
+        bodies.check_directions([Direction::Z], false)?;
+        check_axes(bodies, self.axes, self.coupling)
+    }
+
+    /// `Ok` if the state is one of these bodies, or of some rows of them.
+    pub(super) fn check_origin(&self, bodies: &HalfSpace) -> Result<()> {
+        let whole = bodies.grid().whole();
+        whole.expect(QUANTITY, self.grid().whole())?;
+        if self.boundary() != bodies.boundary() {
+            return Err(Error::BoundaryMismatch { quantity: QUANTITY });
+        }
+        bodies.check_values(QUANTITY, self.normal.cell_value())?;
+        if self.pair() == bodies.pair() {
+            Ok(())
+        } else {
+            Err(Error::MaterialMismatch { quantity: QUANTITY })
+        }
+    }
+
+    /// The grid of all fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.gap.grid()
+    }
+
+    /// What lies beyond the edge of the grid.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.normal.boundary()
+    }
+
+    /// The two bodies.
+    #[must_use]
+    pub fn pair(&self) -> &ElasticPair {
+        self.normal.pair()
+    }
+
+    /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
+    #[must_use]
+    pub fn axis(&self) -> Option<Axis> {
+        Axis::only(self.axes)
+    }
+
+    /// The settings of the next step.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The friction of the next step.
+    #[must_use]
+    pub fn friction(&self) -> &Friction {
+        &self.friction
+    }
+
+    /// The hardness, which limits the pressure of every step; `None` without a hardness.
+    #[must_use]
+    pub fn hardness(&self) -> Option<&Hardness> {
+        self.hardness.as_ref()
+    }
+
+    /// The [displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 relative to body 2 beside that by
+    /// the contact, after the last step (lengths, `[x, y]`); `None` unless the history has one.
+    #[must_use]
+    pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
+        let relative = self.relative.as_ref();
+        relative.map(|relative| relative.reached.fields())
+    }
+
+    /// How deep the surfaces have yielded since the start (lengths, non-negative); `None` unless it
+    /// [stays](crate::history::HistoryBuilder::permanent_set).
+    #[must_use]
+    pub fn yielded(&self) -> Option<&Field> {
+        self.yielded.as_ref()
+    }
+
+    /// The gap before loading (lengths), as last set, and what the surfaces have [yielded](Self::yielded).
+    #[must_use]
+    pub fn gap(&self) -> &Field {
+        &self.gap
+    }
+
+    /// How far a cell that comes into contact within a step follows its motion.
+    #[must_use]
+    pub fn touch_rule(&self) -> TouchRule {
+        self.touch_rule
+    }
+
+    /// How much is modelled of the coupling between pressure and traction, if the bodies have any
+    /// ([`ElasticPair::is_coupled`]).
+    #[must_use]
+    pub fn coupling(&self) -> Coupling {
+        self.coupling
+    }
+
+    /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries
+    /// [`Warning::StalePressure`](crate::Warning::StalePressure).
+    #[must_use]
+    pub fn is_pressure_stale(&self) -> bool {
+        self.is_pressure_stale
+    }
+
+    /// The normal contact: pressure, approach, gap under load, contact area, warnings.
+    #[must_use]
+    pub fn normal(&self) -> &NormalSolution {
+        &self.normal
+    }
+
+    /// Pressure p >= 0; exactly zero outside the contact.
+    #[must_use]
+    pub fn pressure(&self) -> &Field {
+        self.normal.pressure()
+    }
+
+    /// Approach of the bodies from the datum of the gap (a length).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.normal.approach()
+    }
+
+    /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    #[must_use]
+    pub fn traction(&self) -> [&Field; 2] {
+        self.traction.each_ref()
+    }
+
+    /// Sum of the slips of all steps, with their signs (lengths), of the particles where those roll.
+    #[must_use]
+    pub fn slip(&self) -> [&Field; 2] {
+        self.slip.each_ref()
+    }
+
+    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative), of the particles where those
+    /// roll.
+    #[must_use]
+    pub fn accumulated_slip(&self) -> &Field {
+        &self.accumulated_slip
+    }
+
+    /// Energy each cell has dissipated in all steps, the sum of
+    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
+    /// non-negative).
+    #[must_use]
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.dissipated_energy
+    }
+
+    /// The zone of every cell after the last step, row-major with x fastest.
+    #[must_use]
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// Shift of body 2 relative to body 1 since the start (lengths).
+    #[must_use]
+    pub fn shift(&self) -> [f64; 2] {
+        self.motion.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.motion.twist
+    }
+
+    /// Tangential force that body 2 exerts on body 1.
+    #[must_use]
+    pub fn tangential_force(&self) -> [f64; 2] {
+        self.force
+    }
+
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
+    /// positive from x to y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.moment
+    }
+
+    /// Steps taken since the start.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+}

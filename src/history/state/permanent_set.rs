@@ -1,0 +1,32 @@
+//! What yields under the hardness of a history and stays.
+
+use crate::history::state::State;
+
+/// Takes out of the surfaces what overlaps where the pressure just found is at the hardness: the same load then finds
+/// them fitting, and a smaller one an elastic contact.
+pub(in crate::history) fn settle(state: &mut State) {
+    let (Some(yielded), Some(hardness)) = (&mut state.yielded, &state.hardness) else {
+        return;
+    };
+    let (pressure, under_load) = state.normal.yielding_mut();
+    let limits = hardness.limits();
+    for (cell, pressure) in pressure.iter().enumerate() {
+        let overlap = -under_load[cell];
+        if overlap > 0.0 && limits.are_reached(cell, *pressure) {
+            under_load[cell] = 0.0;
+            yielded.as_mut_slice()[cell] += overlap;
+            state.gap.as_mut_slice()[cell] += overlap;
+            state.pressed_gap.as_mut_slice()[cell] += overlap;
+        }
+    }
+}
+
+/// Adds to a gap that was set what the surfaces have yielded.
+pub(in crate::history) fn add_yielded(state: &mut State) {
+    if let Some(yielded) = &state.yielded {
+        let cells = state.gap.as_mut_slice().iter_mut();
+        for (gap, yielded) in cells.zip(yielded.as_slice()) {
+            *gap += yielded;
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! A solved step enters state and account.
+
+use crate::cgm::reduce::Tally;
+use crate::grid::Grid;
+use crate::grid::field::Field;
+use crate::grid::window::Window;
+use crate::history::EnergyBalance;
+use crate::history::state::State;
+use crate::history::state::memory::Memory;
+use crate::history::step::result::StepResult;
+use crate::numerics::cell_vector::{dot, minus, plus, slices};
+use crate::parallel::Blocks;
+use crate::parallel::ranks::Words;
+use crate::rolling::Travel;
+use crate::tangential::{Answer, Motion, Zone, at, centre};
+
+/// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled
+/// along `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields
+/// were last written in.
+pub(in crate::history) fn commit(
+    answer: Option<&Answer<'_>>,
+    motion: Motion,
+    travel: Option<&Travel>,
+    pressure_before: Option<&Field>,
+    state: &mut State,
+    step: &mut StepResult,
+    written: &mut Option<Window>,
+) {
+    // A state that was returned to may have another window than the last step.
+    let window = answer.map(|answer| answer.region.window());
+    if *written != window {
+        step.clear_fields();
+        *written = window;
+    }
+    let (before, force, moment) = (state.motion, state.force, state.moment);
+    let change = motion.since(before);
+    if let Some(travel) = travel {
+        // The next step starts from how the tractions of the cells change, whichever particles are there.
+        state.keep_traction(travel, pressure_before);
+        state.carry(travel, motion);
+    }
+    let back = travel.map_or([0.0; 2], |travel| travel.back);
+    (step.stick_cells, step.slip_cells) = (0, 0);
+    step.energy = EnergyBalance::default();
+    state.motion = motion;
+    // Out of the state and back, so that both can be written.
+    let mut contact = state.contact.take();
+    if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
+        answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
+        let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
+        memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
+    }
+    state.contact = contact;
+    let shifted: f64 = (0..2)
+        .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
+        .sum();
+    // About the middle of the way of each particle.
+    let [x, y] = [0, 1].map(|axis| state.force[axis] - force[axis]);
+    let turned = 0.5 * (moment + state.moment) + 0.25 * (back[0] * y - back[1] * x);
+    step.energy.work += shifted + turned * change.twist;
+    (step.force, step.moment) = (state.force, state.moment);
+    (step.shift, step.twist) = (motion.shift, motion.twist);
+    state.steps += 1;
+}
+
+/// Enters the cells held here of the window, whose step led from the motion `before` to that of the state, and their
+/// particles from `back` to where they are.
+fn enter(
+    answer: &Answer<'_>,
+    (before, back): (Motion, [f64; 2]),
+    memory: &mut Memory,
+    state: &mut State,
+    step: &mut StepResult,
+) {
+    let (grid, held) = (state.grid(), answer.region.held());
+    let taken = Taken {
+        answer,
+        grid,
+        held,
+        motion: state.motion,
+        change: state.motion.since(before),
+        middle: back.map(|back| 0.5 * back),
+        is_rolled: back.iter().any(|part| *part != 0.0),
+        displacement: slices(&memory.displacement),
+    };
+    let [qx, qy] = &mut state.traction;
+    let [sum_x, sum_y] = &mut state.slip;
+    let [slip_x, slip_y] = &mut step.slip;
+    let vectors = [[qx, qy], [sum_x, sum_y], [slip_x, slip_y]];
+    let numbers = [
+        &mut state.accumulated_slip,
+        &mut state.dissipated_energy,
+        &mut step.slip_distance,
+        &mut step.dissipated_energy,
+        &mut step.mid_step_dissipated_energy,
+    ];
+    let vectors = vectors.map(|parts| parts.map(|part| held.lines_of(part.as_mut_slice())));
+    let numbers = numbers.map(|field| held.lines_of(field.as_mut_slice()));
+    let zones = held.lines_of(&mut state.zones);
+    let own = [
+        &mut memory.offset,
+        &mut memory.trend.change,
+        &mut memory.slip,
+    ];
+    let own = own.map(|parts| parts.each_mut().map(|part| held.lines(part)));
+    let columns = held.ranges()[0].clone();
+    let work = |row: usize, (vectors, numbers, (zones, own)): Lines<'_>| {
+        let [traction, accumulated, slip] = vectors;
+        let [path, energy, distance, dissipated, mid_step] = numbers;
+        let [mut offset, mut trend, mut last_slip] = own;
+        let mut account = Account::ZERO;
+        for (own, i) in columns.clone().enumerate() {
+            let offsets = offset.each_ref().map(|part| &*part.items);
+            let q = traction.each_ref().map(|part| part.items[i]);
+            let cell = taken.cell(row * columns.len() + own, q, at(&offsets, own));
+            write(&mut offset, own, cell.offset);
+            let last = if taken.is_rolled {
+                at(&trend.each_ref().map(|part| &*part.items), own)
+            } else {
+                q
+            };
+            write(&mut trend, own, minus(cell.traction, last));
+            write(&mut last_slip, own, cell.slip);
+            for axis in 0..2 {
+                traction[axis].items[i] = cell.traction[axis];
+                accumulated[axis].items[i] += cell.slip[axis];
+                slip[axis].items[i] = cell.slip[axis];
+            }
+            zones.items[i] = cell.zone;
+            distance.items[i] = cell.slip[0].hypot(cell.slip[1]);
+            path.items[i] += distance.items[i];
+            dissipated.items[i] = cell.energy.dissipated_energy;
+            energy.items[i] += dissipated.items[i];
+            mid_step.items[i] = cell.energy.mid_step_dissipated_energy;
+            account = account.plus(&cell.account());
+        }
+        account
+    };
+    let layout = answer.region.held_layout();
+    let account = layout.sweep((vectors, numbers, (zones, own)), work, |a, b| a.plus(&b));
+    state.force = account.traction.map(|sum| grid.cell_area() * sum);
+    state.moment = grid.cell_area() * account.moment;
+    step.energy = account.energy;
+    [step.stick_cells, step.slip_cells] = account.cells;
+    for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
+        memory.copy_from_slice(displacement);
+    }
+}
+
+/// Writes to a cell the components that there are.
+fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
+    for (part, value) in parts.iter_mut().zip(values) {
+        if let Some(place) = part.items.get_mut(cell) {
+            *place = value;
+        }
+    }
+}
+
+/// The parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities;
+/// zones, offsets, trends and slip of the step.
+type Lines<'a> = (
+    [[Blocks<'a, f64>; 2]; 3],
+    [Blocks<'a, f64>; 5],
+    (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
+);
+
+/// A step that was taken, as its cells see it.
+struct Taken<'a> {
+    answer: &'a Answer<'a>,
+    grid: Grid,
+    held: Window,
+    /// Of body 2 at the end of the step, and in it.
+    motion: Motion,
+    change: Motion,
+    /// From where a particle is to the middle of its way.
+    middle: [f64; 2],
+    /// Whether the trend of a cell holds the traction that it had before.
+    is_rolled: bool,
+    /// Displacement before the step.
+    displacement: [&'a [f64]; 2],
+}
+
+impl Taken<'_> {
+    /// What the step did to a cell that had a traction and an offset before.
+    fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
+        let (answer, cell_area) = (self.answer, self.grid.cell_area());
+        let centre = centre(self.grid, self.held.index(k));
+        let (traction, u) = (answer.traction(k), answer.displacement(k));
+        let relative = minus(u, self.motion.at(centre));
+        let is_contact = answer.pressure[k] > 0.0;
+        if !is_contact && before.iter().all(|q| *q == 0.0) {
+            return CellStep::apart(centre, relative);
+        }
+        let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
+        let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
+        // What a cell that came into contact was spared of the motion of the step.
+        let lag = minus(offset_before, offset);
+        let found = answer.slip(k, centre).filter(|_| is_contact);
+        let slip = found.unwrap_or([0.0; 2]);
+        let is_loose = found.is_some() || !is_contact;
+
+        let middle = plus(centre, 1.0, self.middle);
+        let followed = minus(self.change.at(middle), lag);
+        let stretched = minus(minus(u, u_before), followed);
+        let rest = 0.0 - cell_area * dot(mean, minus(stretched, slip));
+        let (residual, released) = if is_contact { (rest, 0.0) } else { (0.0, rest) };
+        CellStep {
+            centre,
+            traction,
+            slip,
+            offset: if is_loose { relative } else { offset },
+            zone: answer.zone(k),
+            energy: EnergyBalance {
+                work: 0.0 - cell_area * dot(mean, lag),
+                elastic_before: 0.5 * cell_area * dot(before, u_before),
+                elastic_after: 0.5 * cell_area * dot(traction, u),
+                dissipated_energy: 0.0 - cell_area * dot(traction, slip),
+                mid_step_dissipated_energy: 0.0 - cell_area * dot(mean, slip),
+                released,
+                residual,
+            },
+        }
+    }
+}
+
+/// What a step did to a cell.
+struct CellStep {
+    centre: [f64; 2],
+    traction: [f64; 2],
+    slip: [f64; 2],
+    offset: [f64; 2],
+    zone: Zone,
+    energy: EnergyBalance,
+}
+
+impl CellStep {
+    /// Of a cell that was and is apart, `relative` to the other body.
+    fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
+        Self {
+            centre,
+            traction: [0.0; 2],
+            slip: [0.0; 2],
+            offset: relative,
+            zone: Zone::Separated,
+            energy: EnergyBalance::ZERO,
+        }
+    }
+
+    fn account(&self) -> Account {
+        let [[x, y], [qx, qy]] = [self.centre, self.traction];
+        Account {
+            traction: self.traction,
+            moment: x * qy - y * qx,
+            energy: self.energy,
+            cells: [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone)),
+        }
+    }
+}
+
+/// What cells add up to.
+#[derive(Debug, Clone, Copy)]
+struct Account {
+    traction: [f64; 2],
+    moment: f64,
+    energy: EnergyBalance,
+    /// Those that stick and those that slip.
+    cells: [usize; 2],
+}
+
+impl Words for Account {
+    const COUNT: usize = Parts::COUNT;
+    const ZERO: Self = Self {
+        traction: [0.0; 2],
+        moment: 0.0,
+        energy: EnergyBalance::ZERO,
+        cells: [0; 2],
+    };
+
+    fn write(self, words: &mut Vec<u64>) {
+        let parts: Parts = (self.traction, self.moment, self.energy, self.cells);
+        parts.write(words);
+    }
+
+    fn read(words: &mut &[u64]) -> Self {
+        let (traction, moment, energy, cells) = Parts::read(words);
+        Self {
+            traction,
+            moment,
+            energy,
+            cells,
+        }
+    }
+}
+
+/// What travels of an account.
+type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
+
+impl Account {
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            traction: Tally::plus(self.traction, other.traction),
+            moment: self.moment + other.moment,
+            energy: self.energy.plus(&other.energy),
+            cells: Tally::plus(self.cells, other.cells),
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! Pressing in as many steps as a tolerance needs.
+
+use std::ops::ControlFlow;
+
+use crate::bodies::coupling::Coupling;
+use crate::cgm::{Iteration, reduce};
+use crate::coupled::Growth;
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::history::step::adaptive::traction_distance;
+use crate::history::{History, LoadStep, State};
+use crate::normal::NormalControl;
+use crate::parallel::layout::Layout;
+use crate::support::fallible::{TryClone, try_each};
+
+/// Most steps that a load is taken in.
+const MOST_STEPS: usize = 1024;
+
+impl History {
+    /// Takes a load in as many steps of equal growth of the contact as a tolerance needs, and returns their number.
+    ///
+    /// The contact of dissimilar bodies must be pressed so: which cells stick and slip depends on how the contact grows
+    /// ([dissimilar bodies](crate::guide::dissimilar_bodies#load-steps)). The history takes the load in 1, 2, 4, 8, ...
+    /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
+    /// tractions of half as many steps by at most the tolerance. The difference is
+    /// [`StepError::traction`](crate::history::StepError::traction). The tolerance lies in `(0, 1)`: 0.01 is a good
+    /// choice. The error of tractions falls with an order between 1 and 1.5, so that the steps taken have about half of the
+    /// tolerance as their error, or less. This is an estimate, not a bound. The stick ratio has a first-order error
+    /// ([table](crate::guide::dissimilar_bodies#load-steps)).
+    ///
+    /// Between its ends, a normal force goes as the cube of a length that grows in equal steps, and an approach beyond
+    /// the first touch as its square: on a sphere this length is the contact radius. All else that is prescribed goes in
+    /// proportion to the normal load, as in [`AdaptiveSteps`](crate::history::AdaptiveSteps). For n steps the history
+    /// solves 2n - 1 steps. Bodies whose materials are not coupled, a contact that does not grow (a flat punch), and a
+    /// contact without friction end at two steps, since one is exact there.
+    ///
+    /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) cannot be met. The
+    /// call allocates the memory of one state.
+    ///
+    /// ```
+    /// use stickslip::{analytical::SpencePressing, *};
+    /// let grid = Grid::square(32, 0.30e-3)?;
+    /// let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.1)?).build()?;
+    ///
+    /// let load = LoadStep::hold().normal(NormalControl::Force(60.0));
+    /// let steps = history.press(&load, 0.03)?;
+    /// let exact = SpencePressing::round(bodies.pair(), 0.1)?.stick_radius();
+    /// assert!(steps <= 16 && (history.last_step().stick_ratio().sqrt() - exact).abs() < 0.05);
+    /// assert!(!history.last_step().warnings().contains(&Warning::PressedAtOnce));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - [`Error::Tolerance`] for a tolerance outside `(0, 1)`.
+    /// - [`Error::NotModelled`] for a load that rolls.
+    /// - [`Error::StepTooLong`] if 1024 steps are too few.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - The errors of [`History::step`] for the load or one of the steps.
+    ///
+    /// The state is then unchanged, bit for bit. The [last step](History::last_step) is then the last one that succeeded.
+    pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
+        self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
+    }
+
+    /// Takes a load as [`History::press`] does, with an observer that receives every iteration of every step and may cancel
+    /// the call.
+    ///
+    /// # Errors
+    /// As [`History::press`]; [`Error::NotConverged`] with the status [`Status::Cancelled`](crate::Status::Cancelled) if the
+    /// observer cancels. The state is then unchanged, bit for bit.
+    pub fn press_observed(
+        &mut self,
+        load: &LoadStep,
+        tolerance: f64,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<usize> {
+        let checked = load.check_still().and_then(|()| {
+            let is_valid = tolerance > 0.0 && tolerance < 1.0;
+            is_valid.then_some(()).ok_or(Error::Tolerance(tolerance))
+        });
+        self.bodies.agreed_alike(
+            checked,
+            &[("load", load), ("tolerance of pressing", &tolerance)],
+        )?;
+        let mut pressing = Pressing {
+            load,
+            course: Course::of(load, self),
+            start: self.state().try_clone()?,
+            coarse: try_each(|axis| self.traction()[axis].try_clone())?,
+        };
+        let outcome = pressing.refine(self, tolerance, &mut observer);
+        if outcome.is_err() {
+            self.go_back(&mut pressing.start)?;
+        }
+        outcome
+    }
+}
+
+/// A load that is taken in more and more steps.
+struct Pressing<'a> {
+    load: &'a LoadStep,
+    course: Course,
+    start: State,
+    /// Tractions after half as many steps.
+    coarse: [Field; 2],
+}
+
+impl Pressing<'_> {
+    /// Takes the load in twice as many steps each time, until the tractions differ by no more than the tolerance.
+    fn refine(
+        &mut self,
+        history: &mut History,
+        tolerance: f64,
+        observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
+    ) -> Result<usize> {
+        let mut steps = 1;
+        self.take(history, steps, observer)?;
+        loop {
+            for (coarse, traction) in self.coarse.iter_mut().zip(history.traction()) {
+                coarse.clone_from(traction);
+            }
+            steps *= 2;
+            history.set_state(&self.start)?;
+            self.take(history, steps, observer)?;
+            let error = traction_distance(history, self.coarse.each_ref());
+            if error <= tolerance {
+                // The difference replaces the growth as the measure of the steps.
+                history.step.remarks.is_pressed_at_once = false;
+                return Ok(steps);
+            }
+            if steps >= MOST_STEPS {
+                return Err(Error::StepTooLong {
+                    part: 1.0 / steps as f64,
+                    error,
+                    tolerance,
+                });
+            }
+        }
+    }
+
+    /// Takes the load in this many steps.
+    fn take(
+        &self,
+        history: &mut History,
+        steps: usize,
+        observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
+    ) -> Result<()> {
+        for step in 1..=steps {
+            let part = self.course.part(step as f64 / steps as f64);
+            history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
+        }
+        Ok(())
+    }
+}
+
+/// The normal load between its ends.
+#[derive(Debug, Clone, Copy)]
+enum Course {
+    /// In proportion to the number of the step.
+    Linear,
+    /// With a power of a length that grows in equal steps.
+    Power {
+        exponent: i32,
+        /// Normal load of the length zero.
+        origin: f64,
+        /// Normal load at both ends.
+        ends: [f64; 2],
+        /// Length at both ends.
+        lengths: [f64; 2],
+    },
+}
+
+impl Course {
+    fn of(load: &LoadStep, history: &History) -> Self {
+        let (state, layout) = (history.state(), history.bodies.grid_layout());
+        let (exponent, origin, ends) = match load.normal_control() {
+            NormalControl::Hold => return Self::Linear,
+            NormalControl::Force(end) => (3, 0.0, [state.normal().force(), end]),
+            NormalControl::Approach(end) => {
+                let gap = state.gap().as_slice();
+                let touch = reduce::least(&layout, |i| Some((gap[i], i)));
+                let touch = touch.map_or(0.0, |(touch, _)| touch);
+                (2, touch, [state.approach(), end])
+            }
+        };
+        let lengths = ends.map(|end| (end - origin).max(0.0).powf(1.0 / f64::from(exponent)));
+        if ends[1] - ends[0] == 0.0 || lengths[1] - lengths[0] == 0.0 {
+            return Self::Linear;
+        }
+        Self::Power {
+            exponent,
+            origin,
+            ends,
+            lengths,
+        }
+    }
+
+    /// Returns the part of the load that is reached after this part of the steps.
+    fn part(self, steps: f64) -> f64 {
+        match self {
+            Self::Power {
+                exponent,
+                origin,
+                ends: [start, end],
+                lengths: [first, last],
+            } if steps < 1.0 => {
+                let length = first + steps * (last - first);
+                (origin + length.powi(exponent) - start) / (end - start)
+            }
+            _ => steps,
+        }
+    }
+}
+
+impl State {
+    /// Returns whether too much of the contact of dissimilar bodies came in a step that began with this pressure.
+    pub(in crate::history) fn has_grown_at_once(&self, before: &Field, layout: &Layout) -> bool {
+        let growth = Growth {
+            gap: self.pressed_gap.as_slice(),
+            before: Some(before.as_slice()),
+            pressure: self.pressure().as_slice(),
+            traction: self.traction().map(Field::as_slice),
+        };
+        let is_drawn = self.pair().is_coupled() && self.coupling != Coupling::Neglected;
+        is_drawn && growth.is_at_once(layout)
+    }
+}

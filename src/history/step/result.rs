@@ -1,0 +1,261 @@
+//! What one step of a history did.
+
+use crate::error::Result;
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, at_least, finite};
+use crate::grid::Grid;
+use crate::grid::field::Field;
+use crate::history::EnergyBalance;
+use crate::history::step::remarks::Remarks;
+use crate::report::{Report, Status};
+use crate::support::debug::shown;
+use crate::support::fallible::try_clone;
+#[cfg(feature = "serde")]
+use crate::support::serialise::checked;
+use crate::warning::Warning;
+
+/// Slip, energies, forces and reports of one step.
+///
+/// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. The state after
+/// the step is in the [`History`](crate::history::History).
+#[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StepResult {
+    pub(in crate::history) slip: [Field; 2],
+    pub(in crate::history) slip_distance: Field,
+    pub(in crate::history) dissipated_energy: Field,
+    pub(in crate::history) mid_step_dissipated_energy: Field,
+    pub(in crate::history) energy: EnergyBalance,
+    pub(in crate::history) normal_force: f64,
+    pub(in crate::history) approach: f64,
+    pub(in crate::history) force: [f64; 2],
+    pub(in crate::history) moment: f64,
+    pub(in crate::history) shift: [f64; 2],
+    pub(in crate::history) twist: f64,
+    pub(in crate::history) creepage: Option<[f64; 2]>,
+    pub(in crate::history) stick_cells: usize,
+    pub(in crate::history) slip_cells: usize,
+    pub(in crate::history) remarks: Remarks,
+    pub(in crate::history) normal_report: Report,
+    pub(in crate::history) tangential_report: Report,
+}
+
+shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
+
+try_clone!(StepResult { slip, slip_distance, dissipated_energy, mid_step_dissipated_energy } {
+    energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks,
+    normal_report, tangential_report,
+});
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "StepResult")]
+struct Unchecked {
+    slip: [Field; 2],
+    slip_distance: Field,
+    dissipated_energy: Field,
+    mid_step_dissipated_energy: Field,
+    energy: EnergyBalance,
+    normal_force: f64,
+    approach: f64,
+    force: [f64; 2],
+    moment: f64,
+    shift: [f64; 2],
+    twist: f64,
+    #[serde(default)]
+    creepage: Option<[f64; 2]>,
+    stick_cells: usize,
+    slip_cells: usize,
+    remarks: Remarks,
+    normal_report: Report,
+    tangential_report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for StepResult {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.slip_distance.grid();
+            for slip in &read.slip {
+                slip.check("slip", grid)?;
+            }
+            read.slip_distance.check("slip length", grid)?;
+            read.dissipated_energy.check("dissipated energy", grid)?;
+            read.mid_step_dissipated_energy
+                .check("dissipated energy", grid)?;
+            finite("normal force", read.normal_force)?;
+            finite("approach", read.approach)?;
+            all_finite("tangential force", &read.force)?;
+            finite("moment", read.moment)?;
+            all_finite("shift", &read.shift)?;
+            finite("twist", read.twist)?;
+            all_finite("creepage", &read.creepage.unwrap_or_default())?;
+            for counted in [read.stick_cells, read.slip_cells] {
+                let (counted, cells) = (counted as f64, grid.cells() as f64);
+                at_least(
+                    "cells that stick or slip",
+                    counted,
+                    "number of cells",
+                    cells,
+                )?;
+            }
+            Ok(())
+        })
+    }
+}
+
+impl StepResult {
+    /// Nothing done yet.
+    pub(in crate::history) fn new(grid: Grid) -> Result<Self> {
+        let zeros = || Field::try_zeros(grid);
+        Ok(Self {
+            slip: [zeros()?, zeros()?],
+            slip_distance: zeros()?,
+            dissipated_energy: zeros()?,
+            mid_step_dissipated_energy: zeros()?,
+            energy: EnergyBalance::default(),
+            normal_force: 0.0,
+            approach: 0.0,
+            force: [0.0; 2],
+            moment: 0.0,
+            shift: [0.0; 2],
+            twist: 0.0,
+            creepage: None,
+            stick_cells: 0,
+            slip_cells: 0,
+            remarks: Remarks::default(),
+            normal_report: Report::with_room(),
+            tangential_report: Report::with_room(),
+        })
+    }
+
+    /// Zero in every cell.
+    pub(in crate::history) fn clear_fields(&mut self) {
+        let fields = [
+            &mut self.slip_distance,
+            &mut self.dissipated_energy,
+            &mut self.mid_step_dissipated_energy,
+        ];
+        for field in self.slip.iter_mut().chain(fields) {
+            field.as_mut_slice().fill(0.0);
+        }
+    }
+
+    /// Slip of the step, the change of `u - delta` (lengths): against the traction, exactly zero in stick
+    /// cells and outside the contact.
+    #[must_use]
+    pub fn slip(&self) -> [&Field; 2] {
+        self.slip.each_ref()
+    }
+
+    /// Length of the slip of the step (lengths, non-negative).
+    #[must_use]
+    pub fn slip_distance(&self) -> &Field {
+        &self.slip_distance
+    }
+
+    /// Energy each cell dissipates in the step by its traction at the end, `-A q s >= 0`.
+    #[doc(alias = "dissipated energy")]
+    #[must_use]
+    pub fn dissipated_energy(&self) -> &Field {
+        &self.dissipated_energy
+    }
+
+    /// Energy each cell dissipates in the step by the mean of its tractions before and after,
+    /// `-A (q_n + q_{n+1})/2 s`: the measure that closes the [`EnergyBalance`].
+    #[must_use]
+    pub fn mid_step_dissipated_energy(&self) -> &Field {
+        &self.mid_step_dissipated_energy
+    }
+
+    /// Work, elastic energy and dissipation of the step.
+    #[must_use]
+    pub fn energy(&self) -> &EnergyBalance {
+        &self.energy
+    }
+
+    /// Normal force W at the end of the step.
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        self.normal_force
+    }
+
+    /// Approach at the end of the step (a length).
+    #[must_use]
+    pub fn approach(&self) -> f64 {
+        self.approach
+    }
+
+    /// Tangential force that body 2 exerts on body 1 at the end of the step.
+    #[must_use]
+    pub fn tangential_force(&self) -> [f64; 2] {
+        self.force
+    }
+
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 at the end of the
+    /// step (force times length, positive from x to y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.moment
+    }
+
+    /// Shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
+    #[must_use]
+    pub fn shift(&self) -> [f64; 2] {
+        self.shift
+    }
+
+    /// Rotation of body 2 relative to body 1 at the end of the step, since the start of the history (radians).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        self.twist
+    }
+
+    /// The creepages $`[\xi, \eta]`$ of a step that rolled, what body 2 has moved over body 1 for each length rolled,
+    /// given or caused by the force (dimensionless); `None` where the step did not roll.
+    #[must_use]
+    pub fn creepage(&self) -> Option<[f64; 2]> {
+        self.creepage
+    }
+
+    /// Stick cells over contact cells at the end of the step; zero without contact.
+    #[must_use]
+    pub fn stick_ratio(&self) -> f64 {
+        let contact = self.stick_cells + self.slip_cells;
+        self.stick_cells as f64 / contact.max(1) as f64
+    }
+
+    /// Whether the whole contact is at its friction limit at the end of the step.
+    #[must_use]
+    pub fn is_gross_slip(&self) -> bool {
+        self.stick_cells == 0 && self.slip_cells > 0
+    }
+
+    /// How the normal contact was solved; `None` if the pressure was held. Under the load and the gap of the step before
+    /// the pressure is known: the report then says what was shown of it, and counts no work.
+    #[must_use]
+    pub fn normal_report(&self) -> Option<&Report> {
+        solved(&self.normal_report)
+    }
+
+    /// How the tangential contact was solved; `None` before anything has touched.
+    #[must_use]
+    pub fn tangential_report(&self) -> Option<&Report> {
+        solved(&self.tangential_report)
+    }
+
+    /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
+    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], those of contacts and zones
+    /// of too few cells, such as [`Warning::NarrowSlip`], those of large approaches and slopes, and
+    /// [`Warning::HeldShiftLostForce`]. Others, such as spots too small to resolve, are among the warnings
+    /// of [`History::normal`](crate::History::normal) only.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.remarks.warnings()
+    }
+}
+
+fn solved(report: &Report) -> Option<&Report> {
+    (report.status != Status::Unsolved).then_some(report)
+}

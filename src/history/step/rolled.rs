@@ -1,0 +1,280 @@
+//! A step in which the bodies roll.
+
+use crate::error::{Error, Result, finite};
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::history::LoadStep;
+use crate::history::state::State;
+use crate::rolling::LeadingEdge;
+use crate::rolling::Travel;
+use crate::tangential::{Axis, Demand, Motion, TangentialControl, TangentialModel};
+
+/// How the bodies roll in a step: by how many cells, where their particles enter the contact, and what body 2 moves over
+/// body 1 on the way.
+///
+/// The default is free rolling to the [leading edge](LeadingEdge) at the largest x: no creepage, no spin.
+///
+/// ```
+/// use stickslip::history::{LeadingEdge, Rolling};
+/// use stickslip::*;
+/// let grid = Grid::square(24, 3.0)?;
+/// let body = Material::from_shear_modulus(1.0, 0.25)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+/// let ball = surface::sphere(grid, 1.0)?;
+/// let friction = Friction::coulomb(0.3)?;
+/// let builder = History::builder(&bodies, &ball, friction).model(TangentialModel::Vector);
+/// let mut history = builder.build()?;
+/// history.step(&LoadStep::hold().normal(NormalControl::Force(1.0)))?;
+///
+/// // The creepage is given, and the force grows towards that of steady rolling.
+/// let rolling = Rolling::new(1).leading_edge(LeadingEdge::PlusX).creepage([0.05, 0.0]);
+/// let mut last = 0.0;
+/// for _ in 0..20 {
+///     let force = history.step(&LoadStep::hold().roll(rolling))?.tangential_force()[0];
+///     assert!(force > last && force < 0.3);
+///     last = force;
+/// }
+/// // The force is given, and the creepage follows.
+/// let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.5 * last));
+/// let step = history.step(&load.roll(Rolling::new(1)))?;
+/// assert!(step.creepage().is_some_and(|[along, _]| along < 0.05));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
+pub struct Rolling {
+    #[cfg_attr(feature = "serde", serde(default))]
+    leading_edge: LeadingEdge,
+    cells: usize,
+    #[cfg_attr(feature = "serde", serde(default))]
+    creepage: [f64; 2],
+    #[cfg_attr(feature = "serde", serde(default))]
+    spin: f64,
+}
+
+impl Rolling {
+    /// Rolling by so many cells, one or more: particles of both surfaces move by as many through the contact.
+    #[must_use]
+    pub fn new(cells: usize) -> Self {
+        Self {
+            leading_edge: LeadingEdge::default(),
+            cells,
+            creepage: [0.0; 2],
+            spin: 0.0,
+        }
+    }
+
+    /// With the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
+    #[must_use]
+    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
+        self.leading_edge = edge;
+        self
+    }
+
+    /// With the creepages $`[\xi, \eta]`$ along x and y, what body 2 moves over body 1 for each length rolled
+    /// (dimensionless, default zero). Positive ones cause positive forces. Where the step names a force along an axis the
+    /// creepage along it follows, and must be zero here.
+    #[must_use]
+    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
+        self.creepage = creepage;
+        self
+    }
+
+    /// With the spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
+    /// positive from x to y, default zero), about the origin of the grid.
+    #[must_use]
+    pub fn spin(mut self, spin: f64) -> Self {
+        self.spin = spin;
+        self
+    }
+
+    /// The way of the particles on the grid of these bodies.
+    pub(in crate::history) fn travel(&self, bodies: &HalfSpace) -> Travel {
+        Travel::new(bodies.grid(), self.leading_edge, self.cells)
+    }
+
+    /// The creepages of a step: those given, and what body 2 has moved by where a force is.
+    pub(in crate::history) fn reached(
+        &self,
+        load: &LoadStep,
+        moved: [f64; 2],
+        length: f64,
+    ) -> [f64; 2] {
+        let demand = load.demand(0.0);
+        [0, 1].map(|axis| match demand.controls[axis] {
+            TangentialControl::Force(_) => moved[axis] / length,
+            _ => self.creepage[axis],
+        })
+    }
+
+    /// The demand of a step from this state: a creepage is the shift at its end, and the spin the twist.
+    fn prescribe(&self, mut demand: Demand, state: &State, length: f64) -> Demand {
+        for (axis, control) in demand.controls.iter_mut().enumerate() {
+            // Held where it does not move, which the start of the solve tells from a motion.
+            if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
+                let shift = state.motion.shift[axis] + length * self.creepage[axis];
+                *control = TangentialControl::Shift(shift);
+            }
+        }
+        demand.twist = state.motion.twist + length * self.spin;
+        demand
+    }
+
+    /// `Ok` if a history in this state can roll so.
+    fn check(&self, bodies: &HalfSpace, state: &State, load: &LoadStep) -> Result<()> {
+        let (travel, cells) = (self.travel(bodies), self.cells as f64);
+        travel.check(bodies)?;
+        let (grid, boundary, length) = (bodies.grid().whole(), bodies.boundary(), travel.length);
+        for creepage in self.creepage {
+            finite("creepage", creepage)?;
+            finite("creepage of a step", creepage * length)?;
+        }
+        finite("spin", self.spin)?;
+        let refused = |quantity, value, remedy| {
+            Err(Error::NotModelled {
+                model: "the model of rolling",
+                quantity,
+                value,
+                remedy,
+            })
+        };
+        if bodies.is_shared() {
+            let remedy = "roll bodies on a grid that ranks do not share";
+            return refused("bodies on a grid that ranks share", cells, remedy);
+        }
+        if state.is_joint() {
+            let remedy = "roll bodies of one material, or build the history with one-way coupling";
+            return refused("two-way coupling of pressure and traction", cells, remedy);
+        }
+        if state.relative.is_some() {
+            let remedy = "build the history without a relative displacement";
+            return refused("a relative displacement", cells, remedy);
+        }
+        if state.yielded.is_some() {
+            let remedy = "build the history without a permanent set";
+            return refused("a permanent set", cells, remedy);
+        }
+        if load.names_twist() {
+            let twist = load.demand(0.0).twist;
+            return refused("a twist", twist, "give the spin of a rolled step instead");
+        }
+        for (axis, control) in Axis::BOTH.iter().zip(load.demand(0.0).controls) {
+            let creepage = self.creepage[axis.index()];
+            match control {
+                TangentialControl::Hold => {}
+                TangentialControl::Force(_) if creepage == 0.0 => {}
+                TangentialControl::Force(_) => {
+                    let remedy = "name the force along an axis or its creepage";
+                    return refused("both creepage and force along one axis", creepage, remedy);
+                }
+                TangentialControl::Shift(_) | TangentialControl::Spring { .. } => {
+                    let remedy = "name forces or creepages in a rolled step";
+                    let (_, value) = control.checked(*axis)?;
+                    return refused("a shift or a spring", value, remedy);
+                }
+            }
+            if creepage != 0.0 && !state.axes.contains(axis) {
+                let quantity = ["creepage along x", "creepage along y"][axis.index()];
+                return refused(quantity, creepage, TangentialModel::VECTOR_REMEDY);
+            }
+        }
+        if self.spin != 0.0 && !boundary.may_turn() {
+            let remedy = "a grid that repeats cannot turn, with any option";
+            return refused("spin", self.spin, remedy);
+        }
+        if self.spin != 0.0 && state.axes.len() == 1 {
+            return refused("spin", self.spin, TangentialModel::VECTOR_REMEDY);
+        }
+        let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
+        let demand = self.prescribe(load.demand(0.0), state, length);
+        finite("turn by the spin", demand.twist * extent)?;
+        travel.check_behind(bodies, state.pressure())
+    }
+}
+
+impl LoadStep {
+    /// `Ok` if the step does not roll: parts of a cell cannot be rolled.
+    pub(in crate::history) fn check_still(&self) -> Result<()> {
+        self.rolling().map_or(Ok(()), |rolling| {
+            Err(Error::NotModelled {
+                model: "the method of adaptive steps",
+                quantity: "steps that roll",
+                value: rolling.cells as f64,
+                remedy: "roll cell by cell",
+            })
+        })
+    }
+}
+
+impl State {
+    /// What a step asks of the tangential contact.
+    pub(in crate::history) fn demand(&self, load: &LoadStep, bodies: &HalfSpace) -> Demand {
+        let demand = load.demand(self.motion.twist);
+        match load.rolling() {
+            Some(rolling) => rolling.prescribe(demand, self, rolling.travel(bodies).length),
+            None => demand,
+        }
+    }
+
+    /// `Ok` if a step does not roll, or can.
+    pub(in crate::history) fn check_rolling(
+        &self,
+        load: &LoadStep,
+        bodies: &HalfSpace,
+    ) -> Result<()> {
+        match load.rolling() {
+            Some(rolling) => rolling.check(bodies, self, load),
+            None => Ok(()),
+        }
+    }
+}
+
+impl State {
+    /// Writes to where the trend of a step is to be what it is measured from: the tractions that have followed the pressure
+    /// from `before` on, if it has changed.
+    pub(crate) fn keep_traction(&mut self, travel: &Travel, before: Option<&Field>) {
+        let (grid, after) = (self.grid(), self.normal.pressure());
+        let before = before.unwrap_or(after);
+        if let Some(memory) = &mut self.contact {
+            let held = memory.window.held(grid);
+            for (kept, traction) in memory.trend.change.iter_mut().zip(&self.traction) {
+                for (kept, cell) in kept.iter_mut().zip(held.indices()) {
+                    *kept = travel.in_proportion(traction, [before, after], cell);
+                }
+            }
+        }
+    }
+
+    /// Carries what the particles have to where they are after a step that ended with this motion; they come without any of
+    /// it from beyond the grid.
+    pub(crate) fn carry(&mut self, travel: &Travel, end: Motion) {
+        let passage = travel.through(self.grid().size());
+        let fields = [&mut self.accumulated_slip, &mut self.dissipated_energy];
+        for field in self.traction.iter_mut().chain(&mut self.slip).chain(fields) {
+            passage.carry(field.as_mut_slice());
+        }
+        if let Some(memory) = &mut self.contact {
+            let passage = travel.through(memory.window.size);
+            for part in memory
+                .displacement
+                .iter_mut()
+                .filter(|part| !part.is_empty())
+            {
+                passage.carry(part);
+            }
+            let turned = travel.turned(0.5 * (self.motion.twist + end.twist));
+            for (part, turned) in memory.offset.iter_mut().zip(turned) {
+                if !part.is_empty() {
+                    passage.carry(part);
+                }
+                for offset in part {
+                    *offset += turned;
+                }
+            }
+        }
+    }
+}

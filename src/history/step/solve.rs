@@ -1,0 +1,270 @@
+//! How a step is solved, before any of it enters the state.
+
+use crate::contact::{Cancellation, Conditions};
+use crate::error::{Result, of_rolling};
+use crate::grid::field::Field;
+use crate::grid::window::Window;
+use crate::half_space::HalfSpace;
+use crate::history::state::memory::Memory;
+use crate::history::{History, LoadStep, State};
+use crate::normal::{NormalControl, Pressing};
+use crate::observer::Observer;
+use crate::parallel;
+use crate::rolling::Travel;
+use crate::rolling::entry::compliance;
+use crate::support::fallible::{self, TryClone};
+use crate::tangential::{Demand, Increment, Motion, OwnCompliance, Start};
+
+impl History {
+    /// Solves both halves of a step; returns the motion of body 2 at its end. Of the state it changes the window of what
+    /// the cells remember, which may become wider; where it fails or the observer panics, the history is as before.
+    pub(in crate::history) fn attempt(
+        &mut self,
+        load: &LoadStep,
+        observer: Observer<'_>,
+    ) -> Result<Motion> {
+        let mut attempt = Attempt {
+            remembered: self.state.contact.as_ref().map(|memory| memory.window),
+            history: self,
+            is_over: false,
+        };
+        let cancellation = Cancellation::default();
+        let found = attempt
+            .history
+            .find(load, &mut cancellation.watch(observer));
+        let History {
+            bodies,
+            joint,
+            increment,
+            press,
+            ..
+        } = &*attempt.history;
+        let mut outcome = cancellation.applied(bodies, found, || {
+            let of_traction = || increment.as_ref().map(Increment::report);
+            let report = match joint {
+                Some(joint) => Some(joint.report()),
+                None => of_traction(),
+            };
+            report.unwrap_or(press.report()).clone().cancelled()
+        });
+        if outcome.is_ok() {
+            outcome = attempt.history.make_room().and(outcome);
+        }
+        attempt.is_over = true;
+        if outcome.is_err() {
+            attempt.forget();
+            attempt.history.take_back()?;
+        }
+        outcome
+    }
+
+    /// Makes room in the state for what a step leaves there: nothing is to fail on the way into it.
+    fn make_room(&mut self) -> Result<()> {
+        let State { trend, .. } = &mut self.state;
+        let [change] = &mut trend.change;
+        fallible::make_room(change, self.press.trend_cells())?;
+        let entered = match &self.joint {
+            Some(_) => self.bodies.grid().cells(),
+            None => self.increment.as_ref().map_or(0, Increment::entered_cells),
+        };
+        let memory = self.state.contact.as_mut();
+        memory.map_or(Ok(()), |memory| {
+            fallible::make_room(&mut memory.entered, entered)
+        })
+    }
+
+    /// Solves both halves of a step.
+    fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        self.press.age();
+        let joint = self.joint.as_ref();
+        let window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
+        if window != self.state.press_window || joint.is_some() != self.state.is_joint() {
+            self.take_back()?;
+        }
+        if let Some(motion) = self.find_jointly(load, &mut *observer)? {
+            return Ok(motion);
+        }
+        let control = load.normal_control();
+        if control != NormalControl::Hold && !self.state.is_pressed_by(control) {
+            self.find_pressure(control, &mut *observer)?;
+        }
+        self.find_tractions(load, observer)
+    }
+
+    /// Finds the pressure of the step, as the candidate.
+    fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
+        let state = &self.state;
+        control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
+        let of = Pressing {
+            bodies: &self.bodies,
+            gap: &state.gap,
+            hardness: state.hardness.as_ref(),
+            control,
+            settings: &state.settings,
+        };
+        let candidate = self.candidate.take(|| state.normal.try_clone())?;
+        let pressure = candidate.pressure_mut();
+        parallel::copy(state.pressure().as_slice(), pressure);
+        self.press.solve(&of, pressure, observer)?;
+        self.press.finish(&of, candidate);
+        Ok(())
+    }
+
+    /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
+    fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+        let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        let State { axes, motion, .. } = self.state;
+        let candidate = self.candidate.held();
+        let pressed = candidate.unwrap_or(&self.state.normal);
+        let memory = &mut self.state.contact;
+        let present = memory.as_ref().map(|memory| memory.window);
+        let Some(mut window) = window_of(&self.bodies, pressed.pressure(), present) else {
+            return demand.without_contact(axes, motion);
+        };
+        if let Some(travel) = &travel {
+            let pressures = [self.state.normal.pressure(), pressed.pressure()];
+            window = travel.reach(&self.bodies, window, pressures)?;
+        }
+        let kind = (axes, self.state.coupling);
+        let increment = self.increments.take(&self.bodies, kind, window)?;
+        let increment = self.increment.insert(increment);
+        let memory = match memory {
+            Some(memory) => memory,
+            none => none.insert(Memory::first(grid, axes, window, motion)?),
+        };
+        let is_widened = memory.window != window;
+        if is_widened {
+            memory.widen(grid, increment, self.state.traction.each_ref(), motion)?;
+        }
+        increment.set_offset(&memory.offset);
+        let (state, is_pressed) = (&self.state, candidate.is_some());
+        let pressure = pressed.pressure().as_slice();
+        increment.pressed.set(pressure, &state.friction);
+        if let Some(change) = state.displaced_by(load) {
+            increment.displace(change);
+        }
+        let control = load.normal_control();
+        if let Some(travel) = &travel {
+            roll(increment, state, (&self.bodies, control), travel, &demand)?;
+            let pressures = [state.pressure(), pressed.pressure()];
+            increment.collect_traction(|axis, cell| {
+                travel.in_proportion(&state.traction[axis], pressures, cell)
+            });
+        } else {
+            press(increment, state, (&self.bodies, control), is_pressed)?;
+            increment.set_traction(state.traction.each_ref().map(Field::as_slice));
+        }
+        let mut conditions = Conditions::new(&state.settings, observer);
+        let memory = state.contact.as_ref().filter(|_| !is_widened);
+        let is_rolled = travel.is_some();
+        let ahead = memory
+            .and_then(|memory| Some((memory, memory.parts_ahead(state, &demand, is_rolled)?)));
+        let start = match ahead {
+            Some((memory, parts)) => {
+                increment.extrapolate(&memory.trend, parts);
+                Start::Near
+            }
+            None if is_rolled => Start::Near,
+            None => Start::Present(state.shift()),
+        };
+        let solved = increment.solve(&demand, motion, start, &mut conditions);
+        if is_rolled {
+            solved.map_err(of_rolling)?;
+        } else {
+            solved?;
+        }
+        Ok(increment.motion())
+    }
+}
+
+/// A step under way.
+struct Attempt<'a> {
+    history: &'a mut History,
+    /// Where the cells remembered their slip before it; `None` before the first contact.
+    remembered: Option<Window>,
+    is_over: bool,
+}
+
+impl Attempt<'_> {
+    /// Makes the state that of before.
+    fn forget(&mut self) {
+        self.history.state.forget_beyond(self.remembered);
+    }
+}
+
+impl Drop for Attempt<'_> {
+    /// What a panic of the observer has interrupted may be in pieces: the next step makes it anew.
+    fn drop(&mut self) {
+        if !self.is_over {
+            self.forget();
+            let History {
+                press,
+                candidate,
+                increment,
+                joint,
+                ..
+            } = &mut *self.history;
+            press.reset();
+            *candidate = candidate.clone();
+            (*increment, *joint) = (None, None);
+        }
+    }
+}
+
+/// Poses a step in which the pressure of the cells changes, if it does.
+fn press(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    is_pressed: bool,
+) -> Result<()> {
+    if is_pressed {
+        let before = state.pressure().as_slice();
+        increment.draw_from(|i| before[i]);
+    }
+    let closing = is_pressed.then(|| state.closing(bodies, control, false));
+    let Some(gap) = closing.flatten() else {
+        increment.enter_nowhere();
+        return Ok(());
+    };
+    increment.enter(gap)
+}
+
+/// Poses a step in which other particles come to the cells.
+fn roll(
+    increment: &mut Increment,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    travel: &Travel,
+    demand: &Demand,
+) -> Result<()> {
+    let passage = travel.through(increment.pressed.window().size);
+    let turned = travel.turned(0.5 * (state.twist() + demand.twist));
+    increment.carry_offset(|part| passage.carry(part), turned);
+    let pressure = state.pressure().as_slice();
+    increment.draw_from(|i| travel.before(i).map_or(0.0, |before| pressure[before]));
+    let Some(gap) = state.closing(bodies, control, true) else {
+        increment.enter_nowhere();
+        return Ok(());
+    };
+    increment.roll_in(|i, pressure| {
+        let entered = |before| compliance(&state.normal, before, gap(before), pressure);
+        travel.before(i).map_or(OwnCompliance::NONE, entered)
+    })
+}
+
+/// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a
+/// contact that has left it, and a little wider, so that it may grow some more. `None` before the first contact.
+fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
+    let (grid, samples) = (bodies.grid(), pressure.as_slice());
+    let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {
+        return present;
+    };
+    let contact = bodies.confined(contact);
+    Some(match present {
+        Some(window) if window.covers(contact) => window,
+        Some(window) => window.union(contact.widened(grid)),
+        None => contact,
+    })
+}

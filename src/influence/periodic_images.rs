@@ -1,0 +1,150 @@
+//! The integrals over a cell and all its images along y.
+
+use crate::influence::integrals::{Cell, Integral};
+use crate::numerics::gauss::GAUSS_4;
+
+/// A row of cells that repeats along y, in the unit of the [`Cell`].
+///
+/// The integrals of the images with the numbers k are added up to [`WHOLE`], then with weights that fall from one to
+/// zero; beyond, the images are taken as a uniform strip. The weights make up for the difference to the fifteenth
+/// derivative at the end of the strip (midpoint rule with the end corrections of Gregory, by central differences), which
+/// leaves 4e-15 of an image at the distance of one period.
+///
+/// The strip has infinite displacement: that of `1/R` is taken relative to the datum, those of `X^2/R^3` to any point of
+/// the surface, which all it moves alike.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Images {
+    /// Length after which the row repeats.
+    pub(super) period: f64,
+    /// Distance at which a line load moves nothing.
+    pub(super) datum: f64,
+}
+
+/// Images that count in full, on each side.
+const WHOLE: i32 = 8;
+
+/// By how much less than one the images up to [`END`] count, the nearest to the end first, and those beyond it, which
+/// otherwise would not.
+const CORRECTIONS: [f64; 8] = [
+    5.984_979_299_564_494e-2,
+    -8.555_555_935_044_48e-3,
+    2.027_846_776_850_52e-3,
+    -4.855_957_311_855_492_4e-4,
+    9.934_977_992_661_57e-5,
+    -1.546_661_444_853_505e-5,
+    1.589_200_089_739_652_3e-6,
+    -7.981_009_139_050_703e-8,
+];
+
+/// The last image before the end of the strip that is cut out.
+const END: i32 = WHOLE + 8;
+
+/// Distance in periods beyond which images are a strip to the last digit, `exp(-2 pi 6) = 4e-17`.
+pub(crate) const FAR: f64 = 6.0;
+
+impl Images {
+    /// The integral at the points `(x, y)` of a row, with `x` ascending from zero or more and `0 <= y <= period/2`.
+    pub(super) fn along_row(
+        self,
+        cell: Cell,
+        integral: Integral,
+        xs: &[f64],
+        y: f64,
+        out: &mut [f64],
+    ) {
+        // Here, and half a period away, the images of one side are those of the other.
+        if integral.is_odd()[1] && (y == 0.0 || 2.0 * y >= self.period) {
+            out.fill(0.0);
+            return;
+        }
+        let share = 2.0 * cell.b / self.period;
+        for (out, &x) in out.iter_mut().zip(xs) {
+            *out = share * self.of_strip(cell.a, integral, x);
+        }
+        // A cell as long as the period is a strip.
+        if share >= 1.0 {
+            return;
+        }
+        let near = xs.partition_point(|x| *x < cell.a + FAR * self.period);
+        let (xs, out) = (&xs[..near], &mut out[..near]);
+        let mut part = vec![0.0; near];
+        let mut add = |cell: Cell, y: f64, weight: f64| {
+            cell.along_row(integral, xs, y.abs(), &mut part);
+            let is_negative = integral.is_odd()[1] && y < 0.0;
+            let weight = if is_negative { -weight } else { weight };
+            for (out, part) in out.iter_mut().zip(&part) {
+                *out += weight * part;
+            }
+        };
+        for piece in pieces(cell.b, self.period) {
+            let other = Cell {
+                b: piece.half,
+                ..cell
+            };
+            add(other, y + piece.offset, piece.weight);
+        }
+    }
+
+    /// Over a strip of half width `a` along y, infinitely long.
+    fn of_strip(self, a: f64, integral: Integral, x: f64) -> f64 {
+        match integral {
+            // The integral of -2 ln(|x|/d): -(x + a) ln|x + a| + (x - a) ln|x - a|, in terms that do not cancel.
+            Integral::Potential => {
+                let log = |x: f64| (x / self.datum).abs().ln();
+                let inner = if x == 0.0 {
+                    2.0 * log(a)
+                } else {
+                    log(x + a) + log(x - a) + x / a * (2.0 * a / (x - a)).ln_1p()
+                };
+                2.0 * a * (2.0 - inner)
+            }
+            Integral::RadialX => std::f64::consts::TAU * x.min(a),
+            Integral::AlongX | Integral::Diagonal | Integral::RadialY => 0.0,
+        }
+    }
+}
+
+/// A cell of the same width whose integrals, times the weight, make a strip into a row of images.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    /// Half side along y.
+    pub(crate) half: f64,
+    /// Whether it is a piece of the strip that is cut out, not an image.
+    pub(crate) is_strip: bool,
+    /// How far it lies from the cell, towards lower y.
+    pub(crate) offset: f64,
+    pub(crate) weight: f64,
+}
+
+/// What a strip, of which cells of half side b cover a part, lacks to be the row of their images.
+pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = Piece> {
+    let share = 2.0 * b / period;
+    // What cells of some height are taken as has ends that are smeared over that height.
+    let strip = GAUSS_4.into_iter().map(move |[node, part]| Piece {
+        half: (f64::from(END) + 0.5) * period,
+        is_strip: true,
+        offset: node * b,
+        weight: -0.5 * part * share,
+    });
+    let last = END + 8;
+    let images = (-last..=last).map(move |image| Piece {
+        half: b,
+        is_strip: false,
+        offset: f64::from(image) * period,
+        weight: weight(image),
+    });
+    strip.chain(images)
+}
+
+/// How much an image counts.
+fn weight(image: i32) -> f64 {
+    let image = image.abs();
+    let beyond = image - END;
+    if image <= WHOLE {
+        1.0
+    } else if beyond <= 0 {
+        1.0 - CORRECTIONS[beyond.unsigned_abs() as usize]
+    } else {
+        CORRECTIONS[beyond.unsigned_abs() as usize - 1]
+    }
+}

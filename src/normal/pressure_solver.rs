@@ -1,0 +1,420 @@
+//! Normal contacts of the same bodies, one after the other, each from the answer of the last.
+
+use std::borrow::Cow;
+use std::ops::ControlFlow;
+
+use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
+use crate::contact::{
+    Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
+};
+use crate::contact::{Cancellation, has_iterate, known_of_start, nested_start, with_counts_of};
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::grid::per_cell::PerCell;
+use crate::grid::window::Window;
+use crate::half_space::HalfSpace;
+use crate::normal::scene::PressureScene;
+use crate::normal::window_solver::Engine;
+use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::observer::Observer;
+use crate::parallel;
+use crate::report::{Report, Status};
+
+/// Part of the tolerance below which a window is not solved more strictly, that of the grid being out of reach.
+const STRICTEST: f64 = 0.1;
+
+/// Cells on each side of the first window for the loads that follow to grow into.
+const ROOM: [usize; 2] = [2; 2];
+
+/// What is pressed, and how.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pressing<'a> {
+    pub(crate) bodies: &'a HalfSpace,
+    pub(crate) gap: &'a Field,
+    pub(crate) hardness: Option<&'a Hardness>,
+    pub(crate) control: NormalControl,
+    pub(crate) settings: &'a Settings,
+}
+
+impl<'a> Pressing<'a> {
+    /// Cells at their hardness.
+    fn yielded(&self, pressure: &[f64]) -> usize {
+        self.hardness
+            .map_or(0, |hardness| hardness.reached_cells(self.bodies, pressure))
+    }
+
+    /// Whether a pressure is beyond the hardness.
+    fn exceeds(&self, pressure: &[f64]) -> bool {
+        self.hardness
+            .is_some_and(|hardness| hardness.is_exceeded(self.bodies, pressure))
+    }
+
+    /// As the engine takes it.
+    fn scene(&self) -> Result<PressureScene<&'a [f64]>> {
+        let (datum, total) = self.control.posed(self.bodies, self.gap)?;
+        Ok(PressureScene {
+            gap: self.gap.as_slice(),
+            datum,
+            limits: self.limits(),
+            total,
+        })
+    }
+
+    fn limits(&self) -> PerCell<&'a [f64]> {
+        self.hardness.map_or(UNLIMITED, Hardness::limits)
+    }
+}
+
+/// What one solve leaves to the next, but for the pressure, which is its caller's: zero before the first solve.
+#[derive(Debug, Clone)]
+pub(crate) struct PressureSolver {
+    /// What the last solve worked with, on its window.
+    windows: Windows<Engine>,
+    /// Whether its answer is a start.
+    is_start: bool,
+    /// The approach that belongs to the pressure.
+    approach: f64,
+    /// The largest sum and the largest approach that [`Self::forget_if_outgrown`] has seen on these windows.
+    held: Reached,
+    report: Report,
+}
+
+impl PressureSolver {
+    pub(crate) fn new() -> Self {
+        Self {
+            windows: Windows::default(),
+            is_start: false,
+            approach: 0.0,
+            held: [f64::NEG_INFINITY; 2],
+            report: Report::with_room(),
+        }
+    }
+
+    /// Where the engine works; `None` before the first solve.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.windows.window()
+    }
+
+    /// How the last solve ended.
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Writes how the pressure changed with the load on that window, in the cells held here.
+    pub(crate) fn write_trend(&self, trend: &mut Trend<1>) {
+        if let Some(engine) = &self.windows.present {
+            engine.write_trend(trend);
+        }
+    }
+
+    /// Cells of that trend held here.
+    pub(crate) fn trend_cells(&self) -> usize {
+        self.windows.present.as_ref().map_or(0, Engine::trend_cells)
+    }
+
+    /// Counts a step, whether or not it solves.
+    pub(crate) fn age(&mut self) {
+        self.windows.age();
+    }
+
+    /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
+    /// back.
+    pub(crate) fn resume(
+        &mut self,
+        bodies: &HalfSpace,
+        approach: f64,
+        window: Option<Window>,
+        trend: &Trend<1>,
+    ) -> Result<()> {
+        (self.approach, self.is_start) = (approach, true);
+        if let Some(engine) = &mut self.windows.present {
+            engine.rest();
+        }
+        self.windows.resume(bodies, window)?;
+        let Some(engine) = &mut self.windows.present else {
+            return Ok(());
+        };
+        let outcome = engine.set_trend(trend);
+        if outcome.is_err() {
+            // Without the trend it would not go on as it did.
+            self.windows.present = None;
+        }
+        outcome
+    }
+
+    /// Forgets the last answer: the next solve starts as the first did.
+    pub(crate) fn reset(&mut self) {
+        self.windows.present = None;
+        self.held = [f64::NEG_INFINITY; 2];
+    }
+
+    /// Forgets it where the contact will leave its window: found anew, on coarser cells first, it takes a fourth of the
+    /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window. What
+    /// the window has held before it holds again.
+    pub(super) fn forget_if_outgrown(&mut self, of: &Pressing<'_>, pressure: &[f64]) -> Result<()> {
+        let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
+        let window = self.window().filter(|_| self.is_start);
+        let Some(window) = window.filter(|window| *window != Window::whole(bodies.grid())) else {
+            return Ok(());
+        };
+        let sum = reduce::total(&layout, pressure);
+        self.held = [self.held[0].max(sum), self.held[1].max(self.approach)];
+        let scene = of.scene()?;
+        let (Ahead::Total(beyond) | Ahead::Motion(beyond)) = scene.ahead(self.held) else {
+            return Ok(());
+        };
+        if beyond <= 0.0 {
+            return Ok(());
+        }
+        let least = bodies.least(of.gap);
+        let depth = self.approach - least;
+        let growth = match scene.ahead([sum, self.approach]) {
+            // As under a sphere, whose force is as the depth to the power 3/2.
+            Ahead::Total(change) => (1.0 + change / sum).cbrt().powi(2),
+            Ahead::Motion(change) => 1.0 + change / depth,
+            Ahead::Nothing | Ahead::Spring { .. } => 1.0,
+        };
+        if depth > 0.0 && growth > 1.0 {
+            let (gap, first) = (of.gap.as_slice(), bodies.first_cell());
+            let gap = |i: usize| gap[i] - least;
+            let closed = reduce::max(&layout, |i| if pressure[i] > 0.0 { gap(i) } else { 0.0 });
+            let beyond = |i: usize| (!window.contains(first + i)).then(|| (gap(i), ()));
+            let next = reduce::least(&layout, beyond).map_or(f64::INFINITY, |(gap, ())| gap);
+            if (closed..closed * growth).contains(&next) {
+                self.reset();
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what was found to a solution that has the pressure, and rests.
+    pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
+        let engine = &mut self.windows.present;
+        let displacement = engine.as_ref().map_or(&[][..], Engine::displacement);
+        let Pressing { bodies, gap, .. } = of;
+        solution.fill(bodies, gap, displacement, self.approach, &self.report);
+        let pressure = solution.pressure().as_slice();
+        let yielded = of.yielded(pressure);
+        solution.set_yielded_cells(yielded);
+        match engine {
+            Some(engine) if self.is_start => engine.rest(),
+            engine => *engine = None,
+        }
+    }
+
+    /// The solution with this pressure; all else is given up.
+    pub(super) fn into_solution(
+        self,
+        of: &Pressing<'_>,
+        pressure: Vec<f64>,
+    ) -> Result<NormalSolution> {
+        let yielded = of.yielded(&pressure);
+        let displacement = self.windows.present.map(Engine::into_displacement);
+        let fields = [pressure, displacement.unwrap_or_default()];
+        let mut solution =
+            NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)?;
+        solution.set_yielded_cells(yielded);
+        Ok(solution)
+    }
+
+    /// Finds the pressure of the whole grid from the last one, in its place. The rest of the answer is to be taken from
+    /// [`Self::finish`] or [`Self::into_solution`], converged or not.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] with the last feasible iterate; others, after which the next solve starts from nothing.
+    pub(crate) fn solve(
+        &mut self,
+        of: &Pressing<'_>,
+        pressure: &mut [f64],
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
+        let mut conditions = Conditions::new(of.settings, &mut observer);
+        let outcome = self.find(of, pressure, &mut conditions);
+        let outcome = cancellation.applied(of.bodies, outcome, || self.report.cancelled());
+        if !has_iterate(&outcome) {
+            self.windows.present = None;
+        }
+        outcome
+    }
+
+    fn find(
+        &mut self,
+        of: &Pressing<'_>,
+        pressure: &mut [f64],
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let mut scene = of.scene()?;
+        let layout = of.bodies.grid_layout();
+        let from = [reduce::total(&layout, pressure), self.approach];
+        // A window that cannot carry the load is no place to begin at.
+        let holds = |window: Window| {
+            of.hardness
+                .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
+        };
+        let has_start = std::mem::take(&mut self.is_start) && self.window().is_some_and(holds);
+        // What nothing reaches is not to be seen in any iterate.
+        if !has_start || of.yielded(pressure) == 0 {
+            scene.limits = UNLIMITED;
+        }
+        let known = match &mut self.windows.present {
+            Some(engine) if has_start => set_out(engine, scene, from, self.approach, pressure)?,
+            engine => {
+                *engine = None;
+                let (cold, known) = start_cold(of.bodies, scene, pressure, conditions)?;
+                *engine = Some(cold);
+                known
+            }
+        };
+        self.report.clear();
+        let mut outcome = self.solve_on_window(of.bodies, scene, (pressure, known), conditions);
+        if has_iterate(&outcome) && of.exceeds(pressure) {
+            scene.limits = of.limits();
+            outcome = self.bring_within_limits(of.bodies, scene, pressure, conditions);
+        }
+        let engine = self.windows.present.as_mut();
+        let Some(engine) = engine.filter(|_| has_iterate(&outcome)) else {
+            return outcome;
+        };
+        self.report.time = conditions.start.elapsed();
+        let [multiplier] = engine.solver.multiplier();
+        self.approach = scene.datum + multiplier;
+        if outcome.is_ok() && has_start && known == Known::Near {
+            let to = [reduce::total(&layout, pressure), self.approach];
+            engine.note(pressure, from, to)?;
+        }
+        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
+        let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
+        self.is_start = self.report.duality_gap.is_finite() && (touches || has_start);
+        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+    }
+
+    /// Begins anew where a pressure that was found without the hardness is beyond it: the contact is wider. Where the solve
+    /// has come to its limits, or was cancelled, the pressure is brought within the hardness and no step is taken.
+    fn bring_within_limits(
+        &mut self,
+        bodies: &HalfSpace,
+        scene: PressureScene<&[f64]>,
+        pressure: &mut [f64],
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
+            && conditions.check_iterations_left(&mut self.report).is_ok();
+        if may_go_on {
+            let (engine, known) = start_cold(bodies, scene, pressure, conditions)?;
+            self.windows.present = Some(engine);
+            let from = (pressure, known);
+            return self.solve_on_window(bodies, scene, from, conditions);
+        }
+        let engine = Engine::new(bodies, Window::whole(bodies.grid()))?;
+        self.windows.present = Some(engine);
+        let status = self.report.status;
+        let mut refuse = |_: &Iteration| ControlFlow::Break(());
+        let steps = self.report.iterations + 1;
+        let mut no_step = Conditions {
+            settings: &conditions.settings.max_iterations(steps),
+            start: conditions.start,
+            observer: &mut refuse,
+        };
+        let from = (pressure, Known::Nothing);
+        let outcome = self.solve_on_window(bodies, scene, from, &mut no_step);
+        if matches!(outcome, Err(Error::NotConverged(_))) {
+            self.report.status = status;
+        }
+        outcome
+    }
+
+    /// Solves on the window of the contact, and on wider ones where it was too small.
+    fn solve_on_window(
+        &mut self,
+        bodies: &HalfSpace,
+        scene: PressureScene<&[f64]>,
+        (pressure, mut known): (&mut [f64], Known<1>),
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        let (windows, report) = (&mut self.windows, &mut self.report);
+        let tolerance = conditions.settings.tolerance;
+        windows.solve(bodies, |engine, part| {
+            let left = conditions.left(report).tolerance(part * tolerance);
+            let mut observer = with_counts_of(report, &mut *conditions.observer);
+            let outcome = engine.solve(scene, (pressure, known), &left, &mut observer);
+            if !has_iterate(&outcome) {
+                return outcome.map(|()| Seen::Answer);
+            }
+            drop(observer);
+            report.add_pass(engine.solver.report());
+            let Some((findings, bound)) = engine.examine(scene, pressure)? else {
+                return outcome.map(|()| Seen::Answer);
+            };
+            report.double_precision_products += 1;
+            findings.write_to(report);
+            report.eigenvalue_bound = bound;
+            let missed = engine.missed(scene, findings.displacement, bodies);
+            // What has stalled may have done so because the contact is elsewhere.
+            let may_go_on = matches!(report.status, Status::Converged | Status::Stalled);
+            let is_wide_enough = missed.is_none();
+            if !may_go_on || is_wide_enough && (outcome.is_err() || report.is_within(tolerance)) {
+                return outcome.map(|()| Seen::Answer);
+            }
+            known = Known::Answer(engine.solver.multiplier());
+            // While the engine can still show what the iterate does.
+            conditions.check_iterations_left(report)?;
+            match missed {
+                Some(missed) => Ok(Seen::Missed(missed)),
+                None if part < STRICTEST => {
+                    report.status = Status::Stalled;
+                    Err(Error::NotConverged(Box::new(report.clone())))
+                }
+                None => Ok(Seen::Loose),
+            }
+        })
+    }
+}
+
+/// From the last answer: as it is under the same load, moved on where the load has changed.
+fn set_out(
+    engine: &mut Engine,
+    scene: PressureScene<&[f64]>,
+    from: Reached,
+    approach: f64,
+    pressure: &mut [f64],
+) -> Result<Known<1>> {
+    Ok(match scene.ahead(from) {
+        Ahead::Nothing => Known::Answer(multipliers([scene.total], [approach - scene.datum])),
+        ahead => {
+            let parts = engine.parts(ahead).unwrap_or(0.0);
+            engine.extrapolate(parts, pressure)?;
+            Known::Near
+        }
+    })
+}
+
+/// From nothing: the answer on coarser cells, the engine set up around its contact, and what is known of that start.
+fn start_cold(
+    bodies: &HalfSpace,
+    scene: PressureScene<&[f64]>,
+    pressure: &mut [f64],
+    conditions: &mut Conditions<'_, '_>,
+) -> Result<(Engine, Known<1>)> {
+    let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
+    let own = PressureScene {
+        gap: Cow::Borrowed(scene.gap),
+        datum: scene.datum,
+        limits: scene.limits.map(|limits| Cow::Borrowed(*limits)),
+        total: scene.total,
+    };
+    let is_plain = conditions.settings.method == Method::PolonskyKeer;
+    let ([start], known) = if is_plain {
+        (own.plain_start(&bodies.grid_layout())?, Known::Nothing)
+    } else {
+        let start = nested_start(bodies, whole.size, &own, conditions)?;
+        (start, known_of_start(bodies, whole.size))
+    };
+    parallel::copy(&start, pressure);
+    let window = match bodies.around(|i| pressure[i] > 0.0) {
+        Some(contact) if !is_plain => contact.widened(grid).with_margins(grid, ROOM),
+        _ => whole,
+    };
+    Ok((Engine::new(bodies, window)?, known))
+}

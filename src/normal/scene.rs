@@ -1,0 +1,130 @@
+//! The scene of a pressure, and the same on coarser cells.
+
+use std::borrow::Cow;
+
+use crate::bodies::component::Direction;
+use crate::cgm::{Carried, Interval, Total};
+use crate::contact::{Ahead, ElasticProblem, ElasticSolver, Levels, Reached, Scene};
+use crate::error::Result;
+use crate::grid::per_cell::PerCell;
+use crate::half_space::{HalfSpace, Region};
+use crate::parallel::layout::Layout;
+use crate::support::fallible;
+
+/// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
+/// made for one solve.
+const FEW: usize = 4;
+
+/// Change of a load, as part of it, below which it is round-off.
+const NO_CHANGE: f64 = 1e-12;
+
+/// All that a pressure depends on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PressureScene<C> {
+    pub(super) gap: C,
+    /// What the gap is measured from: its least value, or the approach where that is prescribed.
+    pub(super) datum: f64,
+    /// The largest pressure that the cells carry.
+    pub(super) limits: PerCell<C>,
+    /// The sum of the pressures, where the force is prescribed.
+    pub(super) total: Total,
+}
+
+impl<C: AsRef<[f64]>> PressureScene<C> {
+    pub(super) fn constraint(&self) -> Carried<'_> {
+        Carried(self.limits.map(C::as_ref))
+    }
+
+    /// What is to be minimised.
+    pub(super) fn problem(
+        &self,
+        solver: &ElasticSolver<Interval, 1>,
+    ) -> ElasticProblem<'_, Carried<'_>, 1> {
+        solver
+            .problem([self.gap.as_ref()], self.constraint())
+            .datum([self.datum])
+            .totals([self.total])
+    }
+
+    /// How far the load lies ahead of what was reached: nowhere, if that is round-off.
+    pub(super) fn ahead(&self, reached: Reached) -> Ahead {
+        let beyond = |wanted: f64, reached: f64| {
+            let ahead = wanted - reached;
+            (ahead.abs() > NO_CHANGE * wanted.abs()).then_some(ahead)
+        };
+        let ahead = match self.total {
+            Total::Sum(sum) => beyond(sum, reached[0]).map(Ahead::Total),
+            _ => beyond(self.datum, reached[1]).map(Ahead::Motion),
+        };
+        ahead.unwrap_or(Ahead::Nothing)
+    }
+}
+
+impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
+    type Set = Interval;
+    type Constraint<'a>
+        = Carried<'a>
+    where
+        Self: 'a;
+
+    fn directions(&self) -> [Direction; 1] {
+        [Direction::Z]
+    }
+
+    fn problem(&self, solver: &ElasticSolver<Interval, 1>) -> ElasticProblem<'_, Carried<'_>, 1> {
+        self.problem(solver)
+    }
+
+    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
+        Ok(Self {
+            gap: Cow::Owned(levels.coarsened(&self.gap)?),
+            limits: self
+                .limits
+                .try_map(|limits| levels.coarsened(limits).map(Cow::Owned))?,
+            total: self.total.scaled(levels.part_of_area()),
+            ..*self
+        })
+    }
+
+    /// Around the pressure, with room for it to spread.
+    fn confined(
+        &self,
+        bodies: &HalfSpace,
+        [start]: &[Vec<f64>; 1],
+    ) -> Result<Option<(Region, Self)>> {
+        let grid = bodies.grid();
+        let contact = bodies.around(|i| start[i] > 0.0);
+        let window = contact.map(|contact| bodies.confined(contact.widened(grid)));
+        let Some(window) = window.filter(|window| FEW * window.cells() <= grid.whole().cells())
+        else {
+            return Ok(None);
+        };
+        let region = Region::new(bodies, window);
+        let inside = |whole: &Cow<'_, [f64]>| {
+            let mut part = fallible::zeros(region.cells())?;
+            region.gather(whole, &mut part);
+            Ok(Cow::Owned(part))
+        };
+        let part = Self {
+            gap: inside(&self.gap)?,
+            limits: self.limits.try_map(inside)?,
+            ..*self
+        };
+        Ok(Some((region, part)))
+    }
+
+    /// Uniform pressure under a force, zero under an approach.
+    fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; 1]> {
+        let mean = self.total.sum().unwrap_or(0.0) / layout.of_all_ranks() as f64;
+        Ok([fallible::filled(mean, self.gap.len())?])
+    }
+
+    fn refined_start(
+        &self,
+        levels: Levels<'_>,
+        _: &Self,
+        [answer]: &[Vec<f64>; 1],
+    ) -> Result<[Vec<f64>; 1]> {
+        Ok([levels.refined_zone(answer)?])
+    }
+}

@@ -1,0 +1,310 @@
+//! The engine of a normal contact: around the contact, with a look at the rest of the grid.
+
+use crate::bodies::component::Direction;
+use crate::cgm::{self, Interval, Iterate, Known};
+use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_iterate};
+use crate::error::Result;
+use crate::grid::window::Window;
+use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
+use crate::normal::scene::PressureScene;
+use crate::observer::Observer;
+use crate::operator::{Operator, Scratch};
+use crate::parallel::{self, Blocks};
+use crate::report::EigenvalueBound;
+use crate::support::fallible::{self, TryClone};
+use crate::support::pool::Lease;
+use std::borrow::Cow;
+
+/// The engine, set up where it works: around the contact, if that is much smaller than the grid.
+#[derive(Debug, Clone)]
+pub(super) struct Engine {
+    region: Region,
+    pub(super) solver: ElasticSolver<Interval, 1>,
+    /// How the pressure of the window changed with the load.
+    trend: Trend<1>,
+    /// Whether the trend holds what the pressure was, until it is noted what it has become.
+    is_extrapolated: bool,
+    /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
+    part: Option<Part>,
+}
+
+#[derive(Debug, Clone)]
+struct Part {
+    /// Of the whole grid.
+    operator: ElasticOperator<1>,
+    fields: Lease<PartFields>,
+}
+
+#[derive(Debug)]
+struct PartFields {
+    /// Of the window.
+    gap: Vec<f64>,
+    pressure: Vec<f64>,
+    /// Likewise, where each cell has its own.
+    limits: Vec<f64>,
+    /// Of the whole grid.
+    displacement: Vec<f64>,
+    scratch: Scratch,
+}
+
+impl Part {
+    /// Its fields, for a window of so many cells.
+    fn fields(&mut self, cells: usize) -> Result<&mut PartFields> {
+        let operator = &self.operator;
+        self.fields.take(|| {
+            Ok(PartFields {
+                gap: fallible::zeros(cells)?,
+                pressure: fallible::zeros(cells)?,
+                limits: Vec::new(),
+                displacement: fallible::zeros(operator.cells())?,
+                scratch: operator.scratch()?,
+            })
+        })
+    }
+}
+
+impl OnWindow for Engine {
+    fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
+        let part = if window == whole {
+            None
+        } else {
+            let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
+            Some(Part {
+                operator,
+                fields: Lease::new(bodies.pool(&[], window.size)?),
+            })
+        };
+        Ok(Self {
+            solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
+            trend: Trend::default(),
+            is_extrapolated: false,
+            region: Region::new(bodies, window),
+            part,
+        })
+    }
+
+    fn window(&self) -> Window {
+        self.region.window()
+    }
+
+    /// Without a trend.
+    fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
+        self.region = Region::new(bodies, window);
+        self.is_extrapolated = false;
+        self.trend.forget();
+    }
+
+    /// The displacement is then gone.
+    fn rest(&mut self) {
+        self.solver.rest();
+        if let Some(part) = &mut self.part {
+            part.fields.give_back();
+        }
+    }
+}
+
+impl Engine {
+    /// Takes a trend of the cells held here.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub(super) fn set_trend(&mut self, trend: &Trend<1>) -> Result<()> {
+        if self.region.is_shared() && !trend.is_known() {
+            self.trend.forget();
+            return Ok(());
+        }
+        self.trend.try_clone_from(trend)?;
+        if let Cow::Owned(change) = self.region.taken(&trend.change[0]) {
+            self.trend.change = [change];
+        }
+        Ok(())
+    }
+
+    /// Cells of the trend that are held here.
+    pub(super) fn trend_cells(&self) -> usize {
+        self.region.held().cells().max(self.trend.change[0].len())
+    }
+
+    /// Writes the trend of the cells held here.
+    pub(super) fn write_trend(&self, trend: &mut Trend<1>) {
+        trend.clone_from(&self.trend);
+        if self.region.is_shared() && !trend.is_known() {
+            return trend.forget();
+        }
+        if let Cow::Owned(change) = self.region.given(&self.trend.change[0]) {
+            trend.change = [change];
+        }
+    }
+
+    /// How many times the last change the load lies ahead.
+    pub(super) fn parts(&self, ahead: Ahead) -> Option<f64> {
+        self.trend.parts([ahead])
+    }
+
+    /// The displacement of the whole grid, once it was solved on.
+    pub(super) fn displacement(&self) -> &[f64] {
+        match &self.part {
+            Some(part) => part
+                .fields
+                .held()
+                .map_or(&[], |fields| &fields.displacement),
+            None => self.solver.product()[0],
+        }
+    }
+
+    /// The same alone: all else is given up.
+    pub(super) fn into_displacement(self) -> Vec<f64> {
+        if let Some(part) = self.part {
+            let fields = part.fields.into_piece();
+            return fields.map(|fields| fields.displacement).unwrap_or_default();
+        }
+        let [displacement] = self.solver.into_product();
+        displacement
+    }
+
+    /// Solves on the window, from the pressure of the whole grid into it.
+    pub(super) fn solve(
+        &mut self,
+        scene: PressureScene<&[f64]>,
+        (pressure, known): (&mut [f64], Known<1>),
+        settings: &cgm::Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let (region, solver) = (&self.region, &mut self.solver);
+        let Some(part) = &mut self.part else {
+            let problem = scene.problem(solver);
+            return solver.minimise(&problem, ([pressure], known), settings, observer);
+        };
+        let cells = region.cells();
+        let fields = part.fields(cells)?;
+        region.gather(scene.gap, &mut fields.gap);
+        region.gather(pressure, &mut fields.pressure);
+        let own_limits = &mut fields.limits;
+        let inside = PressureScene {
+            gap: &*fields.gap,
+            limits: scene.limits.try_map(|limits| {
+                fallible::resize(own_limits, cells, 0.0)?;
+                region.gather(limits, own_limits);
+                Ok(own_limits.as_slice())
+            })?,
+            ..scene
+        };
+        let problem = inside.problem(solver).examined_elsewhere();
+        let from = ([&mut *fields.pressure], known);
+        let outcome = solver.minimise(&problem, from, settings, observer);
+        if has_iterate(&outcome) {
+            pressure.fill(0.0);
+            region.scatter(&fields.pressure, pressure);
+        }
+        outcome
+    }
+
+    /// Examines the pressure on the whole grid, and tells how the least eigenvalue is known there; `None` if the window is
+    /// the grid.
+    pub(super) fn examine(
+        &mut self,
+        scene: PressureScene<&[f64]>,
+        pressure: &[f64],
+    ) -> Result<Option<(cgm::Certificate, EigenvalueBound)>> {
+        let multiplier = self.solver.multiplier();
+        let Some(part) = &mut self.part else {
+            return Ok(None);
+        };
+        let operator = part.operator.clone();
+        let PartFields {
+            displacement,
+            scratch,
+            ..
+        } = part.fields(self.region.cells())?;
+        operator.apply([pressure], [displacement], scratch);
+        let layout = operator.layout();
+        let iterate = Iterate {
+            layout: &layout,
+            x: [pressure],
+            product: [displacement],
+            linear: [scene.gap],
+            datum: [scene.datum],
+            totals: [scene.total],
+            multiplier,
+        };
+        let cells = layout.of_all_ranks();
+        let bound = operator.lower_bound_of([scene.total.uniform_compliance(cells)])?;
+        let findings = cgm::examine(&iterate, &scene.constraint(), bound);
+        Ok(Some((findings, bound.known)))
+    }
+
+    /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.
+    pub(super) fn missed(
+        &self,
+        scene: PressureScene<&[f64]>,
+        largest: f64,
+        bodies: &HalfSpace,
+    ) -> Option<Window> {
+        let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
+        contact::missed(bodies, self.window(), largest, |i| {
+            displacement[i] + (scene.gap[i] - scene.datum) - multiplier
+        })
+    }
+
+    /// Moves the pressure of the whole grid on by so many times the trend, which then holds what it was.
+    pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) -> Result<()> {
+        let (region, cells) = (&self.region, self.region.cells());
+        let [change] = &mut self.trend.change;
+        fallible::resize(change, cells, 0.0)?;
+        self.trend.by = [[0.0; 2]];
+        self.is_extrapolated = true;
+        let Some(part) = &mut self.part else {
+            go_on(parts, pressure, change);
+            return Ok(());
+        };
+        let inside = &mut part.fields(cells)?.pressure;
+        region.gather(pressure, inside);
+        go_on(parts, inside, change);
+        region.scatter(inside, pressure);
+        Ok(())
+    }
+
+    /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
+    pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) -> Result<()> {
+        let (region, cells) = (&self.region, self.region.cells());
+        let [change] = &mut self.trend.change;
+        // One that was widened since has no start to tell the change from.
+        if !std::mem::take(&mut self.is_extrapolated) {
+            return Ok(());
+        }
+        match &mut self.part {
+            Some(part) => {
+                let inside = &mut part.fields(cells)?.pressure;
+                region.gather(pressure, inside);
+                subtract_from(inside, change);
+            }
+            None => subtract_from(pressure, change),
+        }
+        self.trend.by = [[to[0] - from[0], to[1] - from[1]]];
+        Ok(())
+    }
+}
+
+/// Moves pressures on by so many times their changes, which then hold what they were.
+fn go_on(parts: f64, pressure: &mut [f64], change: &mut [f64]) {
+    let data = (parallel::blocks(pressure), parallel::blocks(change));
+    let tasks = data.0.items.len().div_ceil(parallel::CHUNK);
+    let work = |_: usize, (pressure, change): (Blocks<'_, f64>, Blocks<'_, f64>)| {
+        for (p, change) in pressure.items.iter_mut().zip(change.items) {
+            let before = *p;
+            *p = (before + parts * *change).max(0.0);
+            *change = before;
+        }
+    };
+    parallel::sweep(0..tasks, data, &work, &|(), ()| ());
+}
+
+/// Replaces what was by what is less it.
+fn subtract_from(pressure: &[f64], change: &mut [f64]) {
+    parallel::update(change, |first, chunk| {
+        for (change, p) in chunk.iter_mut().zip(&pressure[first..]) {
+            *change = p - *change;
+        }
+    });
+}

@@ -1,0 +1,6 @@
+//! TODO
+
+pub(crate) mod cell_vector;
+pub(crate) mod gauss;
+pub(crate) mod jacobi;
+pub(crate) mod small_matrix;

@@ -1,0 +1,57 @@
+//! What the launcher of a program tells its processes.
+
+use crate::parallel::ranks::RankFailure;
+
+/// How many processes were started, by the variables of launchers, and last by those of a queue in which one may run.
+const COUNTS: [&str; 5] = [
+    "OMPI_COMM_WORLD_SIZE",
+    "PMI_SIZE",
+    "MV2_COMM_WORLD_SIZE",
+    "SLURM_STEP_NUM_TASKS",
+    "SLURM_NTASKS",
+];
+
+/// `Ok` unless a process that MPI knows as the only one was started as one of several. The first variable that is set
+/// decides.
+pub(super) fn check(
+    size: usize,
+    variable: impl Fn(&'static str) -> Option<String>,
+) -> Result<(), RankFailure> {
+    let count = |name| Some((name, variable(name)?.trim().parse().ok()?));
+    match COUNTS.into_iter().find_map(count) {
+        Some((variable, processes)) if size == 1 && processes > 1 => Err(RankFailure::Apart {
+            variable,
+            processes,
+        }),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_of_several_that_knows_itself_alone_is_refused() {
+        let of = |size: usize, set: &[(&'static str, &str)]| {
+            let found = |name| set.iter().find(|(own, _)| *own == name);
+            check(size, |name| found(name).map(|(_, value)| (*value).into()))
+        };
+        let apart = |variable, processes| {
+            Err(RankFailure::Apart {
+                variable,
+                processes,
+            })
+        };
+        for variable in COUNTS {
+            assert_eq!(of(1, &[(variable, "3")]), apart(variable, 3));
+            assert_eq!(of(1, &[(variable, "1")]), Ok(()));
+            assert_eq!(of(3, &[(variable, "3")]), Ok(()));
+            assert_eq!(of(1, &[(variable, "some")]), Ok(()));
+        }
+        assert_eq!(of(1, &[]), Ok(()));
+        // One process, started by its launcher in a queue with room for many.
+        let queued = [("SLURM_NTASKS", "64"), ("OMPI_COMM_WORLD_SIZE", "1")];
+        assert_eq!(of(1, &queued), Ok(()));
+    }
+}

@@ -1,0 +1,323 @@
+//! Ranks that are processes of an MPI program.
+
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use mpi::Threading;
+use mpi::point_to_point::MatchedReceiveVec;
+use mpi::request::scope;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, Destination, Source};
+
+use crate::error::{Error, Result};
+use crate::parallel::ranks::{RankFailure, Ranks, launcher};
+
+/// A rank that is a process started by `mpirun`. Made by [`Mpi::run`].
+///
+/// ```no_run
+/// use std::sync::Arc;
+/// use std::time::Duration;
+/// use stickslip::ranks::Mpi;
+/// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material};
+///
+/// let grid = Grid::square(8192, 8.0)?;
+/// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
+/// let rows = Mpi::run(Duration::from_secs(600), |rank| {
+///     let bodies = HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?;
+///     // Gaps on `bodies.grid()`, problems and solutions as ever.
+///     stickslip::Result::Ok(bodies.grid().rows())
+/// })??;
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Mpi {
+    rank: usize,
+    size: usize,
+    /// The lock makes the rank `Sync`, keeps calls of MPI apart, and is never contended.
+    post: Arc<Mutex<Post>>,
+}
+
+/// The tags of MPI messages: a block of data, and the last message that a rank sends.
+const BLOCK: i32 = 1;
+const LEFT: i32 = 2;
+
+/// Number of probes for a message between which the thread yields to others; between later ones it sleeps.
+const EAGER: u32 = 1 << 12;
+/// The length of such a sleep.
+const NAP: Duration = Duration::from_micros(50);
+
+impl Mpi {
+    /// Initialises MPI, runs the work as the rank of this process, and finalises MPI. A call of the work that waits for
+    /// another rank longer than `patience` returns [`RankFailure::Silent`].
+    ///
+    /// The work uses the rayon pool of its process as without MPI. Calls of MPI are made one at a time, by whichever thread
+    /// the work is on, so that the MPI library must grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and those derived from
+    /// them do.
+    ///
+    /// Messages are sent and awaited one by one, all of an exchange at once, not by the collective calls of MPI: those can
+    /// neither be tested for one rank nor be cancelled, so that a rank that is lost would hold the others for ever.
+    ///
+    /// Only all ranks together can finalise MPI. If a call has waited for a rank in vain, and that rank is still silent for
+    /// another `patience` after the work, or a block for it cannot be sent within `patience`, this function does not return:
+    /// it writes the rank and the reason to standard error and aborts all processes. Otherwise it waits for the other ranks
+    /// without a limit, however long their work takes.
+    ///
+    /// # Errors
+    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::OneThread`];
+    /// [`RankFailure::Apart`] if the process is alone in its
+    /// communicator although several were started, as by the launcher of another MPI or by a batch job of several tasks
+    /// (their number is that of the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
+    /// `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set).
+    ///
+    /// # Panics
+    /// If the work panics, or more ranks than 2^31 are started.
+    pub fn run<T>(patience: Duration, work: impl FnOnce(Self) -> T) -> Result<T> {
+        // Dropped last, which finalises MPI.
+        let (_universe, granted) = mpi::initialize_with_threading(Threading::Serialized)
+            .ok_or(Error::Ranks(RankFailure::InUse))?;
+        if !matches!(granted, Threading::Serialized | Threading::Multiple) {
+            return Err(Error::Ranks(RankFailure::OneThread));
+        }
+        let world = SimpleCommunicator::world();
+        let number = |rank: i32| usize::try_from(rank).expect("ranks are not negative");
+        let (rank, size) = (number(world.rank()), number(world.size()));
+        launcher::check(size, |name| std::env::var(name).ok()).map_err(Error::Ranks)?;
+        let post = Arc::new(Mutex::new(Post {
+            have_left: vec![false; size],
+            are_given_up: vec![false; size],
+            has_parted: false,
+            patience,
+        }));
+        let own = Self {
+            rank,
+            size,
+            post: Arc::clone(&post),
+        };
+        let result = catch_unwind(AssertUnwindSafe(|| work(own)));
+        locked(&post).part();
+        Ok(result.unwrap_or_else(|panic| resume_unwind(panic)))
+    }
+
+    /// Makes a call of MPI, if it has not been finalised.
+    fn call<T>(
+        &self,
+        call: impl FnOnce(&mut Post) -> Result<T, RankFailure>,
+    ) -> Result<T, RankFailure> {
+        let mut post = locked(&self.post);
+        if post.has_parted {
+            return Err(RankFailure::Lost { rank: self.rank });
+        }
+        call(&mut post)
+    }
+}
+
+/// A panic under the lock leaves what is known of the others as it is.
+fn locked(post: &Mutex<Post>) -> MutexGuard<'_, Post> {
+    post.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Ranks for Mpi {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
+        self.call(|post| {
+            let mut received = Vec::new();
+            post.trade(&[(to, block)], vec![from], |_, block| received = block)?;
+            Ok(received)
+        })
+    }
+
+    fn all_to_all(
+        &self,
+        blocks: Vec<Vec<u64>>,
+        is_expected: &[bool],
+    ) -> Result<Vec<Vec<u64>>, RankFailure> {
+        let sent = blocks.into_iter().enumerate();
+        let sent: Vec<_> = sent
+            .filter(|(to, block)| *to != self.rank && !block.is_empty())
+            .collect();
+        let others = (0..self.size).filter(|rank| *rank != self.rank && is_expected[*rank]);
+        let awaited = others.collect();
+        let mut received = vec![Vec::new(); self.size];
+        self.call(|post| post.trade(&sent, awaited, |from, block| received[from] = block))?;
+        Ok(received)
+    }
+}
+
+/// A rank's knowledge of the others. The communicator is asked for in each call: it cannot go from thread to thread.
+#[derive(Debug)]
+struct Post {
+    patience: Duration,
+    /// Ranks whose last message has been read.
+    have_left: Vec<bool>,
+    /// Ranks for which a call has waited longer than the patience.
+    are_given_up: Vec<bool>,
+    /// Whether this rank has sent its last messages.
+    has_parted: bool,
+}
+
+impl Post {
+    /// Sends each block to its rank, all at once, and takes one from each of these ranks as they come.
+    fn trade(
+        &mut self,
+        blocks: &[(usize, Vec<u64>)],
+        awaited: Vec<usize>,
+        mut take: impl FnMut(usize, Vec<u64>),
+    ) -> Result<(), RankFailure> {
+        let world = SimpleCommunicator::world();
+        scope(|scope| {
+            let mut sent = Vec::with_capacity(blocks.len());
+            for (to, block) in blocks {
+                let process = world.process_at_rank(rank_of(*to));
+                sent.push((
+                    *to,
+                    process.immediate_send_with_tag(scope, &block[..], BLOCK),
+                ));
+            }
+            let received = self.receive(&world, awaited, &mut take);
+            if let Err(RankFailure::Silent { rank, .. }) = received {
+                self.are_given_up[rank] = true;
+            }
+            let mut clock;
+            for (to, mut sent) in sent {
+                clock = Clock::new(self.patience);
+                // MPI may read the block until it is sent.
+                while let Err(pending) = sent.test() {
+                    if clock.is_over() {
+                        Self::abort(&world, self.silent(to));
+                    }
+                    sent = pending;
+                }
+            }
+            received
+        })
+    }
+
+    /// A block of each of these ranks, in any order; those of the others too where one of them is lost, so that nobody waits
+    /// for this rank to take one.
+    fn receive(
+        &mut self,
+        world: &SimpleCommunicator,
+        mut awaited: Vec<usize>,
+        take: &mut dyn FnMut(usize, Vec<u64>),
+    ) -> Result<(), RankFailure> {
+        let mut clock = Clock::new(self.patience);
+        let mut outcome = Ok(());
+        while let Some(&next) = awaited.last() {
+            for place in (0..awaited.len()).rev() {
+                match self.arrived(world, awaited[place]) {
+                    Ok(None) => continue,
+                    Ok(Some(block)) => take(awaited[place], block),
+                    Err(lost) => outcome = outcome.and(Err(lost)),
+                }
+                awaited.swap_remove(place);
+                clock = Clock::new(self.patience);
+            }
+            if !awaited.is_empty() && clock.is_over() {
+                return Err(self.silent(next));
+            }
+        }
+        outcome
+    }
+
+    /// The next block of a rank, if it has come.
+    fn arrived(
+        &mut self,
+        world: &SimpleCommunicator,
+        from: usize,
+    ) -> Result<Option<Vec<u64>>, RankFailure> {
+        let lost = RankFailure::Lost { rank: from };
+        if self.have_left[from] {
+            return Err(lost);
+        }
+        let process = world.process_at_rank(rank_of(from));
+        let Some(message) = process.immediate_matched_probe() else {
+            return Ok(None);
+        };
+        let (block, status) = message.matched_receive_vec();
+        if status.tag() == BLOCK {
+            return Ok(Some(block));
+        }
+        self.have_left[from] = true;
+        Err(lost)
+    }
+
+    fn silent(&self, rank: usize) -> RankFailure {
+        let seconds = self.patience.as_secs_f64();
+        RankFailure::Silent { rank, seconds }
+    }
+
+    /// Ends all processes.
+    fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
+        let own = world.rank();
+        let message = format!("stickslip: rank {own} gives up: {why}; all ranks are aborted\n");
+        // No error can reach a caller any more. One write keeps the messages of several ranks apart.
+        let _ = std::io::stderr().write_all(message.as_bytes());
+        world.abort(1)
+    }
+
+    /// Sends the last message to every other rank, and reads theirs, so that no rank waits for this one and no message is left
+    /// unread when MPI is finalised. Aborts if a rank that was given up is still silent: to finalise would wait for it for ever.
+    fn part(&mut self) {
+        self.has_parted = true;
+        let world = SimpleCommunicator::world();
+        let own = world.rank();
+        let others = (0..self.have_left.len()).filter(move |rank| rank_of(*rank) != own);
+        for rank in others.clone() {
+            let last: [u64; 0] = [];
+            let process = world.process_at_rank(rank_of(rank));
+            process.send_with_tag(&last[..], LEFT);
+        }
+        // Of all at once: while one is silent, others may wait for this rank to take a block.
+        let mut left: Vec<usize> = others.collect();
+        while !left.is_empty() {
+            let received = self.receive(&world, left.clone(), &mut |_, _| ());
+            left.retain(|rank| !self.have_left[*rank]);
+            let given_up = left.iter().find(|rank| self.are_given_up[**rank]);
+            if let (Err(RankFailure::Silent { .. }), Some(rank)) = (received, given_up) {
+                Self::abort(&world, self.silent(*rank));
+            }
+        }
+    }
+}
+
+/// As MPI numbers a rank.
+fn rank_of(rank: usize) -> i32 {
+    i32::try_from(rank).expect("it came from MPI")
+}
+
+/// The time spent waiting between probes for a message.
+struct Clock {
+    start: Instant,
+    patience: Duration,
+    looks: u32,
+}
+
+impl Clock {
+    fn new(patience: Duration) -> Self {
+        Self {
+            start: Instant::now(),
+            patience,
+            looks: 0,
+        }
+    }
+
+    /// Yields or sleeps once, and returns whether the patience is over.
+    fn is_over(&mut self) -> bool {
+        self.looks = self.looks.saturating_add(1);
+        if self.looks < EAGER {
+            std::thread::yield_now();
+            return false;
+        }
+        std::thread::sleep(NAP);
+        self.start.elapsed() >= self.patience
+    }
+}

@@ -1,0 +1,305 @@
+//! How a rectangle of cells is dealt out to ranks, and how its rows travel between them.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use bytemuck::{cast_slice, cast_slice_mut};
+
+use crate::parallel::layout::chunk_of;
+use crate::parallel::ranks::{Team, Words};
+use crate::parallel::{self, Combine, Split, Work};
+
+/// Words that a rank wants in one round, about.
+const ROUND_WORDS: usize = 1 << 19;
+
+/// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
+/// of the tree of sums ends.
+#[derive(Debug)]
+pub(crate) struct Share {
+    team: Arc<Team>,
+    size: [usize; 2],
+    chunk: usize,
+    /// First chunk of each rank, and the number of all.
+    chunks: Vec<usize>,
+    /// First row of each rank, and the number of all.
+    rows: Vec<usize>,
+    /// How many nodes of the tree each rank adds up.
+    nodes: Vec<usize>,
+}
+
+/// Whether the same ranks have the same rows.
+impl PartialEq for Share {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.team, &other.team) && self.size == other.size
+    }
+}
+
+impl Share {
+    /// `[columns, rows]` dealt out evenly.
+    pub(crate) fn new(team: &Arc<Team>, size: [usize; 2]) -> Self {
+        let [columns, all_rows] = size;
+        let (ranks, chunk) = (team.size(), chunk_of(size));
+        // As few rows as are whole chunks, and pairs: rows are transformed two at a time.
+        let step = chunk / greatest_common_divisor(chunk, columns);
+        let step = step * (1 + step % 2);
+        let steps = all_rows.div_ceil(step);
+        let first = |rank: usize| (steps * rank / ranks * step).min(all_rows);
+        Self::of(team, size, chunk, (0..=ranks).map(first).collect())
+    }
+
+    /// So many columns of some rows, which stay where they lie, in chunks of one row.
+    pub(crate) fn within(&self, columns: usize, all: Range<usize>) -> Self {
+        let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;
+        let rows = self.rows.iter().map(first).collect();
+        Self::of(&self.team, [columns, all.len()], columns, rows)
+    }
+
+    /// Rows that begin there, of each rank.
+    fn of(team: &Arc<Team>, size: [usize; 2], chunk: usize, rows: Vec<usize>) -> Self {
+        let (columns, ranks) = (size[0], team.size());
+        let chunks: Vec<usize> = rows
+            .iter()
+            .map(|row| (row * columns).div_ceil(chunk))
+            .collect();
+        let mut share = Self {
+            team: Arc::clone(team),
+            size,
+            chunk,
+            chunks,
+            rows,
+            nodes: Vec::new(),
+        };
+        let count = |rank: usize| {
+            let mut count = 0;
+            visit(0..share.all_chunks(), &share.chunks_of(rank), &mut |_| {
+                count += 1;
+            });
+            count
+        };
+        share.nodes = (0..ranks).map(count).collect();
+        share
+    }
+
+    pub(crate) fn team(&self) -> &Arc<Team> {
+        &self.team
+    }
+
+    /// Whether every rank has the rows that it has in another share.
+    pub(crate) fn has_rows_of(&self, other: &Self) -> bool {
+        self.rows == other.rows
+    }
+
+    /// Cells of this rank.
+    pub(crate) fn cells(&self) -> usize {
+        self.own_rows().len() * self.size[0]
+    }
+
+    pub(crate) fn chunk(&self) -> usize {
+        self.chunk
+    }
+
+    /// `[columns, rows]` of all ranks together.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The rows of a rank.
+    pub(crate) fn rows_of(&self, rank: usize) -> Range<usize> {
+        self.rows[rank]..self.rows[rank + 1]
+    }
+
+    /// The rows of this rank.
+    pub(crate) fn own_rows(&self) -> Range<usize> {
+        self.rows_of(self.team.rank())
+    }
+
+    fn chunks_of(&self, rank: usize) -> Range<usize> {
+        self.chunks[rank]..self.chunks[rank + 1]
+    }
+
+    fn all_chunks(&self) -> usize {
+        self.chunks[self.team.size()]
+    }
+
+    /// [`Layout::sweep`](crate::parallel::layout::Layout::sweep) over the chunks of all ranks. Each adds up the largest nodes of the
+    /// tree that it holds wholly, and all finish the tree from these. What ranks that lost each other return is theirs
+    /// alone.
+    pub(crate) fn sweep<D: Split, T: Words>(
+        &self,
+        data: D,
+        work: &Work<'_, D, T>,
+        combine: &Combine<'_, T>,
+    ) -> T {
+        let mut left = Some(data);
+        let values = self.own_nodes().into_iter().filter_map(|node| {
+            let (data, rest) = left.take()?.split(node.len());
+            left = Some(rest);
+            let value = parallel::sweep_cells(self.cells(), node, data, work, combine);
+            Some(value)
+        });
+        self.finished(values, combine)
+    }
+
+    /// The largest nodes of the tree that this rank holds wholly, of its own chunks.
+    pub(crate) fn own_nodes(&self) -> Vec<Range<usize>> {
+        let own = self.chunks_of(self.team.rank());
+        let mut nodes = Vec::new();
+        visit(0..self.all_chunks(), &own, &mut |node| {
+            nodes.push(node.start - own.start..node.end - own.start);
+        });
+        nodes
+    }
+
+    /// The value of the whole tree, from those of [`Share::own_nodes`] of all ranks.
+    pub(crate) fn finished<T: Words>(
+        &self,
+        own: impl Iterator<Item = T>,
+        combine: &Combine<'_, T>,
+    ) -> T {
+        let mut words = Vec::new();
+        own.for_each(|value| value.write(&mut words));
+        let counts: Vec<usize> = self.nodes.iter().map(|nodes| nodes * T::COUNT).collect();
+        let all = self.team.gather(&words, &counts);
+        // Of a rank on its own without any node nothing is known: zeros end its work soon.
+        let mut all = &all.unwrap_or(words)[..];
+        self.finish(0..self.all_chunks(), &mut all, combine)
+    }
+
+    /// The value of a node of the tree, from those that ranks hold wholly, in their order.
+    fn finish<T: Words>(
+        &self,
+        node: Range<usize>,
+        words: &mut &[u64],
+        combine: &Combine<'_, T>,
+    ) -> T {
+        let is_whole = self
+            .chunks
+            .windows(2)
+            .any(|ends| ends[0] <= node.start && node.end <= ends[1]);
+        if is_whole {
+            return T::read(words);
+        }
+        let [low, high] = children(node);
+        let low = self.finish(low, words, combine);
+        combine(low, self.finish(high, words, combine))
+    }
+
+    /// The columns and rows that each rank wants of a field whose rows, of so many columns, are dealt out so: those for
+    /// this rank, row by row.
+    pub(crate) fn fetch(
+        &self,
+        field: &[f64],
+        columns: usize,
+        wanted: impl Fn(usize) -> [Range<usize>; 2],
+    ) -> Vec<f64> {
+        let own = wanted(self.team.rank()).map(|range| range.len());
+        let mut found = vec![0.0; own.into_iter().product()];
+        self.fetch_into(field, columns, wanted, &mut found);
+        found
+    }
+
+    /// The same into memory that is there.
+    pub(crate) fn fetch_into(
+        &self,
+        field: &[f64],
+        columns: usize,
+        wanted: impl Fn(usize) -> [Range<usize>; 2],
+        found: &mut [f64],
+    ) {
+        let (me, ranks) = (self.team.rank(), self.team.size());
+        let (own, [own_columns, own_wanted]) = (self.own_rows(), wanted(me));
+        let width = own_columns.len();
+        let most = (0..ranks).map(|rank| wanted(rank).map(|range| range.len()).iter().product());
+        let rounds = rounds(most.max().unwrap_or(0), ROUND_WORDS);
+        let sent = |rank: usize, round: usize| {
+            let [columns, rows] = wanted(rank);
+            (columns, part(&common(&own, &rows), round, rounds))
+        };
+        let pack = |to: &mut [u64], (sent, rows): (Range<usize>, Range<usize>)| {
+            if !to.is_empty() {
+                parallel::rows(to, sent.len(), |row, to| {
+                    let row = &field[(rows.start + row - own.start) * columns..][sent.clone()];
+                    to.copy_from_slice(cast_slice(row));
+                });
+            }
+        };
+        // The memory of blocks that have come is that of the next to go.
+        let mut blocks = vec![Vec::new(); ranks];
+        for round in 0..rounds {
+            let come = |rank: usize| part(&common(&self.rows_of(rank), &own_wanted), round, rounds);
+            let place = |rank: usize| {
+                let rows = come(rank);
+                let first = (rows.start - own_wanted.start) * width;
+                first..first + rows.len() * width
+            };
+            for rank in (0..ranks).filter(|rank| *rank != me) {
+                let (columns, rows) = sent(rank, round);
+                blocks[rank].resize(columns.len() * rows.len(), 0);
+                pack(&mut blocks[rank], (columns, rows));
+            }
+            pack(cast_slice_mut(&mut found[place(me)]), sent(me, round));
+            let is_expected: Vec<bool> = (0..ranks).map(|rank| !place(rank).is_empty()).collect();
+            blocks = self.team.all_to_all(blocks, &is_expected);
+            for (rank, block) in blocks.iter().enumerate() {
+                let place = &mut found[place(rank)];
+                if rank == me {
+                    continue;
+                }
+                if block.len() == place.len() {
+                    parallel::copy(cast_slice(block), place);
+                } else {
+                    self.team.out_of_step(rank);
+                }
+            }
+        }
+    }
+}
+
+/// How many rounds an exchange takes of which a rank sends so many items, if a round has about so many. More than a
+/// sixteenth of them need not be in one, beside all that a rank holds.
+pub(crate) fn rounds(most: usize, of_a_round: usize) -> usize {
+    most.div_ceil(of_a_round).clamp(1, 16)
+}
+
+/// The part of a range that travels in one of several rounds.
+pub(crate) fn part(all: &Range<usize>, round: usize, rounds: usize) -> Range<usize> {
+    let end = |round: usize| all.start + all.len() * round / rounds;
+    end(round)..end(round + 1)
+}
+
+/// What two ranges have in common; an empty range at the start of the second if nothing.
+fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
+    let (start, end) = (one.start.max(other.start), one.end.min(other.end));
+    if start < end {
+        start..end
+    } else {
+        other.start..other.start
+    }
+}
+
+/// The halves of a node of the tree, as [`parallel::sweep`] takes them.
+fn children(node: Range<usize>) -> [Range<usize>; 2] {
+    let middle = node.start + node.len() / 2;
+    [node.start..middle, middle..node.end]
+}
+
+/// Visits the largest nodes of the tree that lie wholly in a range.
+fn visit(node: Range<usize>, range: &Range<usize>, f: &mut dyn FnMut(Range<usize>)) {
+    if node.start >= range.end || node.end <= range.start {
+        return;
+    }
+    if range.start <= node.start && node.end <= range.end {
+        return f(node);
+    }
+    for child in children(node) {
+        visit(child, range, f);
+    }
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 {
+        a
+    } else {
+        greatest_common_divisor(b, a % b)
+    }
+}

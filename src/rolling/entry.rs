@@ -1,0 +1,91 @@
+//! The law of cells that enter the contact by rolling.
+
+use crate::error::Result;
+use crate::grid::neighbours::neighbours;
+use crate::normal::NormalSolution;
+use crate::rolling::Passage;
+use crate::support::fallible::filled;
+use crate::tangential::{OwnCompliance, Pressed, own_compliance, ratios_of_compliances};
+
+/// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
+///
+/// ```math
+/// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
+/// ```
+///
+/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
+/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it (of coated bodies
+/// $`C_l/C_n`$ and $`C_t/C_n`$ of the waves of two cells in place of 1 and $`1 + c_l/c_n`$). Of rough
+/// surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
+pub(crate) fn compliance(
+    normal: &NormalSolution,
+    before: usize,
+    gap: f64,
+    pressure: f64,
+) -> OwnCompliance {
+    if gap <= 0.0 {
+        return OwnCompliance::NONE;
+    }
+    let [through, along] = ratios_of_compliances(normal.pair(), normal.grid());
+    let most = own_compliance(along * gap, pressure);
+    let [xx, xy, yy] = across(normal, before);
+    let less = most * (1.0 - through / along);
+    OwnCompliance {
+        xx: most - less * xx,
+        xy: -less * xy,
+        yy: most - less * yy,
+    }
+}
+
+/// The compliance of its own of each cell of a window, under a pressure that does not change.
+pub(crate) fn entering(
+    normal: &NormalSolution,
+    pressed: &Pressed,
+    step: Passage,
+) -> Result<Vec<OwnCompliance>> {
+    let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
+    let (gap, window) = (normal.gap().as_slice(), pressed.window());
+    let pressure = normal.pressure().as_slice();
+    for (cell, own) in own.iter_mut().enumerate() {
+        let Some(before) = step.before(cell).map(|before| window.index(before)) else {
+            continue;
+        };
+        if pressure[before] <= 0.0 && pressed.pressure[cell] > 0.0 {
+            *own = compliance(normal, before, gap[before], pressed.pressure[cell]);
+        }
+    }
+    Ok(own)
+}
+
+/// $`n\,n'`$ by the slopes of the gap around a cell, each weighted by its square: `[xx, xy, yy]` of trace one.
+fn across(normal: &NormalSolution, cell: usize) -> [f64; 3] {
+    let grid = normal.grid();
+    let (size, repeats) = (grid.size(), normal.boundary().repeats());
+    let gap = normal.gap().as_slice();
+    let slope = |at: usize| {
+        let [west, south, east, north] = neighbours(at, size, repeats);
+        let along = |one: Option<usize>, other: Option<usize>, side: f64| {
+            let spacings = [one, other].iter().flatten().count().max(1);
+            let [one, other] = [one, other].map(|next| gap[next.unwrap_or(at)]);
+            (other - one) / (side * spacings as f64)
+        };
+        [along(west, east, grid.dx()), along(south, north, grid.dy())]
+    };
+    let mut sum = [0.0; 3];
+    let [west, _, east, _] = neighbours(cell, size, repeats);
+    for column in [west, Some(cell), east].into_iter().flatten() {
+        let [_, south, _, north] = neighbours(column, size, repeats);
+        for at in [south, Some(column), north].into_iter().flatten() {
+            let [x, y] = slope(at);
+            for (sum, part) in sum.iter_mut().zip([x * x, x * y, y * y]) {
+                *sum += part;
+            }
+        }
+    }
+    let trace = sum[0] + sum[2];
+    if trace > 0.0 && trace.is_finite() {
+        sum.map(|part| part / trace)
+    } else {
+        [0.5, 0.0, 0.5]
+    }
+}

@@ -1,0 +1,53 @@
+//! The approximate inverse of what a traction contributes to the slip.
+
+use crate::error::Result;
+use crate::half_space::ElasticPreconditioner;
+use crate::numerics::cell_vector::slices;
+use crate::operator::{Operator, Scratch};
+use crate::rolling::Passage;
+use crate::support::fallible::vector;
+
+/// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
+///
+/// The sum assumes that the displacement vanishes ahead of the window. On a grid that repeats along y this displacement
+/// depends on the datum, which the slip does not. The inverse of C is therefore one for displacements that are known up to
+/// a uniform one. With the mean of C a prescribed force spread over the cells with a sum near zero, and the linear problem
+/// did not converge.
+#[derive(Debug, Clone)]
+pub(in crate::rolling) struct SteadyInverse {
+    inverse: ElasticPreconditioner<2>,
+    step: Passage,
+}
+
+impl SteadyInverse {
+    pub(in crate::rolling) fn new(inverse: ElasticPreconditioner<2>, step: Passage) -> Self {
+        Self { inverse, step }
+    }
+}
+
+/// The scratch of the inverse, and the sums.
+type Buffers = (Scratch, [Vec<f64>; 2]);
+
+impl Operator<2> for SteadyInverse {
+    fn cells(&self) -> usize {
+        self.inverse.cells()
+    }
+
+    fn scratch(&self) -> Result<Scratch> {
+        let buffers: Buffers = (self.inverse.scratch()?, vector(self.cells())?);
+        Ok(Scratch::new(buffers))
+    }
+
+    fn apply(&self, x: [&[f64]; 2], out: [&mut [f64]; 2], scratch: &mut Scratch) {
+        let (scratch, sums): &mut Buffers = scratch.buffers();
+        for (sum, x) in sums.iter_mut().zip(x) {
+            sum.copy_from_slice(x);
+            self.step.sum(sum);
+        }
+        self.inverse.apply_f32(slices(sums), out, scratch);
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}

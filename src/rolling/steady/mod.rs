@@ -1,0 +1,12 @@
+//! TODO
+
+pub(super) mod capacity;
+pub(super) mod control;
+pub(super) mod creep;
+pub(super) mod inverse;
+pub(super) mod problem;
+pub(super) mod slip_operator;
+pub(super) mod solution;
+pub(super) mod solver;
+pub(super) mod spin_search;
+pub(super) mod stiffness;

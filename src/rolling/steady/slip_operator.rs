@@ -1,0 +1,76 @@
+//! What a traction that does not change contributes to the slip of a step.
+
+use crate::error::Result;
+use crate::half_space::ElasticOperator;
+use crate::operator::{Operator, Scratch};
+use crate::report::EigenvalueBound;
+use crate::rolling::Passage;
+
+/// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
+#[derive(Debug, Clone)]
+pub(in crate::rolling) struct SteadyOperator {
+    compliance: ElasticOperator<2>,
+    step: Passage,
+    lower_bound: f64,
+    eigenvalue_bound: EigenvalueBound,
+    self_compliance: f64,
+}
+
+impl SteadyOperator {
+    /// For tractions in cells of which `chain` at most lie one behind the other, a step apart, and each slips by
+    /// `self_compliance` over a step by a traction of its own.
+    pub(in crate::rolling) fn new(
+        compliance: ElasticOperator<2>,
+        step: Passage,
+        chain: usize,
+        self_compliance: f64,
+    ) -> Self {
+        let angle = std::f64::consts::PI / (chain as f64 + 1.0);
+        // 1 - cos, without cancellation.
+        let least = 2.0 * (0.5 * angle).sin().powi(2);
+        // The difference over a step leaves nothing of a datum, and so of the mean.
+        let (bound, eigenvalue_bound) = compliance.bound_without_mean();
+        Self {
+            lower_bound: least * bound,
+            eigenvalue_bound,
+            compliance,
+            step,
+            self_compliance,
+        }
+    }
+}
+
+impl Operator<2> for SteadyOperator {
+    fn cells(&self) -> usize {
+        self.compliance.cells()
+    }
+
+    fn scratch(&self) -> Result<Scratch> {
+        self.compliance.scratch()
+    }
+
+    /// In double precision alone: the difference over a step would leave few digits of single precision.
+    fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], scratch: &mut Scratch) {
+        let displacement = out.each_mut().map(|part| &mut **part);
+        self.compliance.apply(x, displacement, scratch);
+        for out in out {
+            self.step.difference(out);
+        }
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.lower_bound
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        self.eigenvalue_bound
+    }
+
+    fn self_compliance(&self) -> f64 {
+        self.self_compliance
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
+    }
+}

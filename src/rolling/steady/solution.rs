@@ -1,0 +1,216 @@
+//! The answer to steady rolling.
+
+use crate::error::Result;
+#[cfg(feature = "serde")]
+use crate::error::{all_finite, finite, length};
+use crate::grid::Grid;
+use crate::grid::field::Field;
+use crate::parallel::reduce;
+use crate::report::Report;
+use crate::rolling::RollingProblem;
+use crate::support::debug::shown;
+use crate::support::fallible::{filled, try_clone, try_each};
+#[cfg(feature = "serde")]
+use crate::support::serialise::checked;
+use crate::tangential::{Zone, centre, is_at_limit};
+
+/// Traction, slip, zones, creepage and dissipation of steady rolling.
+#[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct RollingSolution {
+    traction: [Field; 2],
+    slip: [Field; 2],
+    zones: Vec<Zone>,
+    creepage: [f64; 2],
+    spin: f64,
+    report: Report,
+}
+
+shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
+
+try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, report });
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "RollingSolution", deny_unknown_fields)]
+struct Unchecked {
+    traction: [Field; 2],
+    slip: [Field; 2],
+    zones: Vec<Zone>,
+    creepage: [f64; 2],
+    spin: f64,
+    report: Report,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for RollingSolution {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            let grid = read.grid();
+            for axis in 0..2 {
+                read.traction[axis].check("traction", grid)?;
+                read.slip[axis].check("slip", grid)?;
+            }
+            length("zones", grid.cells(), read.zones.len())?;
+            all_finite("creepage", &read.creepage)?;
+            finite("spin", read.spin).map(|_| ())
+        })
+    }
+}
+
+impl RollingSolution {
+    pub(in crate::rolling) fn empty(grid: Grid) -> Result<Self> {
+        Ok(Self {
+            traction: try_each(|_| Field::try_zeros(grid))?,
+            slip: try_each(|_| Field::try_zeros(grid))?,
+            zones: filled(Zone::Separated, grid.cells())?,
+            creepage: [0.0; 2],
+            spin: 0.0,
+            report: Report::with_room(),
+        })
+    }
+
+    /// Takes tractions and the slip of a step of the cells of a window.
+    pub(in crate::rolling) fn of(
+        &mut self,
+        problem: &RollingProblem,
+        traction: impl Fn(usize) -> [f64; 2],
+        slip: impl Fn(usize) -> [f64; 2],
+    ) -> &mut Self {
+        for field in self.traction.iter_mut().chain(&mut self.slip) {
+            field.as_mut_slice().fill(0.0);
+        }
+        self.zones.fill(Zone::Separated);
+        let pressed = &problem.pressed;
+        for (cell, index) in pressed.window().indices().enumerate() {
+            if pressed.pressure[cell] <= 0.0 {
+                continue;
+            }
+            let (q, moved) = (traction(cell), slip(cell));
+            let is_at_limit = is_at_limit(q[0].hypot(q[1]), pressed.limits.cells[cell]);
+            // A motion along the traction is residual of the solve.
+            let slips = is_at_limit && q[0] * moved[0] + q[1] * moved[1] <= 0.0;
+            for axis in 0..2 {
+                self.traction[axis].as_mut_slice()[index] = q[axis];
+                if slips {
+                    self.slip[axis].as_mut_slice()[index] = moved[axis] / problem.length;
+                }
+            }
+            self.zones[index] = if is_at_limit { Zone::Slip } else { Zone::Stick };
+        }
+        self
+    }
+
+    pub(in crate::rolling) fn set_motion(
+        &mut self,
+        creepage: [f64; 2],
+        spin: f64,
+        report: &Report,
+    ) {
+        (self.creepage, self.spin) = (creepage, spin);
+        self.report.clone_from(report);
+    }
+
+    pub(in crate::rolling) fn set_report(&mut self, report: &Report) {
+        self.report.clone_from(report);
+    }
+
+    /// The grid of all its fields.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.traction[0].grid()
+    }
+
+    /// Traction q on body 1 along x and along y (pressures); zero outside the contact.
+    #[must_use]
+    pub fn traction(&self) -> [&Field; 2] {
+        self.traction.each_ref()
+    }
+
+    /// Slip of the surface of body 1 over that of body 2 for each length rolled (dimensionless), over the step that
+    /// brought the particles here: against the traction in slip cells, zero elsewhere, also in those that move along
+    /// it by what a tolerance leaves.
+    #[must_use]
+    pub fn slip(&self) -> [&Field; 2] {
+        self.slip.each_ref()
+    }
+
+    /// The zone of every cell, row-major with x fastest.
+    #[must_use]
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// The creepages $`\xi, \eta`$, prescribed or caused by the force (dimensionless).
+    #[must_use]
+    pub fn creepage(&self) -> [f64; 2] {
+        self.creepage
+    }
+
+    /// The spin, prescribed or caused by the moment (one over a length).
+    #[must_use]
+    pub fn spin(&self) -> f64 {
+        self.spin
+    }
+
+    /// Tangential force that body 2 exerts on body 1, the integral of the traction.
+    #[must_use]
+    pub fn force(&self) -> [f64; 2] {
+        self.traction.each_ref().map(Field::integral)
+    }
+
+    /// Moment about z, at the origin of the grid, of the tractions on body 1 (a force times a length, positive from x to
+    /// y).
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        let grid = self.grid();
+        let [x, y] = self.traction();
+        let (x, y) = (x.as_slice(), y.as_slice());
+        let part = |cell| {
+            let [px, py] = centre(grid, cell);
+            px * y[cell] - py * x[cell]
+        };
+        reduce::sum(&grid.layout(), part) * grid.cell_area()
+    }
+
+    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). Between
+    /// bodies of the same material all of it is dissipated, at the trailing edge too: of the
+    /// [dissipation](Self::dissipation) it is the more accurate sum. Between others the pressure does work as well, which
+    /// is not in it: they dissipate without any creepage force.
+    #[must_use]
+    pub fn work(&self) -> f64 {
+        let (force, [xi, eta]) = (self.force(), self.creepage);
+        xi * force[0] + eta * force[1] + self.spin * self.moment()
+    }
+
+    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows. It
+    /// is taken with the tractions at the end of a step, so that between bodies of the same material its integral is less
+    /// than the [work](Self::work) by a part that falls with the size of the cells.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    pub fn dissipation(&self) -> Result<Field> {
+        let mut dissipation = Field::try_zeros(self.grid())?;
+        for (q, s) in self.traction.iter().zip(&self.slip) {
+            let products = q.as_slice().iter().zip(s.as_slice());
+            for (sum, (q, s)) in dissipation.as_mut_slice().iter_mut().zip(products) {
+                *sum -= q * s;
+            }
+        }
+        Ok(dissipation)
+    }
+
+    /// Cells that stick over cells in contact; zero without contact.
+    #[must_use]
+    pub fn stick_ratio(&self) -> f64 {
+        let count = |zone: Zone| self.zones.iter().filter(|z| **z == zone).count();
+        let (stick, slip) = (count(Zone::Stick), count(Zone::Slip));
+        stick as f64 / (stick + slip).max(1) as f64
+    }
+
+    /// How the solve ended, and its certified error.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+}

@@ -1,0 +1,235 @@
+//! Contact spots.
+
+mod fragments;
+
+use crate::error::{Error, Result};
+#[cfg(feature = "serde")]
+use crate::error::{at_least, length};
+use crate::grid::Grid;
+use crate::history::History;
+use crate::normal::NormalSolution;
+use crate::parallel::ranks::Team;
+use crate::spots::fragments::{Fragments, Sums};
+use crate::support::debug::shown;
+use crate::support::fallible::{self, or_abort};
+#[cfg(feature = "serde")]
+use crate::support::serialise::checked;
+use crate::tangential::{TangentialSolution, Zone};
+
+/// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid
+/// too. Where [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its own cells.
+///
+/// ```
+/// use stickslip::*;
+/// let grid = Grid::new(64, 32, 0.25, 0.25)?;
+/// let rubber = Material::new(1.0, 0.5)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+/// // Two balls side by side, the second lower by 0.05.
+/// let ball = |x: f64, y: f64| (x * x + y * y) / 20.0;
+/// let gap = Field::from_fn(grid, |x, y| ball(x + 4.0, y).min(ball(x - 4.0, y) + 0.05));
+/// let contact = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.5)).build()?.solve()?;
+///
+/// let spots = contact.spots();
+/// let [first, second] = spots.as_slice() else { panic!("{} spots", spots.as_slice().len()) };
+/// assert!(first.load > second.load && (first.load + second.load - 0.5).abs() < 1e-9);
+/// assert!((first.centroid[0] + 4.0).abs() < 0.1 && (second.centroid[0] - 4.0).abs() < 0.1);
+/// assert_eq!(spots.label(16 * 64 + 16), Some(0));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ContactSpots {
+    grid: Grid,
+    /// The number of the spot of every cell, counted from one; zero outside the contact.
+    labels: Vec<u32>,
+    spots: Vec<Spot>,
+}
+
+shown!(ContactSpots: grid, largest());
+
+/// What is read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "ContactSpots")]
+struct Unchecked {
+    grid: Grid,
+    labels: Vec<u32>,
+    spots: Vec<Spot>,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for ContactSpots {
+    fn deserialize<D: serde::Deserializer<'de>>(
+        deserializer: D,
+    ) -> std::result::Result<Self, D::Error> {
+        checked(Unchecked::deserialize(deserializer)?, |read| {
+            length("labels", read.grid.cells(), read.labels.len())?;
+            let largest = read.labels.iter().copied().max().unwrap_or(0);
+            at_least(
+                "the largest label",
+                f64::from(largest),
+                "number of contact spots",
+                read.spots.len() as f64,
+            )
+            .map(|_| ())
+        })
+    }
+}
+
+/// One contact spot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Spot {
+    /// Number of its cells.
+    pub cells: usize,
+    /// Area, by counting cells (a length squared); that with the parts of the cells at the edge is among the
+    /// [areas of its edges](crate::edges::Edges::areas_of).
+    pub area: f64,
+    /// Normal force that it carries (a force).
+    pub load: f64,
+    /// Load over area (a pressure).
+    pub mean_pressure: f64,
+    /// Largest pressure of its cells (a pressure).
+    pub max_pressure: f64,
+    /// Centre of the area, in the whole grid (lengths). That of a spot across the edges of a periodic grid is given inside the
+    /// grid; for a spot that spans the whole period it is not meaningful.
+    pub centroid: [f64; 2],
+    /// Length of its edge (a length), along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
+    pub perimeter: f64,
+    /// Stick cells over all its cells; `None` for a contact that is pressed only.
+    pub stick_ratio: Option<f64>,
+}
+
+impl ContactSpots {
+    fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Result<Self> {
+        let grid = normal.grid();
+        let fragments = Fragments::of(normal, zones)?;
+        let unit = fragments.unit;
+        let (labels, sums) = fragments.joined()?;
+        let spots = sums
+            .iter()
+            .map(|sums| sums.spot(grid, unit, zones.is_some()));
+        Ok(Self {
+            grid,
+            spots: fallible::collected(sums.len(), spots)?,
+            labels,
+        })
+    }
+
+    /// The spots, in the order of their first cells.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Spot] {
+        &self.spots
+    }
+
+    /// The place of the spot that a cell belongs to, in [`ContactSpots::as_slice`]; `None` outside the contact and
+    /// the grid.
+    #[must_use]
+    pub fn label(&self, cell: usize) -> Option<usize> {
+        let label = self.labels.get(cell).copied().unwrap_or(0);
+        (label as usize).checked_sub(1)
+    }
+
+    /// The number of the spot of every cell, counted from one; zero outside the contact. Row-major with x fastest.
+    #[must_use]
+    pub fn labels(&self) -> &[u32] {
+        &self.labels
+    }
+
+    /// The grid of the labels.
+    #[must_use]
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The largest spot, by cells; the first of equals, `None` without contact.
+    #[must_use]
+    pub fn largest(&self) -> Option<&Spot> {
+        self.spots.iter().rev().max_by_key(|spot| spot.cells)
+    }
+}
+
+impl Sums {
+    fn spot(&self, grid: Grid, unit: f64, has_zones: bool) -> Spot {
+        let (whole, cells) = (grid.whole().size(), self.cells as f64);
+        let (area, load) = (
+            cells * grid.cell_area(),
+            self.pressure(unit) * grid.cell_area(),
+        );
+        let centre = |axis: usize| {
+            let (count, side) = (whole[axis] as f64, [grid.dx(), grid.dy()][axis]);
+            let place = (self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
+            (place - 0.5 * (count - 1.0)) * side
+        };
+        let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);
+        Spot {
+            cells: self.cells,
+            area,
+            load,
+            mean_pressure: load / area,
+            max_pressure: self.largest,
+            centroid: [centre(0), centre(1)],
+            perimeter: along_y * grid.dy() + along_x * grid.dx(),
+            stick_ratio: has_zones.then(|| self.stick as f64 / cells),
+        }
+    }
+}
+
+/// For signatures that cannot fail.
+fn or_end(outcome: Result<ContactSpots>) -> ContactSpots {
+    match outcome {
+        Err(error @ Error::Ranks(_)) => panic!("{error}"),
+        outcome => or_abort(outcome),
+    }
+}
+
+impl NormalSolution {
+    /// The contact spots; all ranks that share the contact call this.
+    ///
+    /// # Panics
+    /// If ranks have lost each other.
+    #[must_use]
+    pub fn spots(&self) -> ContactSpots {
+        or_end(self.try_spots())
+    }
+
+    /// [`Self::spots`] where memory may run out, or a rank be lost.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]; [`Error::Ranks`].
+    pub fn try_spots(&self) -> Result<ContactSpots> {
+        ContactSpots::new(self, None)
+    }
+}
+
+impl TangentialSolution {
+    /// The contact spots under this pressure, with the part of each that sticks; all ranks that share the contact call this.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] for a pressure on another grid; as [`NormalSolution::try_spots`].
+    pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
+        let checked = self.grid().expect("normal contact", normal.grid());
+        Team::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
+        ContactSpots::new(normal, Some(self.zones()))
+    }
+}
+
+impl History {
+    /// The contact spots after the last step, with the part of each that sticks; all ranks that share the history call this.
+    ///
+    /// # Panics
+    /// If ranks have lost each other.
+    #[must_use]
+    pub fn spots(&self) -> ContactSpots {
+        or_end(self.try_spots())
+    }
+
+    /// [`Self::spots`] where memory may run out, or a rank be lost.
+    ///
+    /// # Errors
+    /// As [`NormalSolution::try_spots`].
+    pub fn try_spots(&self) -> Result<ContactSpots> {
+        ContactSpots::new(self.normal(), Some(self.zones()))
+    }
+}

@@ -1,0 +1,74 @@
+//! How the pressure of a contact answers the approach.
+
+use crate::bodies::component::Direction;
+use crate::cgm::{Interval, Row};
+use crate::error::Result;
+use crate::grid::window::Window;
+use crate::half_space::{HalfSpace, Region};
+use crate::normal::{Hardness, NormalSolution};
+use crate::stiffness::contact_stiffness::{NormalStiffness, window_of};
+use crate::stiffness::course::Course;
+use crate::stiffness::system::{CellMotions, System};
+use crate::stiffness::tangential::{Growth, collect};
+use crate::stiffness::workspace::SystemOf;
+use crate::support::fallible;
+
+/// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness
+/// carry no more pressure. `growth` becomes by how much the pressures grow for each growth of the approach.
+pub(super) fn press(
+    (bodies, found): (&HalfSpace, Option<Window>),
+    normal: &NormalSolution,
+    hardness: Option<&Hardness>,
+    slot: &mut Option<SystemOf<Interval, 1>>,
+    course: &mut Course<'_>,
+    growth: &mut Growth,
+) -> Result<NormalStiffness> {
+    let is_elastic = || hardness.map_or_else(|| normal.check_elastic("the stiffness"), |_| Ok(()));
+    let checked = normal.check_bodies(bodies);
+    let checked = checked.and_then(|()| normal.check_uncoupled());
+    bodies.agreed(checked.and_then(|()| is_elastic()))?;
+    let Growth {
+        pressure: growth,
+        follows,
+        ..
+    } = growth;
+    growth.clear();
+    fallible::resize(growth, bodies.grid().cells(), 0.0)?;
+    let pressure = normal.pressure().as_slice();
+    let Some(window) = bodies.around(|i| pressure[i] > 0.0) else {
+        course.finish_at_once();
+        return Ok(NormalStiffness {
+            value: 0.0,
+            bound: 0.0,
+        });
+    };
+    let region = Region::new(bodies, window_of(bodies, found, window));
+    let compliance = bodies.compliance([Direction::Z], region.window().size)?;
+    let system = System::provide(slot, bodies, compliance)?;
+    let is_free = |i: usize| {
+        let limits = hardness.map(Hardness::limits);
+        let yields = limits.is_some_and(|limits| limits.are_reached(i, pressure[i]));
+        f64::from(u8::from(pressure[i] > 0.0 && !yields))
+    };
+    collect(&region, is_free, follows)?;
+    let row = |cell: usize| {
+        if follows[cell] > 0.0 {
+            Row::FREE
+        } else {
+            Row::FIXED
+        }
+    };
+    system.hold(bodies.boundary(), row, &[])?;
+    let approach = CellMotions {
+        count: 1,
+        of_cell: |_, _| [1.0],
+    };
+    let found = system.stiffness(&approach, course)?;
+    let per_area = found.matrix[0][0];
+    let [unit] = system.unit();
+    region.scatter(unit, growth);
+    Ok(NormalStiffness {
+        value: per_area * bodies.grid().cell_area(),
+        bound: found.bound,
+    })
+}

@@ -1,0 +1,241 @@
+//! Displacements and stresses below cells on a coated body.
+
+mod radial;
+
+use crate::bodies::layers::{Base, Below, Waves};
+use crate::bodies::material::Material;
+use crate::error::Result;
+use crate::fft::Torus;
+use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
+use crate::parallel::{self, Blocks};
+use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::strip::Strips;
+use crate::support::fallible;
+use radial::Radial;
+
+/// A component under a traction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) load: Load,
+    pub(super) component: Component,
+}
+
+impl Entry {
+    pub(super) const COUNT: usize = 3 * Component::COUNT;
+
+    pub(super) fn of(index: usize) -> Self {
+        Self {
+            load: Load::ALL[index / Component::COUNT],
+            component: Component::ALL[index % Component::COUNT],
+        }
+    }
+
+    pub(super) fn index(self) -> usize {
+        Component::COUNT * self.load as usize + self.component as usize
+    }
+
+    /// Whether it is odd in x and odd in y.
+    pub(super) fn is_odd(self) -> [bool; 2] {
+        let (odd, turns) = (self.component.is_odd(), self.load.turns());
+        [odd[0] != turns[0], odd[1] != turns[1]]
+    }
+}
+
+/// The components under each traction: one number each.
+type Entries = [f64; Entry::COUNT];
+/// Those under one traction.
+type Column = [f64; Component::COUNT];
+
+/// A depth below a coated body.
+///
+/// In the outermost layer the effect of a cell is that on a half-space of the layer's constants, in closed form, and a rest
+/// that what lies below adds, smooth on the scale of 2h - z. Further down all of it is smooth on the scale of the depth. What
+/// is smooth are Hankel integrals of the [responses at the depth](Below), tabulated in the distance and integrated over the
+/// cell by Gauss rules, as for the surface.
+pub(super) struct Layered<'a> {
+    waves: Waves<'a>,
+    depth: f64,
+    /// Shear modulus and Poisson's ratio of the outermost layer, for a depth in it.
+    near: Option<[f64; 2]>,
+    radial: Radial,
+}
+
+impl<'a> Layered<'a> {
+    pub(super) fn new(body: &'a Material, depth: f64) -> Self {
+        let waves = body.waves();
+        let outermost = match (waves.place(depth).0, body.layers()) {
+            (Some(0), [outermost, ..]) => Some(outermost),
+            _ => None,
+        };
+        let scale = outermost.map_or(depth, |layer| 2.0 * layer.thickness() - depth);
+        let near = outermost.map(|layer| [layer.shear_modulus(), layer.poisson_ratio()]);
+        let of_base = match waves.base {
+            Base::Rigid => [0.0; 3],
+            Base::Elastic(constants) => of_half_space(constants),
+        };
+        let less = near.map_or([0.0; 3], of_half_space);
+        let pole = std::array::from_fn(|n| of_base[n] - less[n]);
+        Self {
+            waves,
+            depth,
+            near,
+            radial: Radial::new(body, scale, pole),
+        }
+    }
+
+    pub(super) fn poisson_ratio(&self) -> f64 {
+        self.waves.poisson_ratio_at(self.depth)
+    }
+
+    /// The symbols of a wave vector, not zero, or their imaginary parts.
+    pub(super) fn symbols(&self, [x, y]: [f64; 2]) -> Entries {
+        let k = x.hypot(y);
+        let below = self.waves.at_depth(k, self.depth);
+        let [x, y] = [x / k, y / k];
+        joined(
+            pressed(&below, k, [x, y]),
+            sheared(&below, k, [x, y]),
+            exchanged(sheared(&below, k, [y, x])),
+        )
+    }
+
+    /// The coefficients at the distances of a quarter of the torus that are sampled here, row by row.
+    pub(super) fn samples(
+        &self,
+        grid: Grid,
+        boundary: Boundary,
+        torus: &Torus,
+    ) -> Result<[Vec<f64>; Entry::COUNT]> {
+        let ([width, _], own) = (torus.quarter(), torus.own_distances());
+        let sides = [0.5 * grid.dx(), 0.5 * grid.dy()];
+        let cell = LoadedRectangle::new(sides[0], sides[1]);
+        let xs = fallible::collected(width, (0..width).map(|i| i as f64 * grid.dx()))?;
+        let mut values = fallible::vector(width * own.len())?;
+        let data = values.each_mut().map(|values| Blocks {
+            items: values,
+            width,
+        });
+        let strips = Strips::new(grid, boundary);
+        let period = grid.dy() * grid.ny() as f64;
+        let rest = |k: f64| self.rest(k);
+        let work = |row: usize, rows: [Blocks<'_, f64>; Entry::COUNT]| {
+            let y = (own.start + row) as f64 * grid.dy();
+            let mut out = rows.map(|row| row.items);
+            for (ix, &x) in xs.iter().enumerate() {
+                let entries = match boundary {
+                    Boundary::PeriodicAlongY { datum } => {
+                        self.radial.over_rows(&rest, sides, [x, y], [period, datum])
+                    }
+                    _ => self.radial.over_cell(&rest, sides, [x, y]),
+                };
+                for (out, value) in out.iter_mut().zip(entries) {
+                    out[ix] = value;
+                }
+            }
+            if let Some([modulus, nu]) = self.near {
+                let mut integrals = vec![0.0; Integral::COUNT * width];
+                let mut lines = integrals.chunks_exact_mut(width);
+                let mut lines: [_; Integral::COUNT] =
+                    std::array::from_fn(|_| lines.next().unwrap_or_default());
+                match &strips {
+                    None => cell.integrals_along_row(&xs, y, self.depth, &mut lines),
+                    Some(strips) => {
+                        strips.integrals_along_row(&cell, &xs, [y, self.depth], &mut lines);
+                    }
+                }
+                add_homogeneous(&Weights::new(nu, self.depth), modulus, &lines, &mut out);
+            }
+        };
+        if !own.is_empty() {
+            parallel::sweep(0..own.len(), data, &work, &|(), ()| ());
+        }
+        Ok(values)
+    }
+
+    /// What is smooth of the response to waves of k.
+    fn rest(&self, k: f64) -> Below {
+        let whole = self.waves.at_depth(k, self.depth);
+        match self.near {
+            Some(constants) => {
+                let (layers, base) = (&[][..], Base::Elastic(constants));
+                whole.less(&Waves { layers, base }.at_depth(k, self.depth))
+            }
+            None => whole,
+        }
+    }
+}
+
+/// k times the displacements of a half-space, normal, along and across.
+fn of_half_space([modulus, nu]: [f64; 2]) -> [f64; 3] {
+    [1.0 - nu, 1.0 - nu, 1.0].map(|factor| factor / modulus)
+}
+
+/// Adds the components in a half-space, which are sums of the integrals.
+fn add_homogeneous(
+    weights: &Weights,
+    modulus: f64,
+    integrals: &[&mut [f64]; Integral::COUNT],
+    out: &mut [&mut [f64]; Entry::COUNT],
+) {
+    for (n, out) in out.iter_mut().enumerate() {
+        let Entry { load, component } = Entry::of(n);
+        let unit = if component.is_displacement() {
+            modulus
+        } else {
+            1.0
+        };
+        for (weight, integral) in weights.of(load, component).iter().zip(integrals) {
+            if *weight != 0.0 {
+                for (out, value) in out.iter_mut().zip(&**integral) {
+                    *out += weight / unit * value;
+                }
+            }
+        }
+    }
+}
+
+/// Under a wave of pressure, in the direction of a unit vector.
+fn pressed(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
+    let [normal, along, p, q, stress_along, stress_across] = below.by_pressure;
+    let (xx, yy, xy) = (x * x, y * y, x * y);
+    [
+        along * x / k,
+        along * y / k,
+        normal / k,
+        stress_along * xx + stress_across * yy,
+        stress_along * yy + stress_across * xx,
+        -p,
+        (stress_along - stress_across) * xy,
+        -q * x,
+        -q * y,
+    ]
+}
+
+/// Under a wave of traction along x.
+fn sheared(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
+    let [normal, along, p, q, stress_along, stress_across] = below.by_traction;
+    let [across, passed, shear] = below.across;
+    let (xx, yy, xy) = (x * x, y * y, x * y);
+    [
+        (along * xx + across * yy) / k,
+        (along - across) * xy / k,
+        -normal * x / k,
+        -x * (stress_along * xx + (stress_across - 2.0 * shear) * yy),
+        -x * (stress_along * yy + stress_across * xx + 2.0 * shear * yy),
+        p * x,
+        -y * ((stress_along - stress_across) * xx + shear * (xx - yy)),
+        -(q * xx + passed * yy),
+        -(q - passed) * xy,
+    ]
+}
+
+/// The components with x and y exchanged.
+fn exchanged([ux, uy, uz, xx, yy, zz, xy, xz, yz]: Column) -> Column {
+    [uy, ux, uz, yy, xx, zz, xy, yz, xz]
+}
+
+fn joined(pressure: Column, along_x: Column, along_y: Column) -> Entries {
+    let loads = [pressure, along_x, along_y];
+    std::array::from_fn(|n| loads[n / Component::COUNT][n % Component::COUNT])
+}

@@ -1,0 +1,213 @@
+//! Buffers whose size follows the cells: memory that cannot be had is an error here, where a `vec!` ends the program.
+
+use bytemuck::Zeroable;
+
+use crate::error::{Error, Result};
+
+/// So many copies of a value.
+pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
+    let mut buffer = with_room(len)?;
+    buffer.resize(len, value);
+    Ok(buffer)
+}
+
+/// Zeros, in pages that the system provides when they are first written to, to the thread that writes.
+pub(crate) fn zeros<T: Zeroable>(len: usize) -> Result<Vec<T>> {
+    let zeros = bytemuck::allocation::try_zeroed_vec(len);
+    zeros.map_err(|()| lacking(len.saturating_mul(size_of::<T>())))
+}
+
+/// Zeros for each of N components.
+pub(crate) fn vector<const N: usize>(len: usize) -> Result<[Vec<f64>; N]> {
+    try_each(|_| zeros(len))
+}
+
+pub(crate) fn copied<T: Clone>(items: &[T]) -> Result<Vec<T>> {
+    collected(items.len(), items.iter().cloned())
+}
+
+/// What an iterator gives, of so many items at most.
+pub(crate) fn collected<T>(most: usize, items: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
+    let mut buffer = with_room(most)?;
+    buffer.extend(items.into_iter().take(most));
+    Ok(buffer)
+}
+
+/// Nothing yet, with room for so many items.
+pub(crate) fn with_room<T>(items: usize) -> Result<Vec<T>> {
+    let mut buffer = Vec::new();
+    make_room(&mut buffer, items)?;
+    Ok(buffer)
+}
+
+/// Room for so many items in all; what is there stays.
+pub(crate) fn make_room<T>(buffer: &mut Vec<T>, items: usize) -> Result<()> {
+    let more = items.saturating_sub(buffer.len());
+    let outcome = buffer.try_reserve_exact(more);
+    outcome.map_err(|_| lacking(items.saturating_mul(size_of::<T>())))
+}
+
+/// The error of a buffer of so many bytes that cannot be had.
+pub(crate) fn lacking(bytes: usize) -> Error {
+    Error::Memory {
+        quantity: "a buffer of the cells",
+        bytes: bytes as u128,
+    }
+}
+
+/// `Vec::push` with memory that may not be had; the buffer is then as it was.
+pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
+    let outcome = buffer.try_reserve(1);
+    outcome.map_err(|_| lacking((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
+    buffer.push(item);
+    Ok(())
+}
+
+/// `Vec::resize` with memory that may not be had; the buffer is then as it was.
+pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Result<()> {
+    make_room(buffer, len)?;
+    buffer.resize(len, value);
+    Ok(())
+}
+
+/// [`resize`] with zeros; where there is nothing yet, with pages as those of [`zeros`].
+pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
+    buffer: &mut Vec<T>,
+    len: usize,
+) -> Result<()> {
+    if buffer.capacity() > 0 {
+        return resize(buffer, len, T::zeroed());
+    }
+    *buffer = zeros(len)?;
+    Ok(())
+}
+
+/// An array of what may fail.
+pub(crate) fn try_each<T, const N: usize>(
+    mut make: impl FnMut(usize) -> Result<T>,
+) -> Result<[T; N]> {
+    let mut failure = None;
+    let made = std::array::from_fn(|n| match make(n) {
+        Ok(value) => Some(value),
+        Err(error) => {
+            failure = Some(error);
+            None
+        }
+    });
+    match failure {
+        Some(error) => Err(error),
+        // Without a failure each was made.
+        None => Ok(made.map(|value| value.expect("each was made"))),
+    }
+}
+
+/// The value; without memory the end of the program, as where a `Vec` has none: for signatures that cannot fail.
+pub(crate) fn or_abort<T>(outcome: Result<T>) -> T {
+    outcome.unwrap_or_else(|error| {
+        let bytes = match error {
+            Error::Memory { bytes, .. } => usize::try_from(bytes).unwrap_or(0),
+            _ => 0,
+        };
+        let layout = std::alloc::Layout::array::<u8>(bytes);
+        std::alloc::handle_alloc_error(layout.unwrap_or(std::alloc::Layout::new::<u8>()))
+    })
+}
+
+/// `Clone` where memory may run out: a clone that cannot be had is an error, where that of `Clone` ends the program.
+///
+/// ```
+/// use stickslip::{Field, Grid, TryClone};
+/// let field = Field::constant(Grid::square(8, 1.0)?, 2.0);
+/// let mut copy = field.try_clone()?;
+/// copy.try_clone_from(&field.scaled(2.0))?;
+/// assert_eq!(copy.max(), 4.0);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub trait TryClone: Clone {
+    /// A copy.
+    ///
+    /// # Errors
+    /// [`Error::Memory`].
+    fn try_clone(&self) -> Result<Self>;
+
+    /// Whether `clone_from` writes into the memory that is there.
+    fn has_room_for(&self, source: &Self) -> bool;
+
+    /// `clone_from`.
+    ///
+    /// # Errors
+    /// [`Error::Memory`]; all is then as it was.
+    fn try_clone_from(&mut self, source: &Self) -> Result<()> {
+        if self.has_room_for(source) {
+            self.clone_from(source);
+        } else {
+            *self = source.try_clone()?;
+        }
+        Ok(())
+    }
+}
+
+/// [`TryClone`] of a struct: of what has buffers, and of what has none.
+macro_rules! try_clone {
+    ($type:ident $(<const $n:ident: usize>)? { $($part:ident),* $(,)? } $({ $($plain:ident),* $(,)? })?) => {
+        impl$(<const $n: usize>)? $crate::support::fallible::TryClone for $type$(<$n>)? {
+            fn try_clone(&self) -> $crate::error::Result<Self> {
+                Ok(Self {
+                    $($part: self.$part.try_clone()?,)*
+                    $($($plain: self.$plain.clone(),)*)?
+                })
+            }
+
+            fn has_room_for(&self, source: &Self) -> bool {
+                true $(&& self.$part.has_room_for(&source.$part))*
+            }
+
+            fn try_clone_from(&mut self, source: &Self) -> $crate::error::Result<()> {
+                if self.has_room_for(source) {
+                    $(self.$part.try_clone_from(&source.$part)?;)*
+                    $($(self.$plain.clone_from(&source.$plain);)*)?
+                } else {
+                    *self = source.try_clone()?;
+                }
+                Ok(())
+            }
+        }
+    };
+}
+
+pub(crate) use try_clone;
+
+impl<T: Clone> TryClone for Vec<T> {
+    fn try_clone(&self) -> Result<Self> {
+        copied(self)
+    }
+
+    fn has_room_for(&self, source: &Self) -> bool {
+        self.capacity() >= source.len()
+    }
+}
+
+impl<T: TryClone> TryClone for Option<T> {
+    fn try_clone(&self) -> Result<Self> {
+        self.as_ref().map(T::try_clone).transpose()
+    }
+
+    fn has_room_for(&self, source: &Self) -> bool {
+        match (self, source) {
+            (Some(own), Some(source)) => own.has_room_for(source),
+            (None, Some(_)) => false,
+            (_, None) => true,
+        }
+    }
+}
+
+impl<T: TryClone, const N: usize> TryClone for [T; N] {
+    fn try_clone(&self) -> Result<Self> {
+        try_each(|n| self[n].try_clone())
+    }
+
+    fn has_room_for(&self, source: &Self) -> bool {
+        let mut pairs = self.iter().zip(source);
+        pairs.all(|(own, source)| own.has_room_for(source))
+    }
+}

@@ -1,0 +1,70 @@
+//! Waves of given moduli whose heights nearly follow a given distribution.
+//!
+//! Two steps alternate: each height is replaced by that of the same rank in the distribution;
+//! then the moduli of the waves are restored and only the new phases kept.
+
+use num_complex::Complex;
+
+use super::johnson::sorted_heights;
+use super::moments::{Standardised, deviation};
+use crate::error::Result;
+use crate::grid::field::Field;
+use crate::observer::Watch;
+use crate::surface::waves::Waves;
+
+/// Largest number of iterations; each costs two transforms and a sort.
+const LIMIT: usize = 20;
+/// Change of skewness and kurtosis below which further iterations are not worthwhile.
+const SLOW: f64 = 0.01;
+
+/// Waves of the same moduli whose heights nearly follow a distribution of the given skewness and
+/// kurtosis, and the number of iterations.
+///
+/// # Errors
+/// [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
+pub(super) fn approach(
+    drawn: &Waves,
+    wanted: [f64; 2],
+    watch: &mut Watch<'_>,
+) -> Result<(Waves, usize)> {
+    let mut waves = drawn.clone();
+    let mut surface = Standardised::new(waves.clone().into_field());
+    let sorted = sorted_heights(wanted, surface.heights.as_slice().len());
+    let mut iterations = 0;
+    let mut change = f64::INFINITY;
+    while iterations < LIMIT && change > SLOW {
+        let last = surface.moments();
+        watch.shown().residual = deviation(last, wanted);
+        watch.ask()?;
+        replace_by_rank(&mut surface.heights, &sorted);
+        waves = Waves::of(&surface.heights);
+        waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));
+        // Where the transform of a wave is round-off, the phases of the wave and of its mirror image are unrelated.
+        waves.pair_opposite_rows();
+        surface = Standardised::new(waves.clone().into_field());
+        change = deviation(surface.moments(), last);
+        iterations += 1;
+        watch.shown().iteration = iterations;
+    }
+    Ok((waves, iterations))
+}
+
+/// Gives every cell the height of its rank.
+fn replace_by_rank(heights: &mut Field, sorted: &[f64]) {
+    let heights = heights.as_mut_slice();
+    let mut ranked: Vec<_> = heights.iter().copied().enumerate().collect();
+    ranked.sort_unstable_by(|(i, a), (j, b)| a.total_cmp(b).then(i.cmp(j)));
+    for ((index, _), height) in ranked.into_iter().zip(sorted) {
+        heights[index] = *height;
+    }
+}
+
+/// The phase of one wave with the modulus of another.
+fn with_modulus_of(drawn: Complex<f64>, wave: Complex<f64>) -> Complex<f64> {
+    let modulus = wave.norm();
+    if modulus > 0.0 {
+        wave * (drawn.norm() / modulus)
+    } else {
+        drawn
+    }
+}

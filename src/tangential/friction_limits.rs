@@ -1,0 +1,157 @@
+//! The friction limits of a contact, and the one rule of what is at them.
+
+use std::ops::RangeInclusive;
+
+use crate::cgm::cone::Cone;
+use crate::cgm::reduce;
+use crate::error::{Error, Result, SLIDE, finite};
+use crate::grid::window::Window;
+use crate::half_space::{HalfSpace, Region};
+use crate::parallel;
+use crate::parallel::layout::Layout;
+use crate::support::fallible::{self, try_clone};
+use crate::tangential::Friction;
+
+/// Relative distance from the friction limit within which a force slides the contact, and a cell slips.
+pub(crate) const SLIDING: f64 = 1e-12;
+
+/// Largest limits beside which the squares of tractions stay within the range of numbers.
+const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
+
+/// Part of the largest limit below which a limit counts as zero.
+const NOTHING: f64 = 1e-30;
+
+/// The part of a normal contact that a tangential one needs: a window around it, pressure and limits there.
+#[derive(Debug, Clone)]
+pub(crate) struct Pressed {
+    pub(crate) region: Region,
+    /// Pressure of the cells of the region.
+    pub(crate) pressure: Vec<f64>,
+    pub(crate) limits: Limits,
+}
+
+impl Pressed {
+    /// Without pressure.
+    pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
+        let region = Region::new(bodies, window);
+        Ok(Self {
+            pressure: fallible::zeros(region.cells())?,
+            limits: Limits {
+                layout: region.layout().clone(),
+                cells: fallible::zeros(region.cells())?,
+                sum: 0.0,
+            },
+            region,
+        })
+    }
+
+    pub(crate) fn window(&self) -> Window {
+        self.region.window()
+    }
+
+    /// Takes the pressure of the whole grid, and what friction makes of it.
+    pub(crate) fn set(&mut self, pressure: &[f64], friction: &Friction) {
+        self.region.gather(pressure, &mut self.pressure);
+        self.limits.set(friction, &self.region, &self.pressure);
+    }
+
+    /// Changes the friction alone.
+    pub(crate) fn set_friction(&mut self, friction: &Friction) {
+        self.limits.set(friction, &self.region, &self.pressure);
+    }
+
+    /// Checks that friction can carry a force.
+    ///
+    /// # Errors
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - The errors of [`Limits::check`].
+    pub(crate) fn check(&self, force: [f64; 2], cell_area: f64) -> Result<()> {
+        let checked = self.limits.check(force, cell_area);
+        let is_carried = || reduce::any(self.region.layout(), |i| self.pressure[i] > 0.0);
+        if matches!(
+            checked,
+            Err(Error::BeyondFrictionCapacity { limit: 0.0, .. })
+        ) && !is_carried()
+        {
+            return Err(Error::EmptyContact);
+        }
+        checked
+    }
+}
+
+try_clone!(Pressed { pressure, limits } { region });
+
+/// The friction limit of every cell of a window, and their sum.
+#[derive(Debug, Clone)]
+pub(crate) struct Limits {
+    layout: Layout,
+    pub(crate) cells: Vec<f64>,
+    pub(crate) sum: f64,
+}
+
+try_clone!(Limits { cells } { layout, sum });
+
+/// Whether a traction or force of this size uses up a limit.
+pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
+    size >= limit * (1.0 - SLIDING)
+}
+
+impl Limits {
+    fn set(&mut self, friction: &Friction, region: &Region, pressure: &[f64]) {
+        let friction = &friction.within(region);
+        parallel::update(&mut self.cells, |first, chunk| {
+            for (k, limit) in (first..).zip(chunk) {
+                *limit = if pressure[k] > 0.0 {
+                    friction.limit(k, pressure[k])
+                } else {
+                    0.0
+                };
+            }
+        });
+        // Beside the largest these carry nothing, and their squares would underflow.
+        let least = NOTHING * self.largest();
+        parallel::update(&mut self.cells, |_, chunk| {
+            for limit in chunk {
+                *limit = if *limit < least { 0.0 } else { *limit };
+            }
+        });
+        self.sum = reduce::total(&self.layout, &self.cells);
+    }
+
+    fn largest(&self) -> f64 {
+        reduce::max(&self.layout, |i| self.cells[i])
+    }
+
+    /// A power of two near the largest limit, where tractions have to be measured in such a unit: their squares would
+    /// overflow or underflow.
+    pub(crate) fn unit(&self) -> Option<f64> {
+        let largest = self.largest();
+        let is_extreme = largest > 0.0 && !ORDINARY.contains(&largest);
+        is_extreme.then(|| largest.log2().clamp(-1000.0, 1000.0).floor().exp2())
+    }
+
+    /// Refuses a force that friction cannot hold, and limits that overflow.
+    pub(crate) fn check(&self, [x, y]: [f64; 2], cell_area: f64) -> Result<()> {
+        finite("sum of the friction limits", self.sum)?;
+        let (force, limit) = (x.hypot(y), self.sum * cell_area);
+        if force > limit * (1.0 + SLIDING) {
+            return Err(Error::BeyondFrictionCapacity {
+                force,
+                limit,
+                remedy: SLIDE,
+            });
+        }
+        Ok(())
+    }
+
+    /// The sums of tractions a force asks for; exactly at the limit when the force is within round-off of it.
+    pub(crate) fn sums(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
+        let sums = force.map(|force| force / cell_area);
+        let size = sums[0].hypot(sums[1]);
+        if size > 0.0 && is_at_limit(size, self.sum) {
+            sums.map(|sum| sum * (self.sum / size))
+        } else {
+            sums
+        }
+    }
+}

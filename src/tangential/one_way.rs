@@ -1,0 +1,75 @@
+//! The tangential displacement by pressure, where materials couple the two.
+
+use crate::bodies::component::{Component, Direction};
+use crate::error::Result;
+use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::operator::{Operator, Scratch};
+use crate::support::fallible;
+use crate::tangential::Axis;
+use crate::tangential::traction_solver::PlaneVector;
+
+/// How pressures on a window draw its surfaces along the axes of a model.
+#[derive(Debug, Clone)]
+pub(crate) struct Drawing {
+    parts: Vec<Part>,
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+}
+
+/// Along one axis.
+#[derive(Debug, Clone)]
+struct Part {
+    axis: Axis,
+    operator: ElasticOperator<1>,
+    scratch: Scratch,
+}
+
+impl Drawing {
+    pub(crate) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
+        let part = |&axis: &Axis| {
+            let component = Component::of(axis.direction(), Direction::Z);
+            let operator = bodies.operator_of([[component]], size)?;
+            let scratch = operator.scratch()?;
+            Ok(Part {
+                axis,
+                operator,
+                scratch,
+            })
+        };
+        let cells = bodies.layout(size).cells();
+        Ok(Self {
+            parts: axes.iter().map(part).collect::<Result<_>>()?,
+            pressure: fallible::zeros(cells)?,
+            displacement: fallible::zeros(cells)?,
+        })
+    }
+
+    /// Takes from a field what these pressures displace.
+    pub(super) fn subtract(
+        &mut self,
+        pressures: impl Iterator<Item = f64>,
+        field: &mut PlaneVector,
+    ) {
+        self.displace(pressures, |axis, displacement| {
+            for (value, displacement) in field[axis.index()].iter_mut().zip(displacement) {
+                *value -= displacement;
+            }
+        });
+    }
+
+    /// Shows what these pressures displace along each axis.
+    pub(crate) fn displace(
+        &mut self,
+        pressures: impl Iterator<Item = f64>,
+        mut show: impl FnMut(Axis, &[f64]),
+    ) {
+        for (own, pressure) in self.pressure.iter_mut().zip(pressures) {
+            *own = pressure;
+        }
+        for part in &mut self.parts {
+            let (pressure, out) = ([&self.pressure[..]], [&mut self.displacement[..]]);
+            part.operator.apply(pressure, out, &mut part.scratch);
+            show(part.axis, &self.displacement);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! What all ranks together have found, kept with the slab of each.
+
+use crate::cgm::reduce;
+use crate::contact::survey::Survey;
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::parallel::layout::Layout;
+use crate::tangential::Zone;
+use crate::tangential::rigid_motion::centre;
+
+/// Sums over the cells of a tangential contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sums {
+    /// Of the tractions along x and along y.
+    pub(super) force: [f64; 2],
+    pub(super) moment: f64,
+    /// Of the products of traction and slip.
+    pub(super) work: f64,
+    /// Cells that stick, and that slip.
+    pub(super) stick: usize,
+    pub(super) slip: usize,
+}
+
+impl Sums {
+    /// Over cells that lie so.
+    pub(super) fn of(
+        layout: &Layout,
+        traction: &[Field; 2],
+        slip: &[Field; 2],
+        zones: &[Zone],
+    ) -> Self {
+        let grid = traction[0].grid();
+        let [x, y] = traction.each_ref().map(Field::as_slice);
+        let [slip_x, slip_y] = slip.each_ref().map(Field::as_slice);
+        let (force, moment, work, [stick, slip]) = reduce::sum(layout, |i| {
+            let [along_x, along_y] = centre(grid, i);
+            (
+                [x[i], y[i]],
+                along_x * y[i] - along_y * x[i],
+                x[i] * slip_x[i] + y[i] * slip_y[i],
+                [Zone::Stick, Zone::Slip].map(|zone| usize::from(zones[i] == zone)),
+            )
+        });
+        Self {
+            force,
+            moment,
+            work,
+            stick,
+            slip,
+        }
+    }
+}
+
+/// Counts and sums of the whole grid, as every rank knows it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Whole {
+    pub(super) contact: Survey,
+    pub(super) sums: Sums,
+}
+
+impl Whole {
+    /// `None` of bodies that are not shared.
+    pub(super) fn of(
+        bodies: &HalfSpace,
+        traction: &[Field; 2],
+        slip: &[Field; 2],
+        zones: &[Zone],
+    ) -> Option<Box<Self>> {
+        let contact = bodies.survey(|i| zones[i] != Zone::Separated)?;
+        let sums = Sums::of(&bodies.grid_layout(), traction, slip, zones);
+        Some(Box::new(Self { contact, sums }))
+    }
+}

@@ -1,0 +1,82 @@
+//! The pressure that a tangential contact is under.
+
+use crate::error::{Error, Result, all_non_negative};
+use crate::grid::field::Field;
+use crate::grid::window::Window;
+use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+
+/// The pressure of a tangential contact: that of a solved normal contact, or one from elsewhere.
+///
+/// A prescribed pressure (pressures, zero where nothing touches) comes from a closed form, a measurement, or a code
+/// that models more of the normal contact than elasticity.
+///
+/// ```
+/// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+/// use stickslip::*;
+/// let grid = Grid::square(64, 0.30e-3)?;
+/// let steel = Material::new(213e9, 0.29)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+/// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
+/// let pressure = Field::from_fn(grid, |x, y| hertz.pressure(x.hypot(y)));
+/// let load = TangentialLoad::force([20.0, 0.0]);
+/// let tangential = TangentialProblem::builder(&bodies, &pressure, Friction::coulomb(0.5)?, load)
+///     .build()?
+///     .solve()?;
+/// let exact = CattaneoMindlin::new(hertz, 0.5, 20.0)?;
+/// assert!((tangential.shift()[0] / exact.shift() - 1.0).abs() < 1e-3);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum PressureSource<'a> {
+    /// Of a normal contact on the same bodies, materials too, which must have converged.
+    Solved(&'a NormalSolution),
+    /// Of each cell, non-negative and finite, whatever bodies it was found on.
+    Prescribed(&'a Field),
+}
+
+impl<'a> From<&'a NormalSolution> for PressureSource<'a> {
+    fn from(solution: &'a NormalSolution) -> Self {
+        Self::Solved(solution)
+    }
+}
+
+impl<'a> From<&'a Field> for PressureSource<'a> {
+    fn from(pressure: &'a Field) -> Self {
+        Self::Prescribed(pressure)
+    }
+}
+
+impl<'a> PressureSource<'a> {
+    /// The pressure of every cell, if it is one on these bodies.
+    pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
+        match self {
+            Self::Solved(normal) => {
+                let quantity = "normal solution";
+                bodies.check_host(quantity, normal.grid(), normal.boundary())?;
+                bodies.check_values(quantity, normal.cell_value())?;
+                if normal.pair() != bodies.pair() {
+                    return Err(Error::MaterialMismatch { quantity });
+                }
+                if !normal.report().is_converged() {
+                    return Err(Error::NotConverged(Box::new(normal.report().clone())));
+                }
+                Ok(normal.pressure().as_slice())
+            }
+            Self::Prescribed(pressure) => {
+                bodies.grid().expect("pressure", pressure.grid())?;
+                all_non_negative("pressure", pressure.as_slice())?;
+                Ok(pressure.as_slice())
+            }
+        }
+    }
+}
+
+/// The smallest window around all pressure; all of the grid along an axis that repeats.
+pub(crate) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
+    let contact = bodies.around(|i| pressure[i] > 0.0);
+    contact
+        .map(|window| bodies.confined(window))
+        .ok_or(Error::EmptyContact)
+}

@@ -1,0 +1,166 @@
+//! Displacements of one body relative to the other that the contact does not cause.
+
+use crate::error::{Error, Result, all_finite};
+use crate::grid::Grid;
+use crate::grid::field::{Field, clone_in_place};
+use crate::half_space::HalfSpace;
+use crate::support::fallible::try_clone;
+use crate::tangential::{Axis, TangentialModel};
+
+/// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause
+/// (lengths, `[x, y]`): bulk strain, thermal expansion, the deformation by a contact nearby.
+///
+/// The slip is then $`s = u + w - \delta`$: where the bodies stick, tractions make up for it. A uniform part of it is a
+/// shift of the other sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+///
+/// ```
+/// use stickslip::tangential::RelativeDisplacement;
+/// use stickslip::{Grid, Material};
+/// // A flat specimen, body 1, under a bulk stress of 100 MPa along x, too wide to contract along y.
+/// let titanium = Material::new(115e3, 0.32)?;
+/// let grid = Grid::line(64, 0.01)?;
+/// let strain = titanium.plane_strain_under(100.0);
+/// let bulk = RelativeDisplacement::bulk_strain(grid, [[strain, 0.0], [0.0, 0.0]])?;
+/// let [along_x, _] = bulk.fields();
+/// let stretch = along_x.get(63, 0).unwrap() - along_x.get(0, 0).unwrap();
+/// assert!((stretch - 0.63 * strain).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Unchecked")
+)]
+pub struct RelativeDisplacement {
+    fields: [Field; 2],
+    /// The uniform strain that they follow from, zero where they do not.
+    strain: [[f64; 2]; 2],
+}
+
+/// What was read, before it is checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Unchecked {
+    fields: [Field; 2],
+    strain: [[f64; 2]; 2],
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Unchecked> for RelativeDisplacement {
+    type Error = Error;
+
+    fn try_from(read: Unchecked) -> Result<Self> {
+        all_finite("bulk strain", read.strain.as_flattened())?;
+        Ok(Self {
+            strain: read.strain,
+            ..Self::new(read.fields)?
+        })
+    }
+}
+
+clone_in_place!(RelativeDisplacement { fields, strain });
+
+impl PartialEq for RelativeDisplacement {
+    fn eq(&self, other: &Self) -> bool {
+        self.fields == other.fields
+    }
+}
+
+try_clone!(RelativeDisplacement { fields } { strain });
+
+impl RelativeDisplacement {
+    /// The displacements of the cells along x and along y.
+    ///
+    /// # Errors
+    /// [`Error::GridMismatch`] if they are on two grids, [`Error::Sample`] at the first that is not finite.
+    pub fn new(fields: [Field; 2]) -> Result<Self> {
+        let [x, y] = &fields;
+        x.check("relative displacement along x", y.grid())?;
+        y.check("relative displacement along y", y.grid())?;
+        let strain = [[0.0; 2]; 2];
+        Ok(Self { fields, strain })
+    }
+
+    /// That of a uniform strain of body 1 less that of body 2: $`w_i = \sum_j \varepsilon_{ij} x_j`$, zero at the origin
+    /// of the grid, with the components `[[xx, xy], [yx, yy]]`, positive where body 1 is stretched.
+    ///
+    /// Problems and histories refuse it with [`Error::Sample`] where the grid repeats along an axis of the strain: the
+    /// displacement would jump from one period to the next.
+    ///
+    /// # Errors
+    /// [`Error::Sample`] if a component is not finite.
+    #[doc(alias = "bulk stress")]
+    pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
+        all_finite("bulk strain", strain.as_flattened())?;
+        let along =
+            |[x_part, y_part]: [f64; 2]| Field::from_fn(grid, |x, y| x_part * x + y_part * y);
+        let fields = strain.map(along);
+        Ok(Self { fields, strain })
+    }
+
+    /// None of all cells.
+    pub(crate) fn zeros(grid: Grid) -> Result<Self> {
+        let fields = [Field::try_zeros(grid)?, Field::try_zeros(grid)?];
+        let strain = [[0.0; 2]; 2];
+        Ok(Self { fields, strain })
+    }
+
+    /// The displacements along x and along y (lengths).
+    #[must_use]
+    pub fn fields(&self) -> [&Field; 2] {
+        self.fields.each_ref()
+    }
+
+    /// The largest magnitude along an axis (a length).
+    pub(crate) fn largest(&self) -> f64 {
+        let fields = self.fields.iter();
+        let magnitudes = fields.map(|field| field.max().max(-field.min()));
+        magnitudes.fold(0.0, f64::max)
+    }
+
+    /// Along an axis in a cell of the grid.
+    pub(crate) fn at(&self, axis: usize, cell: usize) -> f64 {
+        self.fields[axis].as_slice()[cell]
+    }
+
+    /// To be read into; numbers must stay finite.
+    pub(crate) fn fields_mut(&mut self) -> [&mut Field; 2] {
+        self.fields.each_mut()
+    }
+
+    /// `Ok` if it is on the grid of these bodies, repeats where that does, and is zero along an axis of which tractions
+    /// are not found.
+    pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
+        let grid = bodies.grid();
+        grid.expect("relative displacement", self.fields[0].grid())?;
+        let repeats = bodies.boundary().repeats();
+        for (index, &value) in self.strain.as_flattened().iter().enumerate() {
+            if value != 0.0 && repeats[index % 2] {
+                return Err(Error::Sample {
+                    quantity: "bulk strain",
+                    index,
+                    value,
+                    rule: "must be zero along an axis on which the grid repeats, where its displacement would jump",
+                });
+            }
+        }
+        for &axis in Axis::BOTH {
+            let values = self.fields[axis.index()].as_slice();
+            let first = values.iter().find(|w| **w != 0.0);
+            if let (Some(&value), false) = (first, axes.contains(&axis)) {
+                return Err(Error::NotModelled {
+                    model: "the model of this contact",
+                    quantity: match axis {
+                        Axis::X => "relative displacement along x",
+                        Axis::Y => "relative displacement along y",
+                    },
+                    value,
+                    remedy: TangentialModel::VECTOR_REMEDY,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,152 @@
+//! The tangential problem on coarser cells.
+
+use std::borrow::Cow;
+
+use crate::bodies::component::Direction;
+use crate::cgm::{Admissible, Ball, Linearised, Magnitude, Own, Total, Within, reduce};
+use crate::contact::{ElasticProblem, ElasticSolver, Levels, Scene};
+use crate::error::Result;
+use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
+use crate::parallel::layout::Layout;
+use crate::support::fallible::{self, try_each};
+use crate::tangential::friction_limits::is_at_limit;
+
+/// Friction limits, the compliance that cells have of their own, if any do, minus the prescribed motion, and the prescribed
+/// sums of the tractions along `directions`.
+pub(super) struct FrictionScene<'a, const N: usize> {
+    pub(super) directions: [Direction; N],
+    pub(super) limits: Cow<'a, [f64]>,
+    pub(super) own: Own<'a>,
+    pub(super) linear: [Cow<'a, [f64]>; N],
+    pub(super) totals: [Total; N],
+}
+
+impl<const N: usize> FrictionScene<'_, N> {
+    /// What friction holds, as a traction times cells.
+    fn capacity(&self, layout: &Layout) -> f64 {
+        reduce::total(layout, &self.limits)
+    }
+}
+
+impl<const N: usize> Scene<N> for FrictionScene<'_, N>
+where
+    Within: Ball<N>,
+{
+    type Set = <Within as Ball<N>>::Set;
+    type Constraint<'b>
+        = Magnitude<'b>
+    where
+        Self: 'b;
+
+    fn directions(&self) -> [Direction; N] {
+        self.directions
+    }
+
+    fn problem(
+        &self,
+        solver: &ElasticSolver<Self::Set, N>,
+    ) -> ElasticProblem<'_, Magnitude<'_>, N> {
+        solver
+            .problem(slices(&self.linear), Magnitude(&self.limits))
+            .own(self.own)
+            .totals(self.totals)
+    }
+
+    /// With sums that are the same part of what friction holds, and without compliances of cells.
+    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
+        let mut coarse = Self {
+            directions: self.directions,
+            limits: levels.coarsened(&self.limits)?.into(),
+            own: Own::default(),
+            linear: try_each(|n| levels.coarsened(&self.linear[n]).map(Cow::from))?,
+            totals: self.totals,
+        };
+        let [coarse_capacity, capacity] = [
+            coarse.capacity(&levels.coarse_layout()),
+            self.capacity(&levels.layout()),
+        ];
+        let part = coarse_capacity / capacity;
+        coarse.totals = self.totals.map(|total| total.scaled(part));
+        Ok(coarse)
+    }
+
+    /// The sums spread in proportion to the limits: feasible, and close near sliding.
+    fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]> {
+        let capacity = self.capacity(layout);
+        try_each(|n| {
+            let fraction = self.totals[n].sum().map_or(0.0, |sum| sum / capacity);
+            let parts = self.limits.iter().map(|limit| fraction * limit);
+            fallible::collected(self.limits.len(), parts)
+        })
+    }
+
+    /// Interpolated in the stick zone, at the limit where the cells slip. What friction holds beyond the traction falls
+    /// to zero at the edge of that zone as a pressure does at the edge of the contact, which hands the zone down. The
+    /// direction is that of the whole where the interpolated traction is zero.
+    fn refined_start(
+        &self,
+        levels: Levels<'_>,
+        coarse: &Self,
+        answer: &[Vec<f64>; N],
+    ) -> Result<[Vec<f64>; N]> {
+        let coarse_layout = levels.coarse_layout();
+        let overall = answer
+            .each_ref()
+            .map(|part| reduce::total(&coarse_layout, part));
+        let mut start: [_; N] = try_each(|n| levels.refined(&answer[n]))?;
+        let answer = slices(answer);
+        let reserves = coarse.limits.iter().enumerate();
+        let reserves = reserves.map(|(cell, &limit)| reserve(at(&answer, cell), limit));
+        let reserves = fallible::collected(coarse.limits.len(), reserves)?;
+        let reserves = levels.refined_zone(&reserves)?;
+        for (cell, &limit) in self.limits.iter().enumerate() {
+            let interpolated = at(&slices(&start), cell);
+            let traction = handed_down(interpolated, limit, reserves[cell] > 0.0, overall);
+            for (part, value) in start.iter_mut().zip(traction) {
+                part[cell] = value;
+            }
+        }
+        if N > 1 {
+            // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
+            let (sums, limits) = (self.totals.map(Total::sum), Magnitude(&self.limits));
+            let sticks = |cell: usize| reserves[cell] > 0.0;
+            let parts = slices_mut(&mut start);
+            Self::Set::restore(&levels.layout(), parts, &limits, sticks, sums);
+        }
+        Ok(start)
+    }
+}
+
+/// How much more traction friction holds than a cell has: nothing at the limit.
+pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
+    let length = norm(traction);
+    if is_at_limit(length, limit) {
+        0.0
+    } else {
+        limit - length
+    }
+}
+
+/// The traction of a cell that was interpolated from coarser cells, within its limit: at it where the cell slips, in a
+/// direction that may be given for one without traction.
+pub(crate) fn handed_down<const N: usize>(
+    interpolated: [f64; N],
+    limit: f64,
+    sticks: bool,
+    otherwise: [f64; N],
+) -> [f64; N]
+where
+    Within: Ball<N>,
+{
+    let direction = if norm(interpolated) > 0.0 {
+        interpolated
+    } else {
+        otherwise
+    };
+    let (set, length) = (Within::of_radius(limit), norm(direction));
+    if sticks || length == 0.0 {
+        set.project(interpolated)
+    } else {
+        set.extreme(direction.map(|q| q / length))
+    }
+}

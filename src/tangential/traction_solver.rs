@@ -1,0 +1,307 @@
+//! The engine of a tangential contact behind one face, for one traction or two.
+
+use std::borrow::Cow;
+use std::fmt::Debug;
+
+use crate::bodies::component::{Component, Direction};
+use crate::bodies::coupling::Coupling;
+use crate::cgm::{Ball, Known, Method, Own, Settings, Total, Within};
+use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
+use crate::error::Result;
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::observer::Observer;
+use crate::operator::Operator;
+use crate::report::Report;
+use crate::support::fallible::{self, try_each};
+use crate::tangential::Axis;
+use crate::tangential::scene::FrictionScene;
+
+/// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
+pub(crate) type PlaneVector = [Vec<f64>; 2];
+
+/// Zero in the components along these axes.
+pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<PlaneVector> {
+    let mut both = PlaneVector::default();
+    for axis in axes {
+        both[axis.index()] = fallible::zeros(cells)?;
+    }
+    Ok(both)
+}
+
+/// `[x, y]` of a cell, zero where the model has no component.
+pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
+    let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
+    [part(0), part(1)]
+}
+
+/// What is asked of a solve.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) limits: &'a [f64],
+    /// Compliance that cells have of their own, if any do.
+    pub(super) own: Own<'a>,
+    pub(super) linear: &'a PlaneVector,
+    pub(super) totals: [Total; 2],
+    /// The multipliers at which the start has been an answer, if it has.
+    pub(super) known: Option<[f64; 2]>,
+    /// What tractions are to be measured in, if their squares would leave the range of numbers: the operator relates them
+    /// to displacements in any unit.
+    pub(super) unit: Option<f64>,
+}
+
+/// An engine, whatever the number of tractions.
+pub(super) trait TangentialEngine: Debug + Send + Sync {
+    /// Minimises from the tractions into them.
+    fn minimise(
+        &mut self,
+        task: Task<'_>,
+        traction: &mut PlaneVector,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()>;
+
+    /// Tractions to start from: the answer on coarser cells, or the plain start of a method that has no other, and of
+    /// a contact that slides as a whole.
+    fn start(
+        &self,
+        bodies: &HalfSpace,
+        size: [usize; 2],
+        task: Task<'_>,
+        is_sliding: bool,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<PlaneVector>;
+
+    /// The displacements that tractions cause; the answer stays.
+    ///
+    /// # Errors
+    /// [`Error::Memory`](crate::Error::Memory).
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()>;
+
+    /// The displacements of the last answer.
+    fn product(&self) -> [&[f64]; 2];
+
+    /// The shift that forces and springs cause beyond what is prescribed.
+    fn multiplier(&self) -> [f64; 2];
+
+    fn report(&self) -> &Report;
+
+    /// Gives the buffers back, and the displacements of the answer with them.
+    fn rest(&mut self);
+
+    fn boxed(&self) -> Box<dyn TangentialEngine>;
+}
+
+impl Clone for Box<dyn TangentialEngine> {
+    fn clone(&self) -> Self {
+        self.boxed()
+    }
+}
+
+/// The engine for tractions along these axes, x first: the one place that chooses.
+pub(super) fn engine_along(
+    bodies: &HalfSpace,
+    axes: &[Axis],
+    size: [usize; 2],
+) -> Result<Box<dyn TangentialEngine>> {
+    Ok(match axes {
+        [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
+        _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
+    })
+}
+
+/// `Ok` if tractions along these axes can be found, and what pressure moves along them where that is modelled.
+pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) -> Result<()> {
+    match axes {
+        [axis] => bodies.check_directions([axis.direction()], false)?,
+        _ => bodies.check_directions([Direction::X, Direction::Y], false)?,
+    }
+    let moved = axes.iter().filter(|_| coupling.is_one_way(bodies.pair()));
+    for axis in moved {
+        let component = Component::of(axis.direction(), Direction::Z);
+        bodies.check_components([[component]], false)?;
+    }
+    Ok(())
+}
+
+/// The displacements that tractions along these axes cause on the whole grid.
+pub(crate) fn displacement(
+    bodies: &HalfSpace,
+    axes: &[Axis],
+    traction: [&Field; 2],
+) -> Result<[Field; 2]> {
+    let mut displacement = try_each(|_| Field::try_zeros(bodies.grid()))?;
+    if let [axis] = axes {
+        let (direction, axis) = (axis.direction(), axis.index());
+        let operator = bodies.operator(Component::of(direction, direction))?;
+        operator.apply(
+            [traction[axis].as_slice()],
+            [displacement[axis].as_mut_slice()],
+            &mut operator.scratch()?,
+        );
+    } else {
+        let operator = bodies.tensor_operator([Direction::X, Direction::Y])?;
+        operator.apply(
+            traction.map(Field::as_slice),
+            displacement.each_mut().map(Field::as_mut_slice),
+            &mut operator.scratch()?,
+        );
+    }
+    bodies.joint(Ok(displacement))
+}
+
+/// The engine for `N` tractions.
+#[derive(Debug, Clone)]
+struct Engine<const N: usize>
+where
+    Within: Ball<N>,
+{
+    axes: [Axis; N],
+    solver: ElasticSolver<<Within as Ball<N>>::Set, N>,
+}
+
+impl<const N: usize> Engine<N>
+where
+    Within: Ball<N>,
+{
+    fn new(bodies: &HalfSpace, axes: [Axis; N], size: [usize; 2]) -> Result<Self> {
+        let solver = ElasticSolver::new(bodies, axes.map(Axis::direction), size)?;
+        Ok(Self { axes, solver })
+    }
+
+    /// `[x, y]` of these components, nothing where the model has none.
+    fn both<T: Default>(&self, values: [T; N]) -> [T; 2] {
+        let mut both = <[T; 2]>::default();
+        for (axis, value) in self.axes.iter().zip(values) {
+            both[axis.index()] = value;
+        }
+        both
+    }
+}
+
+/// The components along these axes.
+fn of<const N: usize>(axes: [Axis; N], both: &PlaneVector) -> [&[f64]; N] {
+    axes.map(|axis| both[axis.index()].as_slice())
+}
+
+/// What is asked for along these axes, in the unit of the tractions.
+fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> Result<FrictionScene<'_, N>> {
+    let unit = task.unit.unwrap_or(1.0);
+    let in_unit = |field| measured(field, task.unit);
+    let linear = of(axes, task.linear);
+    Ok(FrictionScene {
+        directions: axes.map(Axis::direction),
+        limits: in_unit(task.limits)?,
+        own: task.own,
+        linear: try_each(|n| in_unit(linear[n]))?,
+        totals: axes.map(|axis| task.totals[axis.index()].in_unit(unit)),
+    })
+}
+
+/// A field in a unit, if there is one.
+fn measured(field: &[f64], unit: Option<f64>) -> Result<Cow<'_, [f64]>> {
+    let Some(unit) = unit else {
+        return Ok(field.into());
+    };
+    let values = field.iter().map(|value| value / unit);
+    fallible::collected(field.len(), values).map(Cow::from)
+}
+
+fn rescale(vector: &mut PlaneVector, factor: f64) {
+    for value in vector.iter_mut().flatten() {
+        *value *= factor;
+    }
+}
+
+/// The components along these axes, to write to.
+fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64]; N] {
+    let mut parts = both.each_mut().map(Some);
+    // Each axis occurs once.
+    axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
+}
+
+impl<const N: usize> TangentialEngine for Engine<N>
+where
+    Within: Ball<N>,
+{
+    fn minimise(
+        &mut self,
+        task: Task<'_>,
+        traction: &mut PlaneVector,
+        settings: &Settings,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let unit = task.unit.unwrap_or(1.0);
+        let known = task.known.map_or(Known::Nothing, |multiplier| {
+            Known::Answer(self.axes.map(|axis| multiplier[axis.index()] / unit))
+        });
+        let scene = scene(self.axes, task)?;
+        let problem = scene.problem(&self.solver);
+        if task.unit.is_some() {
+            rescale(traction, 1.0 / unit);
+        }
+        let from = (of_mut(self.axes, traction), known);
+        let outcome = self.solver.minimise(&problem, from, settings, observer);
+        if task.unit.is_some() {
+            rescale(traction, unit);
+            self.solver.rescale(unit);
+        }
+        outcome
+    }
+
+    fn start(
+        &self,
+        bodies: &HalfSpace,
+        size: [usize; 2],
+        task: Task<'_>,
+        is_sliding: bool,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<PlaneVector> {
+        let scene = scene(self.axes, task)?;
+        let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
+            scene.plain_start(&bodies.layout(size))?
+        } else {
+            nested_start(bodies, size, &scene, conditions)?
+        };
+        let mut found = self.both(found);
+        if let Some(unit) = task.unit {
+            rescale(&mut found, unit);
+        }
+        Ok(found)
+    }
+
+    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()> {
+        let traction = of(self.axes, traction);
+        self.solver.apply(traction, of_mut(self.axes, displacement))
+    }
+
+    fn product(&self) -> [&[f64]; 2] {
+        self.both(self.solver.product())
+    }
+
+    fn multiplier(&self) -> [f64; 2] {
+        self.both(self.solver.multiplier())
+    }
+
+    fn report(&self) -> &Report {
+        self.solver.report()
+    }
+
+    fn rest(&mut self) {
+        self.solver.rest();
+    }
+
+    fn boxed(&self) -> Box<dyn TangentialEngine> {
+        Box::new(self.clone())
+    }
+}
+
+impl Axis {
+    /// The direction of tractions along it.
+    pub(crate) const fn direction(self) -> Direction {
+        match self {
+            Self::X => Direction::X,
+            Self::Y => Direction::Y,
+        }
+    }
+}
