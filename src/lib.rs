@@ -267,6 +267,7 @@ mod half_space;
 pub mod history;
 pub mod influence;
 pub mod io;
+mod memory;
 pub mod normal;
 mod numerics;
 mod observer;
@@ -294,13 +295,13 @@ pub use grid::cell_value::CellValue;
 pub use grid::field::Field;
 pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 pub use history::{History, LoadStep};
+pub use memory::fallible::TryClone;
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator, Scratch};
 pub use parallel::layout::Layout;
 pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool, ranks};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
 pub use spots::{ContactSpots, Spot};
-pub use support::fallible::TryClone;
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,

@@ -1,4 +1,4 @@
-//! TODO
+//! The bodies: elastic constants, layers, kernels of a user, and how pressure and traction are coupled.
 
 pub(crate) mod component;
 pub(crate) mod coupling;

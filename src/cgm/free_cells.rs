@@ -5,9 +5,9 @@ use std::ops::Range;
 use crate::cgm::law::state::Row;
 use crate::cgm::reduce::Tally;
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 use crate::parallel::{Blocks, Ragged, Split};
-use crate::support::fallible;
 
 /// Where the cells that move stand, chunk by chunk of the grid.
 ///

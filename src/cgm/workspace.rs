@@ -3,9 +3,9 @@
 use crate::cgm::Admissible;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
 use crate::report::Report;
-use crate::support::fallible;
 
 /// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
 ///

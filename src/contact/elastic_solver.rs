@@ -5,11 +5,11 @@ use crate::cgm::{self, Admissible, Constraint, Known, Problem, Settings, Total, 
 use crate::contact::has_iterate;
 use crate::error::Result;
 use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace};
+use crate::memory::pool::Lease;
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Report;
-use crate::support::pool::Lease;
 
 /// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
 /// gives them back; all engines of a rectangle that work one after the other have the same.

@@ -1,7 +1,7 @@
 //! How an answer changed with its load: where the next solve starts.
 
 use crate::grid::field::clone_in_place;
-use crate::support::fallible::try_clone;
+use crate::memory::fallible::try_clone;
 
 /// Beyond so many times the last change nothing is extrapolated.
 const FARTHEST: f64 = 3.0;

@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::neighbours::neighbours;
 use crate::half_space::HalfSpace;
-use crate::support::fallible;
+use crate::memory::fallible;
 use crate::warning::{Resolution, Warning};
 
 /// A map of the cells that belong to a set.

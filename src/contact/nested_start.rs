@@ -7,8 +7,8 @@ use crate::contact::{Conditions, ElasticProblem, ElasticSolver, ended_from_outsi
 use crate::error::Result;
 use crate::grid::coarsening::halved;
 use crate::half_space::{HalfSpace, Region};
+use crate::memory::fallible;
 use crate::parallel::layout::Layout;
-use crate::support::fallible;
 
 /// Cells at or below which a grid is solved from a plain start, and a line.
 const COARSEST: usize = 40 * 40;

@@ -7,7 +7,7 @@ macro_rules! solver_methods {
         /// An empty solution of the right size for [`Self::solve_into`].
         #[must_use]
         pub fn new_solution(&self) -> $Solution {
-            crate::support::fallible::or_abort(self.try_new_solution())
+            crate::memory::fallible::or_abort(self.try_new_solution())
         }
 
         /// Solves into `solution`, whose last content does not matter.

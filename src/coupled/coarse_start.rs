@@ -4,8 +4,8 @@ use crate::cgm::UNLIMITED;
 use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
 use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::error::Result;
+use crate::memory::fallible::{self, try_each};
 use crate::normal::Hardness;
-use crate::support::fallible::{self, try_each};
 use crate::tangential::{Motion, handed_down, reserve};
 
 impl CoupledIncrement {

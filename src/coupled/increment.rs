@@ -9,11 +9,11 @@ use crate::error::{Error, Result, SLIDE};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
-use crate::support::fallible;
 use crate::tangential::{
     Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, centre, zeros,
 };

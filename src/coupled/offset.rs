@@ -2,7 +2,7 @@
 
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
-use crate::support::fallible;
+use crate::memory::fallible;
 use crate::tangential::{PlaneVector, own_compliance, ratio_of_compliances};
 
 impl CoupledIncrement {

@@ -8,8 +8,8 @@ use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::{Hardness, NormalControl};
-use crate::support::fallible::{TryClone, try_clone};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together, in one step from rest.

@@ -5,8 +5,8 @@ use crate::contact::Conditions;
 use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::window_solver::{Start, Task};
 use crate::error::{Error, Result, SLIDE};
+use crate::memory::fallible::TryClone;
 use crate::report::Status;
-use crate::support::fallible::TryClone;
 
 /// Shift at which the bodies slide, over the largest displacement: the slip of the cells differs in direction by one over
 /// it.

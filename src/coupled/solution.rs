@@ -6,10 +6,10 @@ use crate::coupled::{CoupledProblem, CoupledReport, Growth, N};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{or_abort, try_clone, try_each};
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
-use crate::support::fallible::{or_abort, try_clone, try_each};
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;

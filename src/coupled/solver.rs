@@ -6,10 +6,10 @@ use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
+use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
 use crate::support::debug::shown;
-use crate::support::fallible::TryClone;
 use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.

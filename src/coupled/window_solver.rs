@@ -12,13 +12,13 @@ use crate::grid::boundary::Boundary;
 use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
+use crate::memory::fallible;
 use crate::normal::Hardness;
 use crate::numerics::cell_vector::{slices, slices_mut};
 use crate::observer::Observer;
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
-use crate::support::fallible;
 use crate::tangential::{FrictionWithin, own_compliance};
 
 /// Relative accuracy of the halves that a solve starts from.

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
 use crate::history::{History, StepResult};
-use crate::support::fallible;
+use crate::memory::fallible;
 use crate::tangential::Zone;
 
 /// Largest root mean square by which a fit of the stick zone may miss the values, in cells: an old edge within a few cells

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::neighbours::neighbours;
-use crate::support::fallible;
+use crate::memory::fallible;
 
 /// Distances of the corners of a cell inside the edge, counter-clockwise from the first one of both axes.
 pub(super) type Corners = [f64; 4];

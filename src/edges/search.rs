@@ -9,8 +9,8 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
+use crate::memory::fallible;
 use crate::parallel::{self, Blocks};
-use crate::support::fallible;
 
 /// Largest root mean square by which a fit may miss the values, in cells, of a contact and of a zone of a first loading.
 pub(super) const LARGEST_MISS: f64 = 0.05;

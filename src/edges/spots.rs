@@ -3,8 +3,8 @@
 use crate::edges::Edges;
 use crate::error::Result;
 use crate::grid::neighbours::neighbours;
+use crate::memory::fallible;
 use crate::spots::ContactSpots;
-use crate::support::fallible;
 
 impl Edges {
     /// Areas of the spots of this contact (lengths squared), in their order, with the parts of the cells at the edges; of a

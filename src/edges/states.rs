@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::grid::Grid;
+use crate::memory::fallible;
 use crate::parallel;
-use crate::support::fallible;
 
 /// The state of a cell: one for each that holds of being in the set or beside it or at a corner of it, being in the set, and
 /// having all neighbours in it too.

@@ -3,7 +3,7 @@
 use std::ops::{Deref, DerefMut};
 
 use crate::error::Result;
-use crate::support::fallible::{self, or_abort};
+use crate::memory::fallible::{self, or_abort};
 
 /// Bytes of a cache line, and of the widest vector register.
 const LINE: usize = 64;

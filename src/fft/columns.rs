@@ -8,8 +8,8 @@ use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::precision::Real;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{self, TILE_ROWS, Tile};
-use crate::support::fallible::try_each;
-use crate::support::pool::Pool;
+use crate::memory::fallible::try_each;
+use crate::memory::pool::Pool;
 
 #[derive(Debug, Clone)]
 pub(super) struct ColumnScratch<T, const N: usize> {

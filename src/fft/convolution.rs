@@ -17,6 +17,7 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::influence::{Added, Kernel, Samples, Symbols};
+use crate::memory::fallible::or_abort;
 use crate::operator::{LowerBound, MeanBound, Operator, SELF_COMPLIANCE, Scratch};
 use crate::parallel;
 use crate::parallel::layout::Layout;
@@ -24,7 +25,6 @@ use crate::parallel::ranks::Team;
 use crate::parallel::ranks::partition::Share;
 use crate::report::EigenvalueBound;
 use crate::support::debug::shown;
-use crate::support::fallible::or_abort;
 
 /// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
 /// of all cells, by fast transforms: one each way for each component. Without periodic images

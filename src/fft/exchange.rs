@@ -5,10 +5,10 @@ use std::ops::Range;
 use crate::fft::plan::Plan;
 use crate::fft::precision::Real;
 use crate::fft::tiles::{TILE_WORDS, Tile};
+use crate::memory::fallible::or_abort;
 use crate::parallel::ranks::Words;
 use crate::parallel::ranks::partition::{Share, part, rounds};
 use crate::parallel::{self, Blocks, Work};
-use crate::support::fallible::or_abort;
 
 /// Tiles that a rank sends in one round, about: they are packed and unpacked beside the tiles themselves.
 const ROUND_TILES: usize = 2048;

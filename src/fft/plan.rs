@@ -19,9 +19,9 @@ use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile, Tiles, exchange};
 use crate::fft::torus::Frame;
+use crate::memory::pool::Pool;
 use crate::parallel::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
-use crate::support::pool::Pool;
 
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]

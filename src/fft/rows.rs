@@ -16,7 +16,7 @@ use crate::fft::plan::{Plan, blocks, zero};
 use crate::fft::precision::Real;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile};
-use crate::support::pool::Pool;
+use crate::memory::pool::Pool;
 
 /// Pairs of rows in a band of tiles.
 const PAIRS: usize = TILE_ROWS / 2;

@@ -9,9 +9,9 @@ use realfft::RealFftPlanner;
 use crate::error::Result;
 use crate::fft::torus::Frame;
 use crate::influence::Kernel;
+use crate::memory::fallible;
 use crate::parallel::ranks::partition::Share;
 use crate::parallel::{self, Blocks};
-use crate::support::fallible;
 
 /// Where numbers go: the places `entry` of each piece of `stride` numbers.
 pub(super) struct Lines<'a> {

@@ -11,10 +11,10 @@ use crate::fft::spectrum::{Lines, of_samples};
 use crate::fft::symbol::Parity;
 use crate::fft::tiles::{Tile, Tiles, exchange};
 use crate::fft::torus::Frame;
+use crate::memory::fallible::{self, or_abort};
+use crate::memory::pool::Pool;
 use crate::parallel;
 use crate::parallel::ranks::partition::Share;
-use crate::support::fallible::{self, or_abort};
-use crate::support::pool::Pool;
 
 /// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
 /// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for

@@ -12,8 +12,8 @@ use crate::fft::precision::Real;
 use crate::fft::spectrum::{Lines, transform};
 use crate::fft::torus::Frame;
 use crate::influence::Kernel;
+use crate::memory::fallible;
 use crate::parallel;
-use crate::support::fallible;
 
 /// The two-dimensional transform of a tensor of kernels of known parity, wrapped around an `mx` x `my`
 /// torus: a Hermitian N x N matrix for every wave, or for N = 1 any single kernel.

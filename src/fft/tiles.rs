@@ -5,7 +5,7 @@ use num_complex::Complex;
 
 use crate::error::Result;
 use crate::fft::precision::Real;
-use crate::support::fallible::{self, try_each};
+use crate::memory::fallible::{self, try_each};
 
 /// Rows of a tile, in pairs. With two cache lines of each it is a piece long enough for memory, small enough to be turned
 /// in the cache.

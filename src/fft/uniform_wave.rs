@@ -2,10 +2,10 @@
 
 use crate::error::{Error, Result};
 use crate::fft::Convolution;
+use crate::memory::fallible;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
-use crate::support::fallible;
 
 /// Energy that a component of the traction stores at least when its sum is not zero.
 ///

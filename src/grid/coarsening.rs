@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::parallel;
-use crate::support::fallible;
 
 /// Half the cells along each axis, the last one alone where their number is odd.
 pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {

@@ -7,10 +7,10 @@ use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::grid::per_cell::PerCell;
+use crate::memory::fallible::{self, TryClone, or_abort, try_clone};
 use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
-use crate::support::fallible::{self, TryClone, or_abort, try_clone};
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///

@@ -1,7 +1,7 @@
 //! A quantity that is the same everywhere, or another in each cell.
 
 use crate::error::Result;
-use crate::support::fallible::TryClone;
+use crate::memory::fallible::TryClone;
 
 /// One number for all cells, or one for each.
 #[derive(Debug, PartialEq)]

@@ -10,12 +10,12 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 use crate::influence::{Kernel, least_of_lattice};
+use crate::memory::fallible;
+use crate::memory::pool::Pool;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::parallel::ranks::partition::Share;
 use crate::report::EigenvalueBound;
-use crate::support::fallible;
-use crate::support::pool::Pool;
 
 /// An operator and the preconditioner that goes with it.
 #[derive(Debug, Clone)]

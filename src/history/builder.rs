@@ -10,8 +10,8 @@ use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
 use crate::history::state::relative_displacement::Relative;
+use crate::memory::fallible::TryClone;
 use crate::normal::Hardness;
-use crate::support::fallible::TryClone;
 use crate::tangential::TouchRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 

@@ -12,9 +12,9 @@ use crate::influence::far_field::Series;
 use crate::influence::integrals::Integral;
 use crate::influence::periodic_images::Images;
 use crate::influence::{Added, Rectangle, Table};
+use crate::memory::fallible;
 use crate::parallel::ranks::partition::Share;
 use crate::parallel::{self, get_or_make};
-use crate::support::fallible;
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
 /// units of the cell size, so that they are the same for a cell twice as large. Each integral is

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::contact::map::ContactMap;
 use crate::error::Result;
+use crate::memory::fallible::or_abort;
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::partition::Share;
-use crate::support::fallible::or_abort;
 use crate::warning::Warning;
 
 impl NormalSolution {

@@ -7,8 +7,8 @@ use crate::grid::field::{Field, clone_in_place};
 use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, try_clone};
 use crate::normal::{NormalControl, NormalSolution};
-use crate::support::fallible::{self, try_clone};
 
 /// What the cells of a window carry at least, over what is asked of them: less would leave the pressure no choice.
 const ROOM: f64 = 1.01;

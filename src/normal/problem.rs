@@ -8,9 +8,9 @@ use crate::error::{Error, Result, finite, has_squares, non_negative};
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::pressure_solver::Pressing;
 use crate::normal::{Hardness, NormalSolution, NormalSolver};
-use crate::support::fallible::{TryClone, try_clone};
 
 /// What presses the bodies together.
 ///

@@ -8,8 +8,8 @@ use crate::contact::{Ahead, ElasticProblem, ElasticSolver, Levels, Reached, Scen
 use crate::error::Result;
 use crate::grid::per_cell::PerCell;
 use crate::half_space::{HalfSpace, Region};
+use crate::memory::fallible;
 use crate::parallel::layout::Layout;
-use crate::support::fallible;
 
 /// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
 /// made for one solve.

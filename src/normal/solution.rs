@@ -11,13 +11,13 @@ use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::over_ranks::Whole;
 use crate::normal::scale::Scale;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 use crate::support::debug::shown;
-use crate::support::fallible::{TryClone, try_clone};
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 
@@ -112,8 +112,7 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
         checked(Unchecked::deserialize(deserializer)?, |read| {
             all_non_negative("pressure", read.pressure.as_slice())?;
             read.gap.check("gap", read.grid())?;
-            finite("approach", read.approach)?;
-            Ok(())
+            finite("approach", read.approach).map(|_| ())
         })
     }
 }

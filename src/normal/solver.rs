@@ -7,13 +7,13 @@ use crate::cgm::solver_settings;
 use crate::contact::{has_iterate, solver_methods};
 use crate::error::Result;
 use crate::grid::field::{self, Field};
+use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::support::debug::shown;
-use crate::support::fallible;
 
 /// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
 /// load has changed; from coarser cells, as the first time, where the contact will outgrow the box that it was found in.

@@ -6,13 +6,13 @@ use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_i
 use crate::error::Result;
 use crate::grid::window::Window;
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
+use crate::memory::fallible::{self, TryClone};
+use crate::memory::pool::Lease;
 use crate::normal::scene::PressureScene;
 use crate::observer::Observer;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::{self, Blocks};
 use crate::report::EigenvalueBound;
-use crate::support::fallible::{self, TryClone};
-use crate::support::pool::Lease;
 use std::borrow::Cow;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.

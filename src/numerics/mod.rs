@@ -1,4 +1,4 @@
-//! TODO
+//! Small numerical methods: vectors of a cell, small matrices, quadrature and eigenvalues.
 
 pub(crate) mod cell_vector;
 pub(crate) mod gauss;

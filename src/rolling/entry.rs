@@ -2,9 +2,9 @@
 
 use crate::error::Result;
 use crate::grid::neighbours::neighbours;
+use crate::memory::fallible::filled;
 use crate::normal::NormalSolution;
 use crate::rolling::Passage;
-use crate::support::fallible::filled;
 use crate::tangential::{OwnCompliance, Pressed, own_compliance, ratios_of_compliances};
 
 /// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::error::Result;
 use crate::grid::Grid;
+use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::Share;
 use crate::parallel::ranks::{Team, Words};
-use crate::support::fallible;
 use crate::tangential::Zone;
 
 /// What is summed up over cells, in whole numbers: no order of them changes a bit.

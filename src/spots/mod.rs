@@ -7,11 +7,11 @@ use crate::error::{Error, Result};
 use crate::error::{at_least, length};
 use crate::grid::Grid;
 use crate::history::History;
+use crate::memory::fallible::{self, or_abort};
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::Team;
 use crate::spots::fragments::{Fragments, Sums};
 use crate::support::debug::shown;
-use crate::support::fallible::{self, or_abort};
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::tangential::{TangentialSolution, Zone};

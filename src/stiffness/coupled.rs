@@ -10,6 +10,7 @@ use crate::grid::field::Field;
 use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::{Compliance, HalfSpace, Region};
+use crate::memory::fallible;
 use crate::normal::Hardness;
 use crate::numerics::cell_vector::{at, slices};
 use crate::observer::{Observer, unwatched};
@@ -23,7 +24,6 @@ use crate::stiffness::workspace::{Buffers, provide};
 use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
 };
-use crate::support::fallible;
 use crate::tangential::{Axis, Friction, centre};
 use std::ops::ControlFlow;
 

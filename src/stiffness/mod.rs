@@ -67,14 +67,12 @@
 mod contact_stiffness;
 mod coupled;
 mod course;
+mod history;
 mod motions;
 mod normal;
 mod system;
 mod tangential;
 mod workspace;
 
-pub(crate) use contact_stiffness::Pressed;
 pub use contact_stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
-pub(crate) use coupled::Coupled;
-pub(crate) use tangential::{LastStep, Sheared};
 pub use workspace::StiffnessWorkspace;

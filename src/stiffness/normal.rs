@@ -5,13 +5,13 @@ use crate::cgm::{Interval, Row};
 use crate::error::Result;
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
+use crate::memory::fallible;
 use crate::normal::{Hardness, NormalSolution};
 use crate::stiffness::contact_stiffness::{NormalStiffness, window_of};
 use crate::stiffness::course::Course;
 use crate::stiffness::system::{CellMotions, System};
 use crate::stiffness::tangential::{Growth, collect};
 use crate::stiffness::workspace::SystemOf;
-use crate::support::fallible;
 
 /// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness
 /// carry no more pressure. `growth` becomes by how much the pressures grow for each growth of the approach.

@@ -36,6 +36,7 @@ use crate::cgm::{Held, LinearWorkspace, Own, Row};
 use crate::error::{Result, finite};
 use crate::grid::boundary::Boundary;
 use crate::half_space::{Compliance, HalfSpace};
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
@@ -43,7 +44,6 @@ use crate::parallel::layout::Layout;
 use crate::report::Status;
 use crate::stiffness::course::Course;
 use crate::stiffness::workspace::provide;
-use crate::support::fallible;
 use crate::tangential::Drawing;
 
 /// Relative bound that a stiffness must have, unless its tolerance is wider.

@@ -6,6 +6,7 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{dot, norm};
 use crate::stiffness::contact_stiffness::{
     Pressed, TangentialStiffness, window_of, without_contact,
@@ -14,7 +15,6 @@ use crate::stiffness::course::Course;
 use crate::stiffness::motions::Motions;
 use crate::stiffness::system::{CellMotions, Stiffness, System};
 use crate::stiffness::workspace::{Buffers, SystemOf};
-use crate::support::fallible;
 use crate::tangential::{Axis, Drawing, Zone, centre};
 
 /// The set of what friction holds of `N` tractions.

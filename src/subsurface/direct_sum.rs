@@ -6,13 +6,13 @@ use std::ops::Range;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible;
 use crate::subsurface::body::Constants;
 use crate::subsurface::distances::{Distances, depth_in};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::points::Response;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::strip::Strips;
-use crate::support::fallible;
 
 /// The cells that carry tractions.
 pub(super) struct Loaded<'a> {

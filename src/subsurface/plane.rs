@@ -3,11 +3,11 @@
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
+use crate::memory::fallible::{try_clone, try_each};
 use crate::subsurface::body::Body;
 use crate::subsurface::kernel::Component;
 use crate::subsurface::stress::Stress;
 use crate::support::debug::shown;
-use crate::support::fallible::{try_clone, try_each};
 use crate::warning::Warning;
 
 /// Stress, and displacement if it was asked for, at the cell centres of a plane in one body.

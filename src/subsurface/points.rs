@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::error::{Error, Result};
 use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible;
 use crate::observer::{Watch, unwatched};
 use crate::parallel::{self, Blocks};
 use crate::report::Iteration;
@@ -13,7 +14,6 @@ use crate::subsurface::direct_sum::Loaded;
 use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
-use crate::support::fallible;
 
 /// Pairs of a point and a cell between two questions to an observer.
 const PORTION: usize = 100_000;

@@ -8,13 +8,13 @@ use crate::fft::{Kernels, Torus};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible;
 use crate::observer::Watch;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::distances::depth_in;
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::layered::{Entry, Layered};
 use crate::subsurface::strip::Strips;
-use crate::support::fallible;
 
 /// The spectra of the kernels at one depth.
 #[derive(Debug)]

@@ -12,9 +12,9 @@ use crate::grid::field::Field;
 use crate::grid::neighbours::second_difference;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
+use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::subsurface::stress::Stress;
-use crate::support::fallible;
 use crate::tangential::TangentialSolution;
 
 /// Pressure and tractions on the surface (pressures), from fields or from a solution: those of a [`NormalSolution`], of a

@@ -1,8 +1,7 @@
-//! TODO
+//! Helpers without physics: checksums, the clock, debug output and serialisation.
 
 pub(crate) mod checksum;
 pub(crate) mod clock;
 pub(crate) mod debug;
-pub(crate) mod fallible;
-pub(crate) mod pool;
+#[cfg(feature = "serde")]
 pub(crate) mod serialise;

@@ -65,9 +65,9 @@ pub(crate) mod array {
 }
 
 /// The value read, if it passes the check.
-pub(crate) fn checked<T, E: Error>(
+pub(crate) fn checked<T, E: Error, F: fmt::Display>(
     read: T,
-    check: impl FnOnce(&T) -> crate::error::Result<()>,
+    check: impl FnOnce(&T) -> Result<(), F>,
 ) -> Result<T, E> {
     check(&read).map_err(E::custom)?;
     Ok(read)

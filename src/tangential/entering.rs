@@ -5,8 +5,8 @@ use crate::cgm::{Own, reduce};
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible;
 use crate::parallel;
-use crate::support::fallible;
 use crate::tangential::{Axis, Increment, at};
 
 /// How far a cell that comes into contact within a step follows the motion of the step.

@@ -9,7 +9,7 @@ use crate::grid::field::{Field, clone_in_place};
 use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
-use crate::support::fallible::try_clone;
+use crate::memory::fallible::try_clone;
 
 /// Coulomb friction, uniform or one coefficient per cell, optionally capped.
 ///

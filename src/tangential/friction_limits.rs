@@ -7,9 +7,9 @@ use crate::cgm::reduce;
 use crate::error::{Error, Result, SLIDE, finite};
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
+use crate::memory::fallible::{self, try_clone};
 use crate::parallel;
 use crate::parallel::layout::Layout;
-use crate::support::fallible::{self, try_clone};
 use crate::tangential::Friction;
 
 /// Relative distance from the friction limit within which a force slides the contact, and a cell slips.

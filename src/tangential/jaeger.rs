@@ -3,9 +3,9 @@
 use crate::bodies::material::ElasticPair;
 use crate::error::{Error, Result, non_negative};
 use crate::grid::field::Field;
+use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::support::debug::shown;
-use crate::support::fallible;
 use crate::tangential::Zone;
 
 /// The tangential contact under `F = mu (W - W_stick)`, from the normal contacts under `W` and

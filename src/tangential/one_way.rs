@@ -3,8 +3,8 @@
 use crate::bodies::component::{Component, Direction};
 use crate::error::Result;
 use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
-use crate::support::fallible;
 use crate::tangential::Axis;
 use crate::tangential::traction_solver::PlaneVector;
 

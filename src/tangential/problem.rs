@@ -4,8 +4,8 @@ use crate::bodies::coupling::Coupling;
 use crate::cgm::{Method, Settings, settings_methods};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, try_clone};
 use crate::support::debug::shown;
-use crate::support::fallible::{TryClone, try_clone};
 use crate::tangential::pressure_source::contact_window;
 use crate::tangential::{
     Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,

@@ -4,7 +4,7 @@ use crate::error::{Error, Result, all_finite};
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
-use crate::support::fallible::try_clone;
+use crate::memory::fallible::try_clone;
 use crate::tangential::{Axis, TangentialModel};
 
 /// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause

@@ -6,9 +6,9 @@ use crate::bodies::component::Direction;
 use crate::cgm::{Admissible, Ball, Linearised, Magnitude, Own, Total, Within, reduce};
 use crate::contact::{ElasticProblem, ElasticSolver, Levels, Scene};
 use crate::error::Result;
+use crate::memory::fallible::{self, try_each};
 use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
 use crate::parallel::layout::Layout;
-use crate::support::fallible::{self, try_each};
 use crate::tangential::friction_limits::is_at_limit;
 
 /// Friction limits, the compliance that cells have of their own, if any do, minus the prescribed motion, and the prescribed

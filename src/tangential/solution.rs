@@ -10,9 +10,9 @@ use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, or_abort, try_clone, try_each};
 use crate::report::Report;
 use crate::support::debug::shown;
-use crate::support::fallible::{self, or_abort, try_clone, try_each};
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::tangential::over_ranks::{Sums, Whole};

@@ -3,10 +3,10 @@
 use crate::cgm::solver_settings;
 use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
 use crate::error::{Error, Result};
+use crate::memory::fallible::TryClone;
 use crate::observer::Observer;
 use crate::report::Report;
 use crate::support::debug::shown;
-use crate::support::fallible::TryClone;
 use crate::tangential::increment::{Increment, Start};
 use crate::tangential::pressure_source::contact_window;
 use crate::tangential::rigid_motion::Motion;

@@ -10,10 +10,10 @@ use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, try_each};
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::report::Report;
-use crate::support::fallible::{self, try_each};
 use crate::tangential::Axis;
 use crate::tangential::scene::FrictionScene;
 

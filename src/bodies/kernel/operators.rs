@@ -6,8 +6,8 @@ use crate::bodies::component::{Component, Direction};
 use crate::bodies::kernel::user_operator::{Part, UserOperator};
 use crate::bodies::material::ElasticPair;
 use crate::error::{Error, Result, at_least, finite, length, positive};
+use crate::memory::fallible::zeros;
 use crate::operator::Operator;
-use crate::support::fallible::zeros;
 
 /// The compliance of two bodies as operators on the cells of one grid: what [`Kernel::operators`](crate::Kernel::operators)
 /// takes.

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use crate::bodies::component::{Component, Direction};
 use crate::error::{Result, memory};
+use crate::memory::fallible::zeros;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
-use crate::support::fallible::zeros;
 
 /// An operator without its type: as many slices as it has components.
 trait Erased: Send + Sync {

@@ -5,9 +5,9 @@ use crate::cgm::cone::law::Law;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::operator::Operator;
 use crate::report::Report;
-use crate::support::fallible;
 
 /// Everything a solve writes to besides its tractions; made once, reused by every solve of one size.
 #[derive(Debug, Clone)]

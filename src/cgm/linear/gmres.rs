@@ -7,10 +7,10 @@ use crate::cgm::iterate::Precision;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::krylov::{Hessenberg, RESTART};
 use crate::cgm::linear::{Border, Linear};
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, chunks, dot, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
-use crate::support::fallible;
 
 /// The most that one basis, whose products are of single precision, is to reduce a residual to.
 const BASIS_REDUCTION: f64 = 1e-5;

@@ -27,6 +27,7 @@ use crate::cgm::law::state::Row;
 use crate::cgm::law::turn::Weight;
 use crate::cgm::monitor::Monitor;
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{
     at, chunks, held, plus, put, slices, slices_mut, update_cells, within,
 };
@@ -34,7 +35,6 @@ use crate::numerics::small_matrix::Small;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
-use crate::support::fallible;
 
 use krylov::RESTART;
 pub(in crate::cgm) use moved::Moved;

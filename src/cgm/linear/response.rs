@@ -10,12 +10,12 @@ use crate::cgm::linear::gmres::Equations;
 use crate::cgm::linear::{Border, Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
 use crate::error::{Error, Result};
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, minus, plus, slices, within};
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
-use crate::support::fallible;
 
 /// Bases after which a response counts as not found.
 const BASES: usize = 100;

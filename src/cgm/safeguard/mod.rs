@@ -1,4 +1,4 @@
-//! TODO
+//! Methods that lead on where the active sets cycle.
 
 pub(super) mod projected_gradient;
 pub(super) mod proximal_point;

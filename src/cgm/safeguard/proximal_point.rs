@@ -18,10 +18,10 @@ use crate::cgm::iterate::{Precision, Run};
 use crate::cgm::law::state::Linearised;
 use crate::cgm::newton::newton;
 use crate::cgm::{Constraint, reduce};
+use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, slices, update_cells};
 use crate::operator::{Operator, SELF_COMPLIANCE};
 use crate::report::Status;
-use crate::support::fallible;
 
 /// Ratio of the stiffnesses of two stages, at most.
 const RATIO: f64 = 10.0;

@@ -12,10 +12,10 @@ use crate::grid::field::Field;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::step::remarks::Remarks;
 use crate::history::{EnergyBalance, History, Regime};
+use crate::memory::fallible::or_abort;
 use crate::numerics::cell_vector::norm;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::support::debug::shown;
-use crate::support::fallible::or_abort;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 
@@ -123,8 +123,7 @@ impl<'de> serde::Deserialize<'de> for Cycle {
             for field in read.sums.fields() {
                 field.check("field of the cycle", grid)?;
             }
-            positive("points of the cycle", read.points.len() as f64)?;
-            Ok(())
+            positive("points of the cycle", read.points.len() as f64).map(|_| ())
         })
     }
 }

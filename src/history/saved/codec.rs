@@ -6,7 +6,7 @@ use std::ops::RangeBounds;
 use super::FORMAT;
 use crate::error::{Error, Result, samples_obey};
 use crate::files::Cursor;
-use crate::support::fallible::lacking;
+use crate::memory::fallible::lacking;
 
 /// A rule for numbers, in words and in code.
 pub(super) type Rule = (&'static str, fn(f64) -> bool);

@@ -23,9 +23,9 @@ use crate::grid::window::Window;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
 use crate::history::state::relative_displacement::Relative;
+use crate::memory::fallible;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::report::{EigenvalueBound, Status};
-use crate::support::fallible;
 use crate::tangential::TouchRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 

@@ -20,8 +20,8 @@ use crate::files::{Cursor, Format};
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
+use crate::memory::fallible::{TryClone, or_abort};
 use crate::support::checksum;
-use crate::support::fallible::{TryClone, or_abort};
 
 use codec::{Reader, Writer};
 use format::{Host, LEAST_PER_CELL};

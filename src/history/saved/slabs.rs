@@ -9,10 +9,10 @@ use crate::half_space::HalfSpace;
 use crate::history::saved::codec::Writer;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
+use crate::memory::fallible::or_abort;
 use crate::normal::Hardness;
 use crate::parallel::ranks::Words;
 use crate::support::checksum;
-use crate::support::fallible::or_abort;
 use crate::tangential::{Axis, Zone};
 
 impl State {

@@ -6,13 +6,13 @@ use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
 use crate::history::state::State;
-use crate::support::fallible::{self, TryClone, try_clone, try_each};
+use crate::memory::fallible::{self, TryClone, try_clone, try_each};
 use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, zeros};
 
 /// Displacement and offset of the cells of a window that are held here.
 #[derive(Debug)]
-pub(in crate::history) struct Memory {
-    pub(in crate::history) window: Window,
+pub(crate) struct Memory {
+    pub(crate) window: Window,
     /// Displacement u after the last step.
     pub(in crate::history) displacement: PlaneVector,
     /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
@@ -22,9 +22,9 @@ pub(in crate::history) struct Memory {
     /// found together.
     pub(in crate::history) trend: Trend<2>,
     /// Slip of the last step, which resists turning; of no cells in the scalar model.
-    pub(in crate::history) slip: PlaneVector,
+    pub(crate) slip: PlaneVector,
     /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
-    pub(in crate::history) entered: Vec<f64>,
+    pub(crate) entered: Vec<f64>,
     /// Whether cells entered, here or on another rank.
     pub(in crate::history) has_entered: bool,
 }

@@ -22,9 +22,9 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
 use crate::history::state::relative_displacement::Relative;
+use crate::memory::fallible::{self, TryClone, try_clone};
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::support::debug::shown;
-use crate::support::fallible::{self, TryClone, try_clone};
 use crate::tangential::TouchRule;
 use crate::tangential::{Axis, Friction, Motion, Zone, check_axes};
 
@@ -75,7 +75,7 @@ pub struct State {
     pub(super) friction: Friction,
     pub(super) gap: Field,
     /// Of the pressure of all steps.
-    pub(super) hardness: Option<Hardness>,
+    pub(crate) hardness: Option<Hardness>,
     /// What has yielded, if it is to stay.
     pub(super) yielded: Option<Field>,
     /// What displaces the bodies beside the contact.
@@ -88,11 +88,11 @@ pub struct State {
     /// The load that the pressure was found under; `Hold` before the first.
     pub(super) pressed_by: NormalControl,
     /// Where the pressure was found; `None` before the first contact.
-    pub(super) press_window: Option<Window>,
+    pub(crate) press_window: Option<Window>,
     /// How the pressure changed with the load there.
     pub(super) trend: Trend<1>,
     /// What the cells in and around the contact remember; `None` before the first contact.
-    pub(super) contact: Option<Memory>,
+    pub(crate) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],
     pub(super) accumulated_slip: Field,
@@ -103,7 +103,7 @@ pub struct State {
     pub(super) moment: f64,
     pub(super) steps: u64,
     pub(super) touch_rule: TouchRule,
-    pub(super) coupling: Coupling,
+    pub(crate) coupling: Coupling,
     /// What friction holds in all, where ranks share the contact.
     pub(super) capacity: Option<f64>,
 }

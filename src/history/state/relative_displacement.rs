@@ -4,7 +4,7 @@ use crate::error::{Error, Result, finite};
 use crate::grid::field::clone_in_place;
 use crate::history::state::State;
 use crate::history::{History, LoadStep};
-use crate::support::fallible::{TryClone, try_clone};
+use crate::memory::fallible::{TryClone, try_clone};
 use crate::tangential::RelativeDisplacement;
 
 /// A pattern of relative displacement, how much of it is reached, and what that is in each cell.

@@ -4,8 +4,8 @@ use crate::cgm::reduce;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::{History, LoadStep, State, StepResult};
+use crate::memory::fallible::{TryClone, try_each};
 use crate::support::debug::shown;
-use crate::support::fallible::{TryClone, try_each};
 
 /// Shortest step, as a part of the load.
 const SHORTEST: f64 = 1.0 / 4096.0;

@@ -9,9 +9,9 @@ use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
 use crate::history::{History, LoadStep};
+use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
-use crate::support::fallible::TryClone;
 use crate::tangential::{Axis, Motion};
 
 impl State {
@@ -29,7 +29,7 @@ impl State {
     }
 
     /// Whether pressure and traction are found together.
-    pub(in crate::history) fn is_joint(&self) -> bool {
+    pub(crate) fn is_joint(&self) -> bool {
         self.coupling.is_joint(self.pair())
     }
 

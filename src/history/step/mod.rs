@@ -30,13 +30,13 @@ use crate::history::step::joint::new_joint;
 use crate::history::step::pool::Increments;
 use crate::history::step::remarks::Remarks;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
+use crate::memory::fallible::TryClone;
+use crate::memory::pool::Lease;
 use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
 use crate::support::debug::shown;
-use crate::support::fallible::TryClone;
-use crate::support::pool::Lease;
 use crate::tangential::{Friction, Increment, Motion, TangentialModel};
 use crate::warning::Resolution;
 
@@ -87,8 +87,8 @@ use crate::warning::Resolution;
 /// ```
 #[derive(Clone)]
 pub struct History {
-    pub(super) bodies: HalfSpace,
-    pub(super) state: State,
+    pub(crate) bodies: HalfSpace,
+    pub(crate) state: State,
     pub(super) press: PressureSolver,
     /// The normal contact of the step under way.
     pub(super) candidate: Lease<NormalSolution>,

@@ -9,7 +9,7 @@ use crate::contact::{BySize, OfSize};
 use crate::error::{Error, Result};
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
-use crate::support::pool::Pool;
+use crate::memory::pool::Pool;
 use crate::tangential::{Axis, Increment, Pressed};
 
 /// Where a history has its increments from.

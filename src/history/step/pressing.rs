@@ -9,9 +9,9 @@ use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::step::adaptive::traction_distance;
 use crate::history::{History, LoadStep, State};
+use crate::memory::fallible::{TryClone, try_each};
 use crate::normal::NormalControl;
 use crate::parallel::layout::Layout;
-use crate::support::fallible::{TryClone, try_each};
 
 /// Most steps that a load is taken in.
 const MOST_STEPS: usize = 1024;

@@ -7,9 +7,9 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::history::EnergyBalance;
 use crate::history::step::remarks::Remarks;
+use crate::memory::fallible::try_clone;
 use crate::report::{Report, Status};
 use crate::support::debug::shown;
-use crate::support::fallible::try_clone;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::warning::Warning;
@@ -91,16 +91,13 @@ impl<'de> serde::Deserialize<'de> for StepResult {
             all_finite("shift", &read.shift)?;
             finite("twist", read.twist)?;
             all_finite("creepage", &read.creepage.unwrap_or_default())?;
-            for counted in [read.stick_cells, read.slip_cells] {
-                let (counted, cells) = (counted as f64, grid.cells() as f64);
-                at_least(
-                    "cells that stick or slip",
-                    counted,
-                    "number of cells",
-                    cells,
-                )?;
-            }
-            Ok(())
+            let cells = grid.cells() as f64;
+            [read.stick_cells, read.slip_cells]
+                .into_iter()
+                .try_for_each(|counted| {
+                    let name = "cells that stick or slip";
+                    at_least(name, counted as f64, "number of cells", cells).map(|_| ())
+                })
         })
     }
 }

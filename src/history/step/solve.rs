@@ -7,12 +7,12 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
 use crate::history::{History, LoadStep, State};
+use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalControl, Pressing};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::rolling::Travel;
 use crate::rolling::entry::compliance;
-use crate::support::fallible::{self, TryClone};
 use crate::tangential::{Demand, Increment, Motion, OwnCompliance, Start};
 
 impl History {

@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 
 use crate::error::Result;
+use crate::memory::fallible;
 use crate::observer::unwatched;
 use crate::report::Iteration;
 use crate::rolling::{RollingControl, RollingSolver};
-use crate::support::fallible;
 
 /// A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]

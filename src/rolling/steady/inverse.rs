@@ -2,10 +2,10 @@
 
 use crate::error::Result;
 use crate::half_space::ElasticPreconditioner;
+use crate::memory::fallible::vector;
 use crate::numerics::cell_vector::slices;
 use crate::operator::{Operator, Scratch};
 use crate::rolling::Passage;
-use crate::support::fallible::vector;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 ///

@@ -1,4 +1,4 @@
-//! TODO
+//! Steady rolling: the problem, its solver and the solution.
 
 pub(super) mod capacity;
 pub(super) mod control;

@@ -3,12 +3,12 @@
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
 use crate::rolling::entry::entering;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::rolling::{Passage, Travel};
 use crate::support::debug::shown;
-use crate::support::fallible::{TryClone, filled, try_clone, try_each, zeros};
 use crate::tangential::TouchRule;
 use crate::tangential::{
     Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, SLIDING, TangentialModel,

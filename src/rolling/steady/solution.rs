@@ -5,11 +5,11 @@ use crate::error::Result;
 use crate::error::{all_finite, finite, length};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::memory::fallible::{filled, try_clone, try_each};
 use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
 use crate::support::debug::shown;
-use crate::support::fallible::{filled, try_clone, try_each};
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::tangential::{Zone, centre, is_at_limit};

@@ -9,6 +9,7 @@ use crate::cgm::{
 };
 use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
+use crate::memory::fallible::{TryClone, filled, or_abort, try_each, zeros};
 use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
@@ -20,7 +21,6 @@ use crate::rolling::steady::spin_search::SpinSearch;
 use crate::rolling::steady::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::support::debug::shown;
-use crate::support::fallible::{TryClone, filled, or_abort, try_each, zeros};
 use crate::tangential::{Friction, OwnCompliance, TangentialModel};
 
 /// Solves at given spins after which the spin of a moment counts as not found.

@@ -8,10 +8,10 @@ use crate::error::Result;
 use crate::fft::Torus;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
+use crate::memory::fallible;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
 use crate::subsurface::strip::Strips;
-use crate::support::fallible;
 use radial::Radial;
 
 /// A component under a traction.

@@ -150,7 +150,7 @@ pub trait TryClone: Clone {
 /// [`TryClone`] of a struct: of what has buffers, and of what has none.
 macro_rules! try_clone {
     ($type:ident $(<const $n:ident: usize>)? { $($part:ident),* $(,)? } $({ $($plain:ident),* $(,)? })?) => {
-        impl$(<const $n: usize>)? $crate::support::fallible::TryClone for $type$(<$n>)? {
+        impl$(<const $n: usize>)? $crate::memory::fallible::TryClone for $type$(<$n>)? {
             fn try_clone(&self) -> $crate::error::Result<Self> {
                 Ok(Self {
                     $($part: self.$part.try_clone()?,)*

@@ -1,0 +1,4 @@
+//! Memory that may be refused, and memory that several users share.
+
+pub(crate) mod fallible;
+pub(crate) mod pool;

@@ -1,0 +1,100 @@
+//! The stiffness of the contact of a history.
+
+use std::ops::ControlFlow;
+
+use crate::error::Result;
+use crate::grid::window::Window;
+use crate::history::History;
+use crate::numerics::cell_vector::slices;
+use crate::observer::unwatched;
+use crate::report::Iteration;
+use crate::stiffness::contact_stiffness::Pressed;
+use crate::stiffness::coupled::Coupled;
+use crate::stiffness::tangential::{LastStep, Sheared};
+use crate::stiffness::{ContactStiffness, StiffnessWorkspace};
+
+impl History {
+    /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
+    /// approach; see [`crate::stiffness`].
+    ///
+    /// Loading is the derivative of the force of the last step by its motion, the sets held. In the vector model the slip
+    /// of that step adds to the stiffness of cells that slip. The cells that [entered](crate::guide::growing_contacts) the
+    /// contact in that step follow the motion by a compliance of their own. The [state](Self::state) keeps both, so that
+    /// the stiffness after [`set_state`](Self::set_state) or a restart has the same bits. Cells that come into contact
+    /// during further motion are not included.
+    ///
+    /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
+    /// [`StiffnessWorkspace::next_step`].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
+    /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    #[doc(alias = "tangential stiffness")]
+    #[doc(alias = "jacobian")]
+    #[doc(alias = "tangent")]
+    #[doc(alias = "slope")]
+    pub fn stiffness(&self) -> Result<ContactStiffness> {
+        self.stiffness_observed(unwatched)
+    }
+
+    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with an operator and may cancel;
+    /// the residual it sees is that of the linear problem under way.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &self,
+        observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
+        self.stiffness_with(&mut StiffnessWorkspace::new(), observer)
+    }
+
+    /// [`stiffness_observed`](Self::stiffness_observed) in buffers that are kept: after the first time without allocations,
+    /// to its tolerance, with a report.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_with(
+        &self,
+        workspace: &mut StiffnessWorkspace,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<ContactStiffness> {
+        let (pair, grid) = (self.bodies.pair(), self.grid());
+        let memory = self.state.contact.as_ref();
+        // Without contact there is no memory, and in the next step no cell has slipped or entered yet.
+        let step = memory.filter(|_| !workspace.is_of_next_step());
+        let window = memory.map_or(Window::whole(grid), |memory| memory.window);
+        let last = LastStep {
+            window: window.held(grid),
+            slip: step.map_or([&[]; 2], |memory| slices(&memory.slip)),
+            entered: step.map_or(&[], |memory| &memory.entered),
+        };
+        if self.state.is_joint() {
+            let coupled = Coupled {
+                pressure: self.pressure(),
+                traction: self.traction(),
+                slip: step.map(|_| last.slip),
+                entered: last.entered,
+                friction: self.friction(),
+                hardness: self.state.hardness.as_ref(),
+                window: self.state.press_window,
+            };
+            return coupled.stiffness(&self.bodies, workspace, &mut observer);
+        }
+        let sheared = Sheared {
+            zones: self.zones(),
+            traction: self.traction(),
+            last,
+            window: memory.map(|memory| memory.window),
+        };
+        let pressed = Pressed {
+            normal: self.normal(),
+            window: self.state.press_window,
+            friction: self.friction(),
+            hardness: self.state.hardness.as_ref(),
+            is_drawn: self.state.coupling.is_one_way(pair),
+        };
+        let (bodies, axis) = (&self.bodies, self.axis());
+        ContactStiffness::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
+    }
+}
