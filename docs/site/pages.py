@@ -30,7 +30,7 @@ INCLUDED = {
     "errata": ("src/guide/errata.md",),
     "theory/solver": ("src/cgm/mod.rs",),
     "theory/influence": ("src/influence/mod.rs",),
-    "theory/layers": ("src/layers/mod.rs",),
+    "theory/layers": ("src/bodies/layers/mod.rs",),
     "theory/edges": ("src/edges/mod.rs",),
     "theory/rolling": ("src/rolling/mod.rs",),
     "theory/stiffness": ("src/stiffness/mod.rs",),

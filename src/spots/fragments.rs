@@ -334,7 +334,10 @@ mod tests {
     use crate::parallel::ranks::Threads;
     use crate::report::Report;
     use crate::spots::{ContactSpots, Spot};
-    use crate::{Boundary, ElasticPair, Field, HalfSpace, Material};
+    use crate::bodies::material::{ElasticPair, Material};
+    use crate::grid::boundary::Boundary;
+    use crate::grid::field::Field;
+    use crate::half_space::HalfSpace;
 
     fn pair() -> ElasticPair {
         ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
