@@ -1,13 +1,15 @@
-//! How cells stand that are all at their bounds.
+//! Degenerate problems: all cells at their bounds, and preconditioners that are not positive definite.
 
 use crate::cgm::iterate::Run;
 use crate::cgm::law::interval::EDGE;
 use crate::cgm::law::state::{Linearised, Row};
-use crate::cgm::reduce;
 use crate::cgm::start::ROUND_OFF;
 use crate::cgm::totals::{TotalsSystem, sums_of};
-use crate::cgm::{Constraint, MotionOf};
-use crate::numerics::cell_vector::{at, dot, norm, plus, slices, within};
+use crate::cgm::{Constraint, MotionOf, reduce};
+use crate::error::{Error, Result};
+use crate::numerics::cell_vector::{
+    at, dot, minus, norm, plus, slices, slices_mut, update_cells, within,
+};
 
 /// How cells stand that are all at their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,5 +153,63 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         } else {
             Standing::Pushed
         })
+    }
+}
+
+impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+    /// `Ok` if `v' M v` is a positive number of a uniform vector, of the residual that is left, and of its largest part, on
+    /// the cells that can move.
+    pub(super) fn check_preconditioner(&mut self) -> Result<()> {
+        let (problem, multiplier) = (self.problem, self.workspace.multiplier);
+        let forbidden = |i: usize, x, gradient| {
+            let set = problem.constraint.of(i);
+            set.forbidden(x, minus(gradient, multiplier))
+        };
+        let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
+        let size = |i: usize| norm(forbidden(i, at(&x, i), at(&gradient, i)));
+        let largest = reduce::max(self.layout(), size);
+        let mut flaw = self.flaw_along(|_, _, _| [1.0; N]);
+        for least in [0.0, 0.5 * largest] {
+            flaw = flaw.or_else(|| {
+                self.flaw_along(|i, x, gradient| {
+                    let residual = forbidden(i, x, gradient);
+                    if norm(residual) >= least {
+                        residual
+                    } else {
+                        [0.0; N]
+                    }
+                })
+            });
+        }
+        flaw.map_or(Ok(()), |value| {
+            let quantity = "v'Mv with the preconditioner M of the iteration that failed";
+            Err(Error::NotPositive { quantity, value })
+        })
+    }
+
+    /// `v' M v` of a vector that follows from unknowns and gradient of each cell, if that is not positive but could be.
+    fn flaw_along(
+        &mut self,
+        v: impl Fn(usize, [f64; N], [f64; N]) -> [f64; N] + Sync,
+    ) -> Option<f64> {
+        let x = slices(&self.x);
+        let (problem, w) = (self.problem, &mut *self.workspace);
+        let gradient = slices(&w.gradient);
+        update_cells(&mut w.linear.direction, |i, _| {
+            if problem.constraint.of(i).can_move() {
+                v(i, at(&x, i), at(&gradient, i))
+            } else {
+                [0.0; N]
+            }
+        });
+        let (direction, image) = (slices(&w.linear.direction), slices_mut(&mut w.linear.image));
+        (problem.preconditioner).apply(direction, image, &mut w.linear.preconditioner);
+        let image = slices(&w.linear.image);
+        let [square, product] = reduce::sum(problem.layout, |i| {
+            let v = at(&direction, i);
+            [dot(v, v), dot(v, at(&image, i))]
+        });
+        let is_fine = product > 0.0 && product.is_finite();
+        (square > 0.0 && square.is_finite() && !is_fine).then_some(product)
     }
 }

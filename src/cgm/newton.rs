@@ -12,7 +12,7 @@ use crate::cgm::degenerate::Standing;
 use crate::cgm::iterate::{Run, SINGLE, Start};
 use crate::cgm::law::state::{Linearised, Motion, Row};
 use crate::cgm::linear::BASES;
-use crate::cgm::progress::Progress;
+use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, MotionOf, reduce};
 use crate::numerics::cell_vector::{at, chunks, held, minus, put, slices, within};

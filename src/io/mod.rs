@@ -25,11 +25,11 @@
 //!   least y, and the next is its neighbour along x. Rows follow one another towards larger y, so a file
 //!   whose rows are counted from the top is read mirrored. XYZ files give the position of each point.
 //! - A point that was not measured is NaN. Solvers do not accept NaN: fill such points first.
-//! - A [`Grid`] is centred on the origin; the origin of the file is not kept.
+//! - A [`Grid`](crate::Grid) is centred on the origin; the origin of the file is not kept.
 //! - A row of n points at a distance d covers n cells of side d, not n - 1.
 //!
 //! # Damaged files
-//! A truncated, damaged or inconsistent file gives an [`Error::Format`] that states the problem and
+//! A truncated, damaged or inconsistent file gives an [`Error::Format`](crate::Error::Format) that states the problem and
 //! [where](Place) it is. Sizes are checked against the bytes present before memory is allocated: reading
 //! takes less than fifty times the size of the file; for X3P, which is compressed, less than eight times the
 //! size to which its module lets an entry expand.
@@ -64,7 +64,7 @@ use crate::grid::field::Field;
 /// Units are those of the module of the format.
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read; [`Error::Format`] if it has a different format, or as the
+/// [`Error::File`](crate::Error::File) if the file cannot be read; [`Error::Format`](crate::Error::Format) if it has a different format, or as the
 /// `parse` of its format. For a text of three columns, the error advises to read points as XYZ.
 ///
 /// ```

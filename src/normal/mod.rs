@@ -17,7 +17,6 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;
-mod estimate;
 mod hardness;
 mod over_ranks;
 mod pressure_solver;

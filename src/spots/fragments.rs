@@ -330,14 +330,14 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::grid::neighbours::neighbours;
-    use crate::parallel::ranks::Threads;
-    use crate::report::Report;
-    use crate::spots::{ContactSpots, Spot};
     use crate::bodies::material::{ElasticPair, Material};
     use crate::grid::boundary::Boundary;
     use crate::grid::field::Field;
+    use crate::grid::neighbours::neighbours;
     use crate::half_space::HalfSpace;
+    use crate::parallel::ranks::Threads;
+    use crate::report::Report;
+    use crate::spots::{ContactSpots, Spot};
 
     fn pair() -> ElasticPair {
         ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()

@@ -11,11 +11,11 @@ use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::Iteration;
-use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::normal::press;
 use crate::stiffness::system::times;
 use crate::stiffness::tangential::{LastStep, Sheared};
+use crate::stiffness::workspace::Course;
 use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
 use crate::tangential::{Axis, Friction, TangentialSolution};
 

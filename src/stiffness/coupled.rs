@@ -18,8 +18,8 @@ use crate::operator::{LowerBound, Operator};
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::contact_stiffness::{window_of, without_contact};
-use crate::stiffness::course::Course;
 use crate::stiffness::motions::kinds;
+use crate::stiffness::workspace::Course;
 use crate::stiffness::workspace::{Buffers, provide};
 use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,

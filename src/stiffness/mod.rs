@@ -66,7 +66,6 @@
 
 mod contact_stiffness;
 mod coupled;
-mod course;
 mod history;
 mod motions;
 mod normal;

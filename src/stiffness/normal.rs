@@ -8,9 +8,9 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::normal::{Hardness, NormalSolution};
 use crate::stiffness::contact_stiffness::{NormalStiffness, window_of};
-use crate::stiffness::course::Course;
 use crate::stiffness::system::{CellMotions, System};
 use crate::stiffness::tangential::{Growth, collect};
+use crate::stiffness::workspace::Course;
 use crate::stiffness::workspace::SystemOf;
 
 /// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness

@@ -42,7 +42,7 @@ use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
-use crate::stiffness::course::Course;
+use crate::stiffness::workspace::Course;
 use crate::stiffness::workspace::provide;
 use crate::tangential::Drawing;
 

@@ -11,9 +11,9 @@ use crate::numerics::cell_vector::{dot, norm};
 use crate::stiffness::contact_stiffness::{
     Pressed, TangentialStiffness, window_of, without_contact,
 };
-use crate::stiffness::course::Course;
 use crate::stiffness::motions::Motions;
 use crate::stiffness::system::{CellMotions, Stiffness, System};
+use crate::stiffness::workspace::Course;
 use crate::stiffness::workspace::{Buffers, SystemOf};
 use crate::tangential::{Axis, Drawing, Zone, centre};
 

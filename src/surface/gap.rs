@@ -1,6 +1,6 @@
 //! From the heights of bodies to the gap between them.
 
-use super::heights::complete;
+use super::fill::complete;
 use crate::error::{Result, finite};
 use crate::grid::field::Field;
 

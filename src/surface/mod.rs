@@ -23,7 +23,6 @@ mod differences;
 mod fill;
 mod filter;
 mod gap;
-mod heights;
 mod level;
 mod power_spectrum;
 mod resample;
@@ -31,7 +30,6 @@ mod self_affine;
 mod shape;
 mod slab;
 mod statistics;
-mod sum;
 mod waves;
 
 pub use crop::crop;
@@ -43,9 +41,9 @@ pub use level::{Form, Levelled, level};
 pub use power_spectrum::PowerSpectrum;
 pub use resample::resample;
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
+pub use shape::sum;
 pub use shape::{
     bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere,
 };
 pub(crate) use slab::Slab;
 pub use statistics::Statistics;
-pub use sum::sum;

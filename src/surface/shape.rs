@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Result, all_finite, finite, non_negative, positive};
+use crate::error::{Error, Result, all_finite, finite, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
@@ -13,7 +13,7 @@ use crate::grid::field::Field;
 /// the slopes. `radius` and `h` are lengths.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.
+/// [`Error::NotPositive`] for the radius.
 ///
 /// ```
 /// use stickslip::{Grid, surface};
@@ -30,7 +30,7 @@ pub fn sphere(grid: Grid, radius: f64) -> Result<Field> {
 /// plane at the origin: `h = x^2 / (2 R_x) + y^2 / (2 R_y)`, lengths.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for a radius.
+/// [`Error::NotPositive`] for a radius.
 pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     positive("radius along x", radius_x)?;
     positive("radius along y", radius_y)?;
@@ -44,7 +44,7 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the radius.
+/// [`Error::NotPositive`] for the radius.
 pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
     positive("radius", radius)?;
     sampled(grid, |x, _| 0.5 * x * x / radius)
@@ -69,7 +69,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// Curvatures of two bodies add up: two crossed cylinders of radius `R` make a sphere of radius `R`.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for a curvature; [`Error::Negative`](crate::Error::Negative)
+/// [`Error::NotFinite`] for a curvature; [`Error::Negative`]
 /// if a principal curvature is negative: a saddle would penetrate the plane.
 ///
 /// ```
@@ -101,7 +101,7 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
 /// `slope` is the tangent of the angle between cone and plane, dimensionless; `h` is a length.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the slope.
+/// [`Error::NotPositive`] for the slope.
 pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
     positive("slope", slope)?;
     sampled(grid, |x, y| slope * x.hypot(y))
@@ -113,7 +113,7 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
 /// The recess only has to exceed the displacements, so that the body around the punch does not touch.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the radius or the recess, or if the punch is
+/// [`Error::NotPositive`] for the radius or the recess, or if the punch is
 /// so small that it covers no cell centre.
 pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("radius", radius)?;
@@ -131,7 +131,7 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
 /// half-space the wavelength must divide the side of the grid.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the amplitude or the wavelength.
+/// [`Error::NotPositive`] for the amplitude or the wavelength.
 pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
     positive("amplitude", amplitude)?;
     positive("wavelength", wavelength)?;
@@ -149,7 +149,7 @@ pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> 
 /// [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the amplitude or a wavelength.
+/// [`Error::NotPositive`] for the amplitude or a wavelength.
 pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result<Field> {
     positive("amplitude", amplitude)?;
     let along_x = positive("wavelength along x", wavelengths[0])?;
@@ -164,4 +164,36 @@ fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
     let heights = Field::try_from_fn(grid, height)?;
     all_finite("height of the shape", heights.as_slice())?;
     Ok(heights)
+}
+
+/// The sum of fields, cell by cell: a rough ball is a ball plus roughness, and the gap between two
+/// bodies is the sum of both shapes.
+///
+/// # Errors
+/// [`Error::Length`] if there is no field, [`Error::GridMismatch`] if the fields are on different grids.
+///
+/// ```
+/// use stickslip::{Grid, surface};
+/// let grid = Grid::square(32, 2.0)?;
+/// let ball = surface::sphere(grid, 10.0)?;
+/// let rough = surface::SelfAffine::with_rms_height(1e-3).generate(grid)?;
+/// let roughness = surface::gap_from_heights(rough.heights())?;
+/// let gap = surface::sum(&[&ball, &roughness])?;
+/// assert_eq!(gap.as_slice()[5], ball.as_slice()[5] + roughness.as_slice()[5]);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+pub fn sum(fields: &[&Field]) -> Result<Field> {
+    let (first, others) = fields.split_first().ok_or(Error::Length {
+        quantity: "list of fields",
+        expected: 1,
+        found: 0,
+    })?;
+    let mut sum = Field::clone(first);
+    for other in others {
+        sum.grid().expect("a summand", other.grid())?;
+        for (sum, term) in sum.as_mut_slice().iter_mut().zip(other.as_slice()) {
+            *sum += term;
+        }
+    }
+    Ok(sum)
 }

@@ -36,7 +36,6 @@
 
 mod answer;
 mod entering;
-mod estimate;
 mod friction;
 mod friction_limits;
 mod increment;

@@ -14,7 +14,6 @@
 
 mod cg;
 mod gmres;
-mod krylov;
 mod moved;
 mod response;
 
@@ -36,7 +35,7 @@ use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 
-use krylov::RESTART;
+use gmres::RESTART;
 pub(in crate::cgm) use moved::Moved;
 pub(crate) use response::Held;
 

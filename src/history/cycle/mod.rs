@@ -1,9 +1,5 @@
 //! What the steps of a cycle add up to.
 
-pub(super) mod fretting_loop;
-pub(super) mod hysteresis;
-pub(super) mod regime;
-
 use crate::cgm::reduce;
 #[cfg(feature = "serde")]
 use crate::error::positive;
@@ -11,13 +7,16 @@ use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::step::remarks::Remarks;
-use crate::history::{EnergyBalance, History, Regime};
+use crate::history::{EnergyBalance, History};
 use crate::memory::fallible::or_abort;
 use crate::numerics::cell_vector::norm;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::support::debug::shown;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
+
+pub(super) mod fretting_loop;
+pub(super) mod hysteresis;
 
 /// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
 ///
@@ -405,4 +404,17 @@ fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
         blocks(amplitude.as_mut_slice()),
     );
     parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
+}
+
+/// The sliding regime of a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Regime {
+    /// No cell slipped.
+    FullStick,
+    /// Some cells slipped, but some stuck at the end of each step.
+    PartialSlip,
+    /// The whole contact was at its friction limit at the end of a step.
+    GrossSlip,
 }

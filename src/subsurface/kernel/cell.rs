@@ -3,7 +3,6 @@
 use super::far;
 use super::integral::{Integral, Values, sign};
 use super::piece::{Interval, Piece};
-use super::quadrature;
 use crate::numerics::gauss::Rule;
 
 /// A cell of half sides `a` and `b`.
@@ -76,6 +75,6 @@ impl Cell {
     }
 
     fn rule(&self, point: [f64; 3]) -> Option<Rule> {
-        quadrature::rule([self.a, self.b], point)
+        far::rule([self.a, self.b], point)
     }
 }

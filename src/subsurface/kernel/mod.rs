@@ -116,7 +116,6 @@ mod far;
 mod integral;
 mod near;
 mod piece;
-mod quadrature;
 mod rectangle;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,6 @@
 //! A rectangle near the point: closed form, after division if it is slender.
 
 use super::integral::{Integral, Values, sign};
-use super::quadrature;
 use super::{far, near};
 use crate::numerics::gauss::Rule;
 
@@ -113,6 +112,6 @@ impl Piece {
     /// The rule of quadrature that suffices at this distance; `None` near the point.
     fn rule(&self) -> Option<Rule> {
         let Self { x, y, z, .. } = self;
-        quadrature::rule([x.half, y.half], [x.middle, y.middle, *z])
+        far::rule([x.half, y.half], [x.middle, y.middle, *z])
     }
 }

@@ -3,7 +3,6 @@
 pub(super) mod on_bodies;
 
 mod cut;
-mod draw;
 mod generate;
 mod johnson;
 mod law;
@@ -11,7 +10,6 @@ mod moments;
 mod phases;
 mod rank_order;
 mod rough_surface;
-mod slab;
 
 use crate::error::{Result, positive};
 

@@ -1,9 +1,18 @@
 //! Rough surfaces on bodies that ranks share.
 
-use crate::error::Result;
+use std::sync::Arc;
+
+use crate::error::{Error, RankFailure, Result, all_finite};
+use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::surface::SelfAffine;
+use crate::parallel;
+use crate::parallel::layout::Layout;
+use crate::parallel::ranks::partition::Share;
+use crate::surface::self_affine::SelfAffine;
+use crate::surface::self_affine::cut::Cut;
+use crate::surface::self_affine::moments::mean_over;
+use crate::surface::waves::{Waves, shared_columns};
 
 impl SelfAffine {
     /// The heights of the surface on the grid of some bodies (lengths, out of the body): of
@@ -11,7 +20,7 @@ impl SelfAffine {
     /// [`SelfAffine::generate`].
     ///
     /// # Errors
-    /// As [`SelfAffine::generate`]; [`Error::Ranks`](crate::Error::Ranks) for a cropped surface or a given skewness or kurtosis on bodies that
+    /// As [`SelfAffine::generate`]; [`Error::Ranks`] for a cropped surface or a given skewness or kurtosis on bodies that
     /// ranks share, or for surfaces that are not the same on all.
     pub fn generate_on(&self, bodies: &HalfSpace) -> Result<Field> {
         let grid = bodies.grid().whole();
@@ -20,5 +29,34 @@ impl SelfAffine {
             Some(rows) => bodies.agreed(self.generate_slab(grid, &rows)),
             None => Ok(self.generate(grid)?.into_heights()),
         }
+    }
+}
+
+impl SelfAffine {
+    /// The heights on the slab that a rank holds of a grid.
+    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<Share>) -> Result<Field> {
+        let quantity = match (self.moments()?, self.is_cropped) {
+            (None, false) => None,
+            (Some(_), _) => Some("a surface of given skewness or kurtosis"),
+            (None, true) => Some("a cropped surface"),
+        };
+        if let Some(quantity) = quantity {
+            return Err(Error::Ranks(RankFailure::NotShared(quantity)));
+        }
+        let target = self.target.checked()?;
+        let columns = Arc::new(shared_columns(grid, rows.team()));
+        let cells = rows.own_rows().len() * grid.nx();
+        let mut heights = parallel::enter_with(cells, || -> Result<Field> {
+            let waves = Waves::none_on(grid, Some(&columns));
+            let waves = self.waves(&Cut::all(grid), waves)?;
+            Ok(waves.into_slab(&columns, rows))
+        })?;
+        let layout = Layout::shared(Arc::clone(rows));
+        let mean = mean_over(&layout, heights.as_slice(), |z| z);
+        for height in heights.as_mut_slice() {
+            *height = (*height - mean) * target;
+        }
+        all_finite("height of the rough surface", heights.as_slice())?;
+        Ok(heights)
     }
 }
