@@ -284,7 +284,9 @@ pub mod tangential;
 mod warning;
 
 pub use bodies::coupling::Coupling;
-pub use bodies::kernel::{self, Kernel};
+pub use bodies::kernel;
+#[doc(no_inline)]
+pub use bodies::kernel::Kernel;
 pub use bodies::layers;
 pub use bodies::material::{ElasticPair, Material};
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};

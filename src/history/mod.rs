@@ -126,8 +126,8 @@ mod state;
 mod step;
 pub mod wear;
 
-pub use crate::rolling::LeadingEdge;
-pub use crate::tangential::TouchRule;
+pub use crate::rolling::leading_edge::LeadingEdge;
+pub use crate::tangential::entering::TouchRule;
 pub use builder::HistoryBuilder;
 pub use cycle::Cycle;
 pub use cycle::Regime;

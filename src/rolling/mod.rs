@@ -86,10 +86,11 @@
 //! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
 
 pub(crate) mod entry;
-mod leading_edge;
+pub(crate) mod leading_edge;
 mod passage;
 mod steady;
 
+#[doc(no_inline)]
 pub use leading_edge::LeadingEdge;
 pub(crate) use passage::{Passage, Travel};
 pub use steady::control::{RollingControl, SpinControl};

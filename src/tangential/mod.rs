@@ -35,7 +35,7 @@
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
 mod answer;
-mod entering;
+pub(crate) mod entering;
 mod friction;
 mod friction_limits;
 mod increment;
@@ -55,7 +55,7 @@ mod traction_solver;
 mod zone;
 
 pub(crate) use answer::Answer;
-pub use entering::TouchRule;
+pub(crate) use entering::TouchRule;
 pub(crate) use entering::{
     OwnCompliance, own_compliance, ratio_of_compliances, ratios_of_compliances,
 };
