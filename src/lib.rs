@@ -249,23 +249,55 @@
 //! [`history`].
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
+// A helper may have no user without some of the features. With all of them the lints find what is dead.
+#![cfg_attr(
+    not(all(
+        feature = "analytical",
+        feature = "edges",
+        feature = "history",
+        feature = "io",
+        feature = "rolling",
+        feature = "roughness",
+        feature = "spots",
+        feature = "stiffness",
+        feature = "subsurface"
+    )),
+    allow(
+        dead_code,
+        unused_imports,
+        unreachable_pub,
+        reason = "some features are off, and with them the users of shared helpers"
+    )
+)]
 
+#[cfg(feature = "analytical")]
+#[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub mod analytical;
 mod bodies;
 pub mod cgm;
 mod contact;
+#[cfg(feature = "history")]
+#[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub mod coupled;
 #[cfg(feature = "dense")]
+#[cfg_attr(docsrs, doc(cfg(feature = "dense")))]
 pub mod dense;
+#[cfg(feature = "edges")]
+#[cfg_attr(docsrs, doc(cfg(feature = "edges")))]
 pub mod edges;
 mod error;
 pub mod fft;
+#[cfg(any(feature = "io", feature = "history"))]
 mod files;
 mod grid;
 pub mod guide;
 mod half_space;
+#[cfg(feature = "history")]
+#[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub mod history;
 pub mod influence;
+#[cfg(feature = "io")]
+#[cfg_attr(docsrs, doc(cfg(feature = "io")))]
 pub mod io;
 mod memory;
 pub mod normal;
@@ -274,9 +306,16 @@ mod observer;
 mod operator;
 mod parallel;
 mod report;
+#[cfg(any(feature = "rolling", feature = "history"))]
+#[cfg_attr(docsrs, doc(cfg(any(feature = "rolling", feature = "history"))))]
 pub mod rolling;
+#[cfg(feature = "spots")]
 mod spots;
+#[cfg(feature = "stiffness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "stiffness")))]
 pub mod stiffness;
+#[cfg(feature = "subsurface")]
+#[cfg_attr(docsrs, doc(cfg(feature = "subsurface")))]
 pub mod subsurface;
 mod support;
 pub mod surface;
@@ -289,13 +328,19 @@ pub use bodies::kernel;
 pub use bodies::kernel::Kernel;
 pub use bodies::layers;
 pub use bodies::material::{ElasticPair, Material};
+#[cfg(feature = "history")]
+#[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
+#[doc(no_inline)]
+pub use error::Place;
 pub use error::{Error, Result};
 pub use grid::Grid;
 pub use grid::boundary::Boundary;
 pub use grid::cell_value::CellValue;
 pub use grid::field::Field;
 pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
+#[cfg(feature = "history")]
+#[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub use history::{History, LoadStep};
 pub use memory::fallible::TryClone;
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
@@ -303,6 +348,8 @@ pub use operator::{Identity, Operator, Scratch};
 pub use parallel::layout::Layout;
 pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool, ranks};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
+#[cfg(feature = "spots")]
+#[cfg_attr(docsrs, doc(cfg(feature = "spots")))]
 pub use spots::{ContactSpots, Spot};
 pub use tangential::{
     Axis, Friction, PressureSource, TangentialControl, TangentialLoad, TangentialModel,

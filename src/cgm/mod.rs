@@ -99,6 +99,7 @@
 //! ```
 
 mod certificate;
+#[cfg(feature = "history")]
 pub(crate) mod cone;
 mod degenerate;
 mod diagonal;

@@ -41,6 +41,16 @@ pub(super) enum Start {
     Present,
 }
 
+impl Cone for &FrictionWithin<'_> {
+    fn limit(&self, cell: usize, pressure: f64) -> f64 {
+        FrictionWithin::limit(self, cell, pressure)
+    }
+
+    fn slope(&self, cell: usize, pressure: f64) -> f64 {
+        FrictionWithin::slope(self, cell, pressure)
+    }
+}
+
 /// What is asked of a solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Task<'a> {

@@ -94,6 +94,7 @@
 //! [`Boundary::Periodic`]: crate::Boundary::Periodic
 
 mod fit;
+#[cfg(feature = "history")]
 mod history;
 mod outline;
 mod search;

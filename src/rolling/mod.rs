@@ -88,13 +88,26 @@
 pub(crate) mod entry;
 pub(crate) mod leading_edge;
 mod passage;
+#[cfg(feature = "rolling")]
 mod steady;
 
 #[doc(no_inline)]
+pub use crate::tangential::entering::TouchRule;
+#[doc(no_inline)]
 pub use leading_edge::LeadingEdge;
 pub(crate) use passage::{Passage, Travel};
+#[cfg(feature = "rolling")]
+#[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::control::{RollingControl, SpinControl};
+#[cfg(feature = "rolling")]
+#[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::creep::CreepForce;
+#[cfg(feature = "rolling")]
+#[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::problem::{RollingProblem, RollingProblemBuilder};
+#[cfg(feature = "rolling")]
+#[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::solution::RollingSolution;
+#[cfg(feature = "rolling")]
+#[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::solver::RollingSolver;

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{at_least, length};
 use crate::grid::Grid;
+#[cfg(feature = "history")]
 use crate::history::History;
 use crate::memory::fallible::{self, or_abort};
 use crate::normal::NormalSolution;
@@ -215,6 +216,7 @@ impl TangentialSolution {
     }
 }
 
+#[cfg(feature = "history")]
 impl History {
     /// The contact spots after the last step, with the part of each that sticks; all ranks that share the history call this.
     ///

@@ -65,7 +65,9 @@
 //! ```
 
 mod contact_stiffness;
+#[cfg(feature = "history")]
 mod coupled;
+#[cfg(feature = "history")]
 mod history;
 mod motions;
 mod normal;

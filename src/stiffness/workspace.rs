@@ -9,6 +9,7 @@ use crate::half_space::HalfSpace;
 use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::report::{EigenvalueBound, Iteration, Report, Status};
+#[cfg(feature = "history")]
 use crate::stiffness::coupled::Joint;
 use crate::stiffness::system::System;
 use crate::stiffness::tangential::Growth;
@@ -57,6 +58,7 @@ pub(super) struct Buffers {
     pub(super) normal: Option<SystemOf<Interval, 1>>,
     pub(super) along: Option<SystemOf<Interval, 1>>,
     pub(super) plane: Option<SystemOf<Disc, 2>>,
+    #[cfg(feature = "history")]
     pub(super) joint: Option<Joint>,
     pub(super) growth: Growth,
 }

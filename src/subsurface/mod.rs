@@ -66,6 +66,7 @@ mod spectra;
 mod stress;
 mod strip;
 mod tractions;
+#[cfg(feature = "io")]
 mod volume;
 
 pub use body::Body;

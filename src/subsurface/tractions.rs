@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt::Debug;
 
 use crate::bodies::material::ElasticPair;
+#[cfg(feature = "history")]
 use crate::coupled::CoupledSolution;
 use crate::error::{Error, Result, all_finite};
 use crate::grid::boundary::Boundary;
@@ -11,6 +12,7 @@ use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
 use crate::grid::neighbours::second_difference;
 use crate::half_space::HalfSpace;
+#[cfg(feature = "history")]
 use crate::history::{History, State};
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
@@ -169,6 +171,7 @@ impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
 }
 
 /// Those of a contact of dissimilar bodies.
+#[cfg(feature = "history")]
 impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     fn from(solution: &'a CoupledSolution) -> Self {
         Self::from((solution.normal(), solution.tangential()))
@@ -176,6 +179,7 @@ impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
 }
 
 /// Those of a state of a history.
+#[cfg(feature = "history")]
 impl<'a> From<&'a State> for Tractions<'a> {
     fn from(state: &'a State) -> Self {
         Self::from(state.normal()).with_traction(state.traction())
@@ -183,6 +187,7 @@ impl<'a> From<&'a State> for Tractions<'a> {
 }
 
 /// Those of a history as it stands.
+#[cfg(feature = "history")]
 impl<'a> From<&'a History> for Tractions<'a> {
     fn from(history: &'a History) -> Self {
         Self::from(history.normal()).with_traction(history.traction())

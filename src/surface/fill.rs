@@ -1,11 +1,11 @@
 //! Filling of the holes of a measured surface.
 
-use crate::error::{Error, Result, not_converged, samples_obey};
+use crate::error::{Error, Result, not_converged};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
-use crate::surface::slab::Slab;
+use crate::surface::heights::finite_or_missing;
 
 /// The iteration ends when the error in the energy norm has fallen by this factor.
 const TOLERANCE: f64 = 1e-15;
@@ -282,33 +282,4 @@ fn add(y: &mut [f64], a: f64, x: &[f64]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;
     }
-}
-
-/// `Ok` if no height is missing or infinite.
-pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
-    let rule = "must be finite; fill missing heights first";
-    samples_obey(quantity, heights.as_slice(), rule, f64::is_finite)
-}
-
-/// `Ok` if every height is finite, or NaN where it is missing.
-pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
-    let rule = "must be finite, or NaN where it is missing";
-    samples_obey("heights", heights.as_slice(), rule, |z| !z.is_infinite())
-}
-
-/// Heights about the mean of all ranks, and the mean.
-///
-/// The sum is formed relative to the first height: a flat surface has exactly zero deviation, and a
-/// distant datum costs no digits.
-pub(super) fn about_mean(heights: &Field, slab: &Slab) -> (Field, f64) {
-    let z = heights.as_slice();
-    let first = slab.layout().combined(z.first().copied(), Option::or);
-    let datum = first.unwrap_or_default();
-    let [sum] = reduce::sum(slab.layout(), |i| [z[i] - datum]);
-    let shift = sum / slab.whole().cells() as f64;
-    let mut deviations = heights.clone();
-    for value in deviations.as_mut_slice() {
-        *value = (*value - datum) - shift;
-    }
-    (deviations, datum + shift)
 }

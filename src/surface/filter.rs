@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-use super::fill::finite_or_missing;
+use super::heights::finite_or_missing;
 use super::slab::Slab;
 use super::waves::{Mode, Waves};
 use crate::error::{Error, Result, at_least, finite, memory, positive};

@@ -1,6 +1,6 @@
 //! From the heights of bodies to the gap between them.
 
-use super::fill::complete;
+use super::heights::complete;
 use crate::error::{Result, finite};
 use crate::grid::field::Field;
 

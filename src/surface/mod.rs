@@ -16,34 +16,65 @@
 //! [`gap_from_heights`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
 //! characterise it.
 
+#[cfg(feature = "roughness")]
 mod slabs;
 
+#[cfg(feature = "roughness")]
 mod crop;
+#[cfg(feature = "roughness")]
 mod differences;
+#[cfg(feature = "roughness")]
 mod fill;
+#[cfg(feature = "roughness")]
 mod filter;
 mod gap;
+mod heights;
+#[cfg(feature = "roughness")]
 mod level;
+#[cfg(feature = "roughness")]
 mod power_spectrum;
+#[cfg(feature = "roughness")]
 mod resample;
+#[cfg(feature = "roughness")]
 mod self_affine;
 mod shape;
+#[cfg(feature = "roughness")]
 mod slab;
+#[cfg(feature = "roughness")]
 mod statistics;
+#[cfg(feature = "roughness")]
 mod waves;
 
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use crop::crop;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use fill::{Filled, fill_missing};
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use filter::{Filtered, GaussianFilter};
 pub use gap::{gap_between, gap_from_heights, inverted, mirror_x};
+#[cfg(feature = "roughness")]
 pub(crate) use level::level_slab;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use level::{Form, Levelled, level};
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use power_spectrum::PowerSpectrum;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use resample::resample;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};
 pub use shape::sum;
 pub use shape::{
     bisinusoidal, cone, cylinder, ellipsoid, flat_punch, paraboloid, sinusoidal, sphere,
 };
+#[cfg(feature = "roughness")]
 pub(crate) use slab::Slab;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use statistics::Statistics;

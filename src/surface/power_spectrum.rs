@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::fill::{about_mean, complete};
+use super::heights::{about_mean, complete};
 use super::slab::Slab;
 use super::waves::{Mode, Waves};
 #[cfg(feature = "serde")]

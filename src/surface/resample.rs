@@ -1,6 +1,6 @@
 //! A surface on another grid.
 
-use super::fill::complete;
+use super::heights::complete;
 use crate::error::{Error, Result, all_finite, memory};
 use crate::grid::Grid;
 use crate::grid::field::Field;

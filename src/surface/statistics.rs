@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::differences::{developed_area_ratio, rms_slopes};
-use super::fill::{about_mean, complete};
+use super::heights::{about_mean, complete};
 use super::power_spectrum::moments;
 use super::slab::Slab;
 use super::waves::Waves;

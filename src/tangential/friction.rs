@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use crate::cgm::cone::Cone;
 use crate::error::{Result, all_non_negative, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
@@ -232,14 +231,14 @@ impl<'a> FrictionWithin<'a> {
     fn place(&self, cell: usize) -> usize {
         self.window.map_or(cell, |window| window.index(cell))
     }
-}
 
-impl Cone for &FrictionWithin<'_> {
-    fn limit(&self, cell: usize, pressure: f64) -> f64 {
+    /// The limit of a cell under a pressure.
+    pub(crate) fn limit(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.limit(self.place(cell), pressure)
     }
 
-    fn slope(&self, cell: usize, pressure: f64) -> f64 {
+    /// The derivative of the limit by the pressure.
+    pub(crate) fn slope(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.slope(self.place(cell), pressure)
     }
 }

@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use crate::cgm::cone::Cone;
 use crate::cgm::reduce;
 use crate::error::{Error, Result, SLIDE, finite};
 use crate::grid::window::Window;

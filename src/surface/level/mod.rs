@@ -3,7 +3,7 @@
 mod basis;
 mod triangle;
 
-use super::fill::finite_or_missing;
+use super::heights::finite_or_missing;
 use super::slab::Slab;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
