@@ -196,11 +196,25 @@
 //!
 //! | feature | default | adds |
 //! |---|---|---|
+//! | `full` | yes | the nine features below that begin with "model" |
+//! | `analytical` | by `full` | model: closed forms ([`analytical`]), [`tangential::JaegerSuperposition`] |
+//! | `history` | by `full` | model: histories, cycles and wear ([`history`]), coupled problems of dissimilar bodies ([`coupled`]) |
+//! | `stiffness` | by `full` | model: slopes of the forces ([`stiffness`]) |
+//! | `rolling` | by `full` | model: steady rolling ([`rolling`]) |
+//! | `edges` | by `full` | model: edges inside the cells ([`edges`]); switches `spots` on |
+//! | `spots` | by `full` | model: connected parts of the contact ([`ContactSpots`]) |
+//! | `subsurface` | by `full` | model: stresses below the surface ([`subsurface`]) |
+//! | `roughness` | by `full` | model: rough and measured surfaces; without it [`surface`] has shapes and gaps |
+//! | `io` | by `full` | model: files of surfaces and fields ([`io`]) |
 //! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
 //! | `dense` | no | explicit matrices and the direct solution of small scenes, through faer |
-//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml` |
+//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml`; switches `io` on |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
 //! | `mpi` | no | [`ranks`] that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
+//!
+//! A program that needs normal and tangential contact alone, of any bodies, depends on the crate with
+//! `default-features = false, features = ["parallel"]`. A function of two subjects, such as the edges of a history, needs
+//! the features of both.
 //!
 //! The table lists their cost to a program that embeds the crate, measured on the program of the page on
 //! [embedding](guide::embedding), compiled from scratch (seconds of one core, rustc 1.95):

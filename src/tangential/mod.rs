@@ -39,6 +39,7 @@ pub(crate) mod entering;
 mod friction;
 mod friction_limits;
 mod increment;
+#[cfg(feature = "analytical")]
 mod jaeger;
 mod load;
 mod offset;
@@ -63,6 +64,8 @@ pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use friction_limits::{Pressed, SLIDING, is_at_limit};
 pub(crate) use increment::{Increment, Start};
+#[cfg(feature = "analytical")]
+#[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub use jaeger::JaegerSuperposition;
 pub(crate) use load::Demand;
 pub use load::{TangentialControl, TangentialLoad};
