@@ -87,6 +87,7 @@
 
 mod capacity;
 mod control;
+mod coupled;
 mod creep;
 mod inverse;
 mod operator;
@@ -99,6 +100,10 @@ mod stiffness;
 
 pub use crate::history::LeadingEdge;
 pub use control::{RollingControl, SpinControl};
+pub use coupled::{
+    CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingReport,
+    CoupledRollingSolution, CoupledRollingSolver,
+};
 pub use creep::CreepForce;
 pub use problem::{RollingProblem, RollingProblemBuilder};
 pub use solution::RollingSolution;

@@ -42,6 +42,7 @@ mod entering;
 mod estimate;
 mod friction;
 mod increment;
+mod lifting;
 mod limits;
 mod motion;
 mod nested;
@@ -66,6 +67,7 @@ pub(crate) use entering::{
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
 pub(crate) use increment::{Increment, Start};
+pub(crate) use lifting::{Lifting, lift_residual};
 pub(crate) use limits::{Pressed, SLIDING, is_at_limit};
 pub(crate) use motion::{Motion, centre};
 pub(crate) use nested::{handed_down, reserve};
