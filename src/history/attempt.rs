@@ -6,6 +6,7 @@ use crate::error::{Result, of_rolling};
 use crate::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
+use crate::history::neglected::NeglectedLift;
 use crate::history::rolling_entry::compliance;
 use crate::history::travel::Travel;
 use crate::history::{History, LoadStep, State};
@@ -169,6 +170,16 @@ impl History {
             solved.map_err(of_rolling)?;
         } else {
             solved?;
+        }
+        if is_rolled && state.coupling.is_one_way(self.bodies.pair()) {
+            let gap = if is_pressed {
+                &state.gap
+            } else {
+                &state.pressed_gap
+            };
+            let tolerance = state.settings.tolerance;
+            let (lifting, answer) = (&mut self.lifting, increment.answer());
+            NeglectedLift::measure(lifting, &self.bodies, &answer, (pressed, gap), tolerance)?;
         }
         Ok(increment.motion())
     }

@@ -4,13 +4,15 @@ use crate::buffer::TryClone;
 use crate::contact::{Conditions, Trend};
 use crate::coupled::{CoupledDemand, CoupledIncrement};
 use crate::coupling::Coupling;
-use crate::error::Result;
+use crate::error::{Result, of_rolling};
 use crate::half_space::HalfSpace;
 use crate::history::memory::Memory;
+use crate::history::rolling_entry::compliance;
 use crate::history::state::State;
+use crate::history::travel::Travel;
 use crate::history::{History, LoadStep};
 use crate::normal::NormalControl;
-use crate::tangential::{Axis, Motion};
+use crate::tangential::{Axis, Motion, OwnCompliance};
 use crate::watch::Observer;
 use crate::window::Window;
 
@@ -64,7 +66,12 @@ impl History {
         if let Some(change) = state.displaced_by(load) {
             joint.displace(change);
         }
-        joint.enter(state.closing(&self.bodies, normal, false))?;
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        let motion = state.demand(load, &self.bodies);
+        match &travel {
+            Some(travel) => roll(joint, state, (&self.bodies, normal), travel, motion.twist)?,
+            None => joint.enter(state.closing(&self.bodies, normal, false))?,
+        }
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions::new(&state.settings, observer);
@@ -73,13 +80,42 @@ impl History {
             friction: &state.friction,
             hardness,
             normal,
-            tangential: load.demand(state.motion.twist),
+            tangential: motion,
         };
-        joint.solve(demand, state.motion, &mut conditions)?;
+        let solved = joint.solve(demand, state.motion, &mut conditions);
+        if travel.is_some() {
+            solved.map_err(of_rolling)?;
+        } else {
+            solved?;
+        }
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
         joint.write(&state.gap, hardness, candidate);
+        if let Some(travel) = &travel {
+            travel.check_ahead(&self.bodies, candidate.pressure())?;
+        }
         Ok(Some(joint.answer().motion))
     }
+}
+
+/// Poses a step in which other particles come to the cells, and body 2 has turned by `twist` at its end.
+fn roll(
+    joint: &mut CoupledIncrement,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    travel: &Travel,
+    twist: f64,
+) -> Result<()> {
+    let passage = travel.through(state.grid().size());
+    let turned = travel.turned(0.5 * (state.twist() + twist));
+    joint.carry_offset(|part| passage.carry(part), turned);
+    let Some(gap) = state.closing(bodies, control, true) else {
+        return joint.enter(None::<fn(usize) -> f64>);
+    };
+    // The compliance under a unit pressure: the pressure of the cell is not known yet.
+    joint.roll_in(Some(|i: usize| {
+        let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
+        travel.before(i).map_or(OwnCompliance::NONE, entered)
+    }))
 }
 
 /// What solves the steps of a coupled state.

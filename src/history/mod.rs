@@ -132,6 +132,7 @@ mod leading_edge;
 mod load;
 mod memory;
 mod narrowing;
+mod neglected;
 mod path;
 mod pressing;
 mod reading;

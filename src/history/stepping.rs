@@ -14,6 +14,7 @@ use crate::history::commit::commit;
 use crate::history::increments::Increments;
 use crate::history::joint::new_joint;
 use crate::history::narrowing::narrow;
+use crate::history::neglected::NeglectedLift;
 use crate::history::remarks::Remarks;
 use crate::history::state::State;
 use crate::history::yielding::{add_yielded, settle};
@@ -86,6 +87,8 @@ pub struct History {
     /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
+    /// What the tractions of a rolled step lift where the pressure ignores the lift; none before the first such step.
+    pub(super) lifting: Option<NeglectedLift>,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
 }
@@ -137,6 +140,7 @@ impl History {
             increment: None,
             joint: new_joint(bodies, &state)?,
             step: StepResult::new(state.grid())?,
+            lifting: None,
             written: None,
             state,
         })
@@ -271,6 +275,7 @@ impl History {
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         match self.candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -281,7 +286,8 @@ impl History {
                 if joint.is_some() {
                     let before = (&state.normal, &state.pressed_gap);
                     let (layout, after) = (self.bodies.grid_layout(), (&*candidate, &state.gap));
-                    pressing = EnergyBalance::of_pressing(&layout, before, after);
+                    let place = |i: usize| travel.map_or(Some(i), |travel| travel.before(i));
+                    pressing = EnergyBalance::of_pressing(&layout, before, after, place);
                 }
                 std::mem::swap(&mut state.normal, candidate);
                 state.pressed_gap.clone_from(&state.gap);
@@ -301,6 +307,10 @@ impl History {
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
+            neglected_lift: load
+                .rolling()
+                .and(self.lifting.as_ref())
+                .and_then(|lifting| lifting.found),
             ..Remarks::default()
         };
         step.normal_force = state.normal.force();
@@ -314,7 +324,6 @@ impl History {
         let moved = motion.since(state.motion).shift;
         let [x, y] = state.force;
         let force_before = x.hypot(y);
-        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let before = self.candidate.held().map(NormalSolution::pressure);
         commit(
             answer.as_ref(),
@@ -429,6 +438,7 @@ impl TryClone for History {
             increment: None,
             joint,
             step: self.step.try_clone()?,
+            lifting: None,
             written: self.written,
             state,
         })
