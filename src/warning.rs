@@ -235,14 +235,19 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
             ),
-            Self::NeglectedLift { per_million } => write!(
-                formatter,
-                "tractions lift dissimilar bodies by {}.{:04} % of the normal displacement, and the pressure ignores the lift: use coupled rolling, or a history with full coupling",
-                per_million / 10_000,
-                per_million % 10_000
-            ),
+            Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
         }
     }
+}
+
+/// Writes the warning of a lift that the pressure ignores.
+fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
+    write!(
+        formatter,
+        "tractions lift dissimilar bodies by {}.{:04} % of the normal displacement, and the pressure ignores the lift: use coupled rolling, or a history with full coupling",
+        per_million / 10_000,
+        per_million % 10_000
+    )
 }
 
 /// Discretisation errors that are remarked on, and that are aimed at.

@@ -123,7 +123,7 @@ impl CoupledRollingProblem {
         CoupledRollingSolver::new(self)
     }
 
-    /// `Ok` if these loads can be prescribed, as far as this is known before the pressure.
+    /// Returns an error for loads that no pressure allows.
     pub(super) fn check(
         &self,
         normal: NormalControl,
@@ -175,7 +175,7 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Checks everything that is known before the pressure.
+    /// Checks everything that does not depend on the pressure.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if gap or friction live on a different grid, [`Error::Sample`] if the gap is not finite.

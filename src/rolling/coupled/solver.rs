@@ -19,8 +19,8 @@ use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSol
 use crate::shown::shown;
 use crate::tangential::{Axis, Friction, Lifting, TangentialModel, lift_residual};
 
-/// Tolerance of the halves in the first pass, and what it is over the error of the coupling in later ones: with a tenth
-/// the passes of strong friction ended in a cycle of two.
+/// Tolerance of the halves in the first pass, and ratio of this tolerance to the error of the coupling in later passes. A
+/// ratio of 0.1 left the passes of strong friction in a cycle of two.
 const START: f64 = 1e-3;
 const SHARPER: f64 = 0.03;
 /// Part of the tolerance that the halves may use up.
@@ -62,7 +62,7 @@ pub struct CoupledRollingSolver {
     pub(super) normal: NormalSolver,
     /// The solver of the last pass; none before the first.
     pub(super) rolling: Option<RollingSolver>,
-    /// What lifts the surfaces of the whole grid, of bodies that are coupled.
+    /// Operator of the lift on the whole grid; `None` of bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,
     /// A bound of the coupling between the energy norms, times the root of the largest tangential eigenvalue.
     reach: f64,
@@ -420,7 +420,7 @@ impl CoupledRollingSolver {
         }
     }
 
-    /// Measures the halves as they are, each with the other as it is; returns the error of their coupling.
+    /// Measures each half for the present other half; returns the error of their coupling.
     fn examine(&mut self, before: &mut [f64], solution: &CoupledRollingSolution) -> Result<f64> {
         let (normal, rolling) = (&solution.normal, &solution.rolling);
         let layout = normal.grid().layout();

@@ -51,15 +51,15 @@ struct NormalHalf {
 
 /// Changes by a unit of a motion.
 struct Change {
-    /// Of the tractions and of the pressure, on the window.
+    /// Changes of the tractions and of the pressure, on the window.
     traction: [Vec<f64>; 2],
     pressure: Vec<f64>,
-    /// Of the whole grid: the tractions, their lift, the pressure, and the gap under load.
+    /// Changes on the whole grid: the tractions, their lift, the pressure, and the gap under load.
     whole: [Vec<f64>; 2],
     lift: Vec<f64>,
     pressed: Vec<f64>,
     gap: Vec<f64>,
-    /// What the changes move the cells over a step.
+    /// Displacements of the cells over a step by the changes.
     moved: [Vec<f64>; 2],
 }
 
@@ -126,7 +126,7 @@ impl RollingSolver {
         found
     }
 
-    /// Forces and moment by a unit of a motion.
+    /// Returns the changes of forces and moment for a unit of a motion.
     fn column(
         &self,
         motion: usize,
@@ -219,8 +219,7 @@ impl RollingSolver {
         Err(Error::NotConverged(Box::new(work.clone())))
     }
 
-    /// What the change of the entry compliance displaces the cells with the tractions that they have, by central
-    /// differences.
+    /// Returns the displacements by the change of the entry compliance under the present tractions, by central differences.
     fn entry_change(&self, normal: &NormalSolution, change: &Change) -> Result<Vec<[f64; 2]>> {
         let problem = &self.problem;
         let (pressed, window) = (&problem.pressed, problem.pressed.window());
