@@ -170,9 +170,8 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
             ),
-            Self::StalePressure => write!(
-                formatter,
-                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"
+            Self::StalePressure => formatter.write_str(
+                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again",
             ),
             Self::StressAtEdge => write!(
                 formatter,
