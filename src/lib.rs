@@ -81,6 +81,7 @@
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
 //! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
 //! | roll with creepages, forces, spin or moment, steadily; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
+//! | roll bodies of different materials steadily | [`rolling::CoupledRollingProblem`] |
 //! | roll while loads, creepages or surfaces change | [`LoadStep::roll`] |
 //! | have coated bodies, or any linear ones: a thin sheet, a graded half-space, coefficients or operators of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
@@ -101,8 +102,10 @@
 //! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
 //! | [`ranks`], also of stiffnesses | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
+//! | [steady rolling](rolling), its stiffness | - | - | yes | yes, with a warning | yes |
+//! | [steps that roll](LoadStep::roll) | - | yes | yes | yes, with a warning | yes |
 //!
-//! The twist needs a grid that does not repeat.
+//! The twist needs a grid that does not repeat. Rolling has no hardness in steady problems, and no ranks.
 //!
 //! # Units and signs
 //!

@@ -122,6 +122,16 @@ pub enum Warning {
         /// The part of the tangential force that was lost, in per cent.
         per_cent: usize,
     },
+    /// Rolling of dissimilar bodies ignores that tractions change the pressure, and the neglected part exceeds the
+    /// tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History) of
+    /// [full coupling](crate::Coupling::Full) include it.
+    ///
+    /// The neglected part is half the range of the normal displacement by the tractions within the contact, over the
+    /// largest normal displacement by the pressure.
+    NeglectedLift {
+        /// The neglected part in millionths, rounded up.
+        per_million: usize,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -160,9 +170,8 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
             ),
-            Self::StalePressure => write!(
-                formatter,
-                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again"
+            Self::StalePressure => formatter.write_str(
+                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again",
             ),
             Self::StressAtEdge => write!(
                 formatter,
@@ -225,8 +234,19 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
             ),
+            Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
         }
     }
+}
+
+/// Writes the warning of a lift that the pressure ignores.
+fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
+    write!(
+        formatter,
+        "tractions lift dissimilar bodies by {}.{:04} % of the normal displacement, and the pressure ignores the lift: use coupled rolling, or a history with full coupling",
+        per_million / 10_000,
+        per_million % 10_000
+    )
 }
 
 /// Discretisation errors that are remarked on, and that are aimed at.
@@ -260,6 +280,18 @@ impl Warning {
             cells_per_radius: (radius * refinement(estimate)).ceil() as usize,
             spots,
         })
+    }
+}
+
+impl Warning {
+    /// Returns a lift by tractions that the pressure ignores, in millionths; `None` up to the tolerance.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the lift is not negative, and a large one saturates"
+    )]
+    pub(crate) fn lift_beyond(lift: f64, tolerance: f64) -> Option<usize> {
+        (lift > tolerance).then(|| (1e6 * lift).ceil() as usize)
     }
 }
 

@@ -26,13 +26,18 @@ impl<'a> Own<'a> {
         self.mean.is_empty()
     }
 
-    pub(in crate::cgm) fn parts(&self) -> (&'a [f64], &'a [[f64; 2]]) {
+    pub(crate) fn parts(&self) -> (&'a [f64], &'a [[f64; 2]]) {
         (self.mean, self.deviator)
     }
 
     /// The mean of all directions in a cell.
     pub(crate) fn mean(&self, cell: usize) -> f64 {
         self.mean.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]` in a cell.
+    pub(crate) fn deviator(&self, cell: usize) -> [f64; 2] {
+        self.deviator.get(cell).copied().unwrap_or_default()
     }
 
     /// Adds a multiple of what it displaces a cell with these tractions, if there is any.

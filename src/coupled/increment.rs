@@ -1,7 +1,7 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Total, reduce};
+use crate::cgm::{Own, Total, reduce};
 use crate::contact::{self, Conditions, OnWindow, Seen, Windows, multipliers};
 use crate::coupled::window_solver::{Engine, Start, Task};
 use crate::coupled::{CoupledReport, N};
@@ -38,6 +38,8 @@ pub(crate) struct CoupledIncrement {
     pub(super) linear: [Vec<f64>; N],
     /// $`\kappa g`$ of the cells that would enter the contact in this step, if they are to lag.
     pub(super) closing: Vec<f64>,
+    /// What it is beyond the mean of all directions, where the bodies roll; of no cells elsewhere.
+    pub(super) closing_deviator: Vec<[f64; 2]>,
     pub(super) enters: bool,
     motion: Motion,
     /// Shift of the state that the start is from.
@@ -92,6 +94,7 @@ impl CoupledIncrement {
             offset: zeros(Axis::BOTH, grid.cells())?,
             linear: zeros_of_all()?,
             closing: Vec::new(),
+            closing_deviator: Vec::new(),
             enters: false,
             motion: Motion::default(),
             last_shift: [0.0; 2],
@@ -301,7 +304,8 @@ impl CoupledIncrement {
         }
         let (linear, tractions) = (&self.linear, &mut self.tractions);
         let (displacement, report) = (&mut self.displacement, &mut self.report);
-        let asked = (slices(linear), self.enters.then_some(&*self.closing));
+        let closing = Own::new(&self.closing, &self.closing_deviator);
+        let asked = (slices(linear), self.enters.then_some(closing));
         self.windows.solve(bodies, |engine, _| {
             engine.take(tractions);
             let outcome = engine.solve(asked, task, start, conditions, report);

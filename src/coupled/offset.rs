@@ -3,7 +3,7 @@
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
 use crate::memory::fallible;
-use crate::tangential::{PlaneVector, own_compliance, ratio_of_compliances};
+use crate::tangential::{OwnCompliance, PlaneVector, own_compliance, ratio_of_compliances};
 
 impl CoupledIncrement {
     pub(super) fn offset(&self) -> [&[f64]; 2] {
@@ -13,6 +13,7 @@ impl CoupledIncrement {
     /// Lets the cells that would enter the contact from a gap lag behind their motion; none without one.
     pub(crate) fn enter(&mut self, gap: Option<impl Fn(usize) -> f64>) -> Result<()> {
         self.enters = gap.is_some();
+        self.closing_deviator.clear();
         if let Some(gap) = gap {
             let kappa = ratio_of_compliances(&self.bodies);
             fallible::resize(&mut self.closing, self.offset[0].len(), 0.0)?;
@@ -21,6 +22,37 @@ impl CoupledIncrement {
             }
         }
         Ok(())
+    }
+
+    /// Lets the cells that would enter the contact by rolling lag behind their motion, by $`\kappa g`$ of each cell of the
+    /// grid; none without it.
+    pub(crate) fn roll_in(
+        &mut self,
+        closing: Option<impl Fn(usize) -> OwnCompliance>,
+    ) -> Result<()> {
+        self.enters = closing.is_some();
+        self.closing_deviator.clear();
+        if let Some(closing) = closing {
+            let cells = self.offset[0].len();
+            fallible::resize(&mut self.closing, cells, 0.0)?;
+            fallible::make_room(&mut self.closing_deviator, cells)?;
+            for (i, mean) in self.closing.iter_mut().enumerate() {
+                let closing = closing(i);
+                *mean = closing.mean();
+                self.closing_deviator.push(closing.deviator());
+            }
+        }
+        Ok(())
+    }
+
+    /// Carries the offsets to where the particles of rolling bodies are, and adds how far they have turned.
+    pub(crate) fn carry_offset(&mut self, carry: impl Fn(&mut [f64]), turned: [f64; 2]) {
+        for (part, turned) in self.offset.iter_mut().zip(turned) {
+            carry(part);
+            for offset in part {
+                *offset += turned;
+            }
+        }
     }
 
     /// Moves the offsets of the cells that entered back by what they have not followed of the motion.
@@ -34,6 +66,14 @@ impl CoupledIncrement {
                 if pressure[i] > 0.0 {
                     offset[i] -= closing * traction[i] / pressure[i];
                 }
+            }
+        }
+        let [offset_x, offset_y] = &mut self.offset;
+        for (i, [a, b]) in self.closing_deviator.iter().enumerate() {
+            if pressure[i] > 0.0 {
+                let [x, y] = [0, 1].map(|axis| traction[axis][i] / pressure[i]);
+                offset_x[i] -= a * x + b * y;
+                offset_y[i] -= b * x - a * y;
             }
         }
     }

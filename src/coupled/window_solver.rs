@@ -2,7 +2,9 @@
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
-use crate::cgm::{Carried, Disc, Interval, Known, Magnitude, Settings, Total, UNLIMITED, reduce};
+use crate::cgm::{
+    Carried, Disc, Interval, Known, Magnitude, Own, Settings, Total, UNLIMITED, reduce,
+};
 use crate::contact::{Conditions, ElasticSolver, OnWindow, ended_from_outside, with_counts_of};
 use crate::coupled::error_bound::Contraction;
 use crate::coupled::increment::CoupledDemand;
@@ -108,11 +110,14 @@ pub(super) struct Engine {
     kept: [Vec<f64>; N],
     /// What a half adds to what the other asks.
     linear: [Vec<f64>; N],
-    /// `kappa g` of the cells that would enter the contact, if any would.
+    /// `kappa g` of the cells that would enter the contact, if any would: the mean of all directions, and the rest where
+    /// the bodies roll.
     closing: Vec<f64>,
+    closing_deviator: Vec<[f64; 2]>,
     enters: bool,
     /// `kappa g / p` of the pressure of a half; of no cells where none enters.
     own: Vec<f64>,
+    own_deviator: Vec<[f64; 2]>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
     /// The largest pressure of all cells, or of each in what follows.
@@ -168,8 +173,10 @@ impl OnWindow for Engine {
             kept: Default::default(),
             linear: fallible::vector(cells)?,
             closing: Vec::new(),
+            closing_deviator: Vec::new(),
             enters: false,
             own: Vec::new(),
+            own_deviator: Vec::new(),
             image: fallible::vector(cells)?,
             limits: fallible::zeros(cells)?,
             hardness: PerCell::Uniform(f64::INFINITY),
@@ -226,7 +233,7 @@ impl Engine {
     /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
     pub(super) fn solve(
         &mut self,
-        (linear, closing): ([&[f64]; N], Option<&[f64]>),
+        (linear, closing): ([&[f64]; N], Option<Own<'_>>),
         task: Task<'_>,
         start: Start,
         conditions: &mut Conditions<'_, '_>,
@@ -239,7 +246,15 @@ impl Engine {
         self.enters = closing.is_some();
         if let Some(closing) = closing {
             fallible::resize(&mut self.closing, self.region.cells(), 0.0)?;
-            self.region.gather(closing, &mut self.closing);
+            let (mean, deviator) = closing.parts();
+            self.region.gather(mean, &mut self.closing);
+            self.closing_deviator.clear();
+            if !deviator.is_empty() {
+                // Ranks do not share bodies that roll.
+                let cells = self.region.own().indices().map(|i| deviator[i]);
+                fallible::make_room(&mut self.closing_deviator, self.region.cells())?;
+                self.closing_deviator.extend(cells);
+            }
         }
         let limits = task.demand.hardness.map_or(UNLIMITED, Hardness::limits);
         self.hardness = limits.map(|_| ());
@@ -333,7 +348,9 @@ impl Engine {
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
             linear: slices(&self.asked),
-            closing: self.enters.then_some(&self.closing),
+            closing: self
+                .enters
+                .then(|| Own::new(&self.closing, &self.closing_deviator)),
             hardness: self.hardness.map(|()| &*self.hardness_of_cells),
             friction,
             totals: task.totals,
@@ -426,7 +443,7 @@ impl Engine {
         let problem = self
             .plane
             .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
-            .diagonal(&self.own)
+            .own(Own::new(&self.own, &self.own_deviator))
             .totals(totals);
         let plane = &mut self.plane;
         let solve = |settings: &Settings, observer: Observer<'_>| {
@@ -441,11 +458,25 @@ impl Engine {
     /// The compliance that the cells have of their own at the present pressure.
     fn set_own(&mut self) -> Result<()> {
         self.own.clear();
+        self.own_deviator.clear();
         if self.enters {
             fallible::resize(&mut self.own, self.closing.len(), 0.0)?;
             let cells = self.closing.iter().zip(&self.x[0]);
             for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
                 *own = own_compliance(*closing, *pressure);
+            }
+            fallible::resize(
+                &mut self.own_deviator,
+                self.closing_deviator.len(),
+                [0.0; 2],
+            )?;
+            let cells = self.closing_deviator.iter().zip(&self.x[0]);
+            for (own, (closing, pressure)) in self.own_deviator.iter_mut().zip(cells) {
+                *own = if *pressure > 0.0 {
+                    closing.map(|part| part / pressure)
+                } else {
+                    [0.0; 2]
+                };
             }
         }
         Ok(())

@@ -63,10 +63,12 @@ pub struct EnergyBalance {
 
 impl EnergyBalance {
     /// What the pressure does in a step, from before to after, each with its gap before loading; of cells that lie so.
+    /// `place` is where the particle of a cell was before the step: particles from beyond the grid had no pressure.
     pub(super) fn of_pressing(
         layout: &Layout,
         before: (&NormalSolution, &Field),
         after: (&NormalSolution, &Field),
+        place: impl Fn(usize) -> Option<usize> + Sync,
     ) -> Self {
         let at = |(contact, gap): (&NormalSolution, &Field), i: usize| {
             let displacement =
@@ -74,7 +76,8 @@ impl EnergyBalance {
             (contact.pressure().as_slice()[i], displacement)
         };
         let [work, elastic_before, elastic_after] = reduce::sum(layout, |i| {
-            let ((p, u), (p_next, u_next)) = (at(before, i), at(after, i));
+            let (p_next, u_next) = at(after, i);
+            let (p, u) = place(i).map_or((0.0, u_next), |place| at(before, place));
             [
                 0.5 * (p + p_next) * (u_next - u),
                 0.5 * p * u,

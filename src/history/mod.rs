@@ -83,8 +83,12 @@
 //! cell as the mean of its directions.
 //!
 //! A step that rolls is not modelled along an axis on which the grid repeats, with a shift or a twist of its own, with a
-//! relative displacement, a spring or a permanent set, with pressure and traction that are found together, in [adaptive
-//! steps](AdaptiveSteps), or on bodies that ranks share.
+//! relative displacement, a spring or a permanent set, in [adaptive steps](AdaptiveSteps), or on bodies that ranks share.
+//!
+//! Rolled steps of [full coupling](crate::Coupling::Full) solve pressure and traction together. A history that rolls on
+//! under one load ends in the solution of [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem). Rolled steps of
+//! [one-way coupling](crate::Coupling::OneWay) have the warning
+//! [`NeglectedLift`](crate::Warning::NeglectedLift).
 //!
 //! Of Carter's cylinder at 0.8 of the creepage at which it slides the force is within 2.1e-5 of $`\mu P`$ on 128 cells
 //! after 30 half-widths, without the law within 3e-3. On the cells of CONTACT and without the law, tractions agree to

@@ -192,6 +192,12 @@ impl Travel {
         contact.map_or(Ok(()), |contact| self.behind(contact).map(|_| ()))
     }
 
+    /// `Ok` if the particles of a contact at the end of the step were on the grid before it.
+    pub(crate) fn check_ahead(&self, bodies: &HalfSpace, pressure: &Field) -> Result<()> {
+        let contact = contact_of(bodies, pressure);
+        contact.map_or(Ok(()), |contact| self.ahead(contact).map(|_| ()))
+    }
+
     /// The window of a step, with where the particles in the contact of its end were before, and where those of the contact
     /// of its beginning have come to; if it has to be wider, it is by some more, so that the contact may grow.
     pub(crate) fn reach(

@@ -41,6 +41,7 @@ mod friction_limits;
 mod increment;
 #[cfg(feature = "analytical")]
 mod jaeger;
+mod lifting;
 mod load;
 mod offset;
 mod one_way;
@@ -67,6 +68,7 @@ pub(crate) use increment::{Increment, Start};
 #[cfg(feature = "analytical")]
 #[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub use jaeger::JaegerSuperposition;
+pub(crate) use lifting::{Lifting, lift_residual};
 pub(crate) use load::Demand;
 pub use load::{TangentialControl, TangentialLoad};
 pub(crate) use one_way::Drawing;

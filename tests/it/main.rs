@@ -35,6 +35,7 @@ mod contact_spots_add_up;
 mod contacts_that_shrink_need_no_more_than_they_are;
 #[cfg(feature = "dense")]
 mod convolution_equals_direct_sum;
+mod coupled_rolling;
 mod cycles_add_up_their_steps;
 mod data_of_another_code_is_consistent;
 mod displacement_control;

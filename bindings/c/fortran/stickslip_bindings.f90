@@ -35,6 +35,23 @@ module stickslip_bindings
     public :: stickslip_coupled_solution_warnings
     public :: stickslip_coupled_solution_stiffness
     public :: stickslip_coupled_solution_stiffness_observed
+    public :: stickslip_coupled_rolling_solver_new
+    public :: stickslip_coupled_rolling_solver_free
+    public :: stickslip_coupled_rolling_solver_set_normal_load
+    public :: stickslip_coupled_rolling_solver_set_load
+    public :: stickslip_coupled_rolling_solver_set_gap
+    public :: stickslip_coupled_rolling_solver_set_friction
+    public :: stickslip_coupled_rolling_solver_set_settings
+    public :: stickslip_coupled_rolling_solver_reset
+    public :: stickslip_coupled_rolling_solver_solve
+    public :: stickslip_coupled_rolling_solver_stiffness
+    public :: stickslip_coupled_rolling_solution_new
+    public :: stickslip_coupled_rolling_solution_free
+    public :: stickslip_coupled_rolling_solution_field
+    public :: stickslip_coupled_rolling_solution_zones
+    public :: stickslip_coupled_rolling_solution_results
+    public :: stickslip_coupled_rolling_solution_report
+    public :: stickslip_coupled_rolling_solution_warnings
     public :: stickslip_cycle_new
     public :: stickslip_cycle_free
     public :: stickslip_cycle_begin
@@ -341,6 +358,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STEEP_SURFACE = 15
     ! A step of a history held the shift, and the tangential force fell by more than half.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE = 16
+    ! Tractions of dissimilar bodies that roll change the pressure, and the change is neglected.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGLECTED_LIFT = 17
     ! Any other: the message says which.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Bytes of the message of a warning.
@@ -492,6 +511,17 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_block
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_block
+
+    ! Pressure, traction, slip and creepage of coupled steady rolling. Its fields are read without a copy, and are valid until
+    ! the next solve into it, or until it is freed.
+    type, bind(c), public :: stickslip_coupled_rolling_solution
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_coupled_rolling_solution
+
+    ! Solves coupled steady rolling for one load after the other, each from the last answer.
+    type, bind(c), public :: stickslip_coupled_rolling_solver
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_coupled_rolling_solver
 
     ! Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
     ! next solve into it, or until it is freed.
@@ -904,6 +934,26 @@ module stickslip_bindings
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_coupled_report
+
+    ! Report of coupled rolling: ending, cost, passes and certified errors.
+    type, bind(c), public :: stickslip_coupled_rolling_report
+        ! The work of all passes; its duality gap is infinite for coupled bodies.
+        type(stickslip_report) :: work
+        ! Number of passes: solves of the pressure, each followed by a solve of the tractions.
+        integer(c_size_t) :: passes = 0
+        ! Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+        real(c_double) :: coupling_residual = 0
+        ! Change of the pressure in the last pass, over the pressure (root mean squares).
+        real(c_double) :: pressure_change = 0
+        ! Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+        real(c_double) :: pressure_error_bound = 0
+        ! Bound of the relative error of the tractions, for the pressure of the solution.
+        real(c_double) :: traction_error_bound = 0
+        ! Estimate of the relative error of the pressure as a whole; NaN if there is none.
+        real(c_double) :: error_estimate = 0
+        ! Room for members to come: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_coupled_rolling_report
 
     ! A diagnostic on a converged solution that may mislead.
     type, bind(c), public :: stickslip_warning
@@ -1679,6 +1729,157 @@ module stickslip_bindings
             type(stickslip_stiffness), intent(out), optional :: stiffness
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_stiffness_observed
+
+        ! Makes a solver of a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no spin)
+        ! and options (the defaults) may be NULL.
+        function stickslip_coupled_rolling_solver_new(half_space, gap, count, friction, normal, load, options, &
+            solver) result(answer) bind(c)
+            import
+            type(stickslip_half_space), value :: half_space
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            type(stickslip_friction), intent(in), optional :: friction
+            type(stickslip_normal_load), intent(in), optional :: normal
+            type(stickslip_rolling_load), intent(in), optional :: load
+            type(stickslip_rolling_options), intent(in), optional :: options
+            type(stickslip_coupled_rolling_solver), intent(out) :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_new
+
+        ! Frees a solver; nothing for NULL.
+        function stickslip_coupled_rolling_solver_free(solver) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_free
+
+        ! Changes the normal load of the next solve.
+        function stickslip_coupled_rolling_solver_set_normal_load(solver, normal) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_normal_load), intent(in), optional :: normal
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_set_normal_load
+
+        ! Changes creepages, forces, spin or moment of the next solve.
+        function stickslip_coupled_rolling_solver_set_load(solver, load) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_rolling_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_set_load
+
+        ! Changes the gap before loading of the next solve (lengths, count entries, copied).
+        function stickslip_coupled_rolling_solver_set_gap(solver, gap, count) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            real(c_double), intent(in) :: gap(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_set_gap
+
+        ! Changes the friction of the next solve.
+        function stickslip_coupled_rolling_solver_set_friction(solver, friction) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_friction), intent(in), optional :: friction
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_set_friction
+
+        ! Changes method, tolerance and limits of the next solve.
+        function stickslip_coupled_rolling_solver_set_settings(solver, settings) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_settings), intent(in), optional :: settings
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_set_settings
+
+        ! Forgets the last answer: the next solve starts as the first did.
+        function stickslip_coupled_rolling_solver_reset(solver) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_reset
+
+        ! Solves into a solution of stickslip_coupled_rolling_solution_new for the same bodies. observer may be NULL. With
+        ! STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report.
+        function stickslip_coupled_rolling_solver_solve(solver, solution, observer) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_coupled_rolling_solution), value :: solution
+            type(stickslip_observer), intent(in), optional :: observer
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_solve
+
+        ! The slopes of the loads about the last answer, with the pressure that follows the tractions. observer may be NULL.
+        ! STICKSLIP_NOT_CONVERGED before the first solve.
+        function stickslip_coupled_rolling_solver_stiffness(solver, observer, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_rolling_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solver_stiffness
+
+        ! Makes an empty solution of the right size for a solver.
+        function stickslip_coupled_rolling_solution_new(solver, solution) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solver), value :: solver
+            type(stickslip_coupled_rolling_solution), intent(out) :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solution_new
+
+        ! Frees a solution; nothing for NULL.
+        function stickslip_coupled_rolling_solution_free(solution) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solution_free
+
+        ! STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count
+        ! may be NULL); NULL on failure. The slip is the slip for each length rolled (dimensionless).
+        function stickslip_coupled_rolling_solution_field(solution, which, count) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            integer(c_int32_t), value :: which
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_coupled_rolling_solution_field
+
+        ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        function stickslip_coupled_rolling_solution_zones(solution, count) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            integer(c_size_t), intent(out), optional :: count
+            type(c_ptr) :: answer
+        end function stickslip_coupled_rolling_solution_zones
+
+        ! The numbers of both halves; either may be NULL.
+        function stickslip_coupled_rolling_solution_results(solution, normal, rolling) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            type(stickslip_normal_result), intent(out), optional :: normal
+            type(stickslip_rolling_result), intent(out), optional :: rolling
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solution_results
+
+        ! Report of the solve.
+        function stickslip_coupled_rolling_solution_report(solution, report) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            type(stickslip_coupled_rolling_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solution_report
+
+        ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+        function stickslip_coupled_rolling_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(stickslip_coupled_rolling_solution), value :: solution
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_coupled_rolling_solution_warnings
 
         ! Begins a cycle at the present state of a history.
         function stickslip_cycle_new(history, cycle) result(answer) bind(c)

@@ -7,7 +7,7 @@ module stickslip_rolling
     implicit none
     private
 
-    public :: rolling_solver, rolling_solution
+    public :: rolling_solver, rolling_solution, coupled_rolling_solver, coupled_rolling_solution
 
     ! Solves steady rolling for one creepage, force or spin after the other.
     type, extends(stickslip_object) :: rolling_solver
@@ -41,6 +41,39 @@ module stickslip_rolling
         procedure :: free => rolling_solution_free
         final :: rolling_solution_final
     end type rolling_solution
+
+    ! Solves rolling of dissimilar bodies, with pressure and traction coupled both ways.
+    type, extends(stickslip_object) :: coupled_rolling_solver
+        type(stickslip_coupled_rolling_solver) :: handle
+        type(stickslip_grid) :: grid
+    contains
+        procedure :: new => coupled_rolling_solver_new
+        procedure :: set_normal_load => coupled_rolling_solver_set_normal_load
+        procedure :: set_load => coupled_rolling_solver_set_load
+        procedure :: set_gap => coupled_rolling_solver_set_gap
+        procedure :: set_friction => coupled_rolling_solver_set_friction
+        procedure :: set_settings => coupled_rolling_solver_set_settings
+        procedure :: reset => coupled_rolling_solver_reset
+        procedure :: solve => coupled_rolling_solver_solve
+        procedure :: stiffness => coupled_rolling_solver_stiffness
+        procedure :: address => coupled_rolling_solver_address
+        procedure :: free => coupled_rolling_solver_free
+        final :: coupled_rolling_solver_final
+    end type coupled_rolling_solver
+
+    ! A solved rolling contact of dissimilar bodies; made by the first solve into it.
+    type, extends(stickslip_object) :: coupled_rolling_solution
+        type(stickslip_coupled_rolling_solution) :: handle
+        type(stickslip_grid) :: grid
+    contains
+        procedure :: field => coupled_rolling_solution_field
+        procedure :: zones => coupled_rolling_solution_zones
+        procedure :: results => coupled_rolling_solution_results
+        procedure :: report => coupled_rolling_solution_report
+        procedure :: address => coupled_rolling_solution_address
+        procedure :: free => coupled_rolling_solution_free
+        final :: coupled_rolling_solution_final
+    end type coupled_rolling_solution
 
 contains
 
@@ -209,4 +242,174 @@ contains
         type(rolling_solution), intent(inout) :: this
         call this%free()
     end subroutine rolling_solution_final
+
+    ! Without a load no creepage and no spin.
+    subroutine coupled_rolling_solver_new(this, bodies, gap, friction, normal, load, options, status)
+        class(coupled_rolling_solver), intent(inout) :: this
+        class(half_space), intent(in) :: bodies
+        real(c_double), intent(in), contiguous :: gap(:, :)
+        type(stickslip_friction), intent(in) :: friction
+        type(stickslip_normal_load), intent(in) :: normal
+        type(stickslip_rolling_load), intent(in), optional :: load
+        type(stickslip_rolling_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_coupled_rolling_solver) :: made
+        integer(c_int32_t) :: code, given_up
+        if (.not. fits('gap', shape(gap), bodies%grid, status)) return
+        code = stickslip_coupled_rolling_solver_new(bodies%handle, gap, size(gap, kind=c_size_t), friction, normal, load, &
+            options, made)
+        if (code == STICKSLIP_OK) code = stickslip_coupled_rolling_solver_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+            this%grid = bodies%grid
+        else
+            given_up = stickslip_coupled_rolling_solver_free(made)
+        end if
+        call report_status(code, status)
+    end subroutine coupled_rolling_solver_new
+
+    subroutine coupled_rolling_solver_set_normal_load(this, normal, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(stickslip_normal_load), intent(in) :: normal
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solver_set_normal_load(this%handle, normal), status)
+    end subroutine coupled_rolling_solver_set_normal_load
+
+    subroutine coupled_rolling_solver_set_load(this, load, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(stickslip_rolling_load), intent(in) :: load
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solver_set_load(this%handle, load), status)
+    end subroutine coupled_rolling_solver_set_load
+
+    subroutine coupled_rolling_solver_set_gap(this, gap, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        real(c_double), intent(in), contiguous :: gap(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('gap', shape(gap), this%grid, status)) return
+        call report_status(stickslip_coupled_rolling_solver_set_gap(this%handle, gap, size(gap, kind=c_size_t)), status)
+    end subroutine coupled_rolling_solver_set_gap
+
+    subroutine coupled_rolling_solver_set_friction(this, friction, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(stickslip_friction), intent(in) :: friction
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solver_set_friction(this%handle, friction), status)
+    end subroutine coupled_rolling_solver_set_friction
+
+    subroutine coupled_rolling_solver_set_settings(this, settings, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(stickslip_settings), intent(in) :: settings
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solver_set_settings(this%handle, settings), status)
+    end subroutine coupled_rolling_solver_set_settings
+
+    ! Forgets the last answer.
+    subroutine coupled_rolling_solver_reset(this, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solver_reset(this%handle), status)
+    end subroutine coupled_rolling_solver_reset
+
+    subroutine coupled_rolling_solver_solve(this, solution, observer, status)
+        class(coupled_rolling_solver), intent(in) :: this
+        class(coupled_rolling_solution), intent(inout) :: solution
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int32_t) :: code
+        code = STICKSLIP_OK
+        if (.not. c_associated(solution%address())) then
+            code = stickslip_coupled_rolling_solution_new(this%handle, solution%handle)
+            solution%grid = this%grid
+        end if
+        if (code == STICKSLIP_OK) code = stickslip_coupled_rolling_solver_solve(this%handle, solution%handle, observer)
+        call report_status(code, status)
+    end subroutine coupled_rolling_solver_solve
+
+    ! Forces and moment by creepages and spin about the last answer, slopes(column, row): the loads are the rows. The
+    ! pressure follows the tractions.
+    function coupled_rolling_solver_stiffness(this, observer, status) result(stiffness)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_rolling_stiffness) :: stiffness
+        call report_status(stickslip_coupled_rolling_solver_stiffness(this%handle, observer, stiffness), status)
+    end function coupled_rolling_solver_stiffness
+
+    ! STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.
+    function coupled_rolling_solution_field(this, which, status) result(samples)
+        class(coupled_rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(in) :: which
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double), pointer :: samples(:, :)
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
+        first = stickslip_coupled_rolling_solution_field(this%handle, which, count)
+        samples => plane(first, count, this%grid, status)
+    end function coupled_rolling_solution_field
+
+    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    function coupled_rolling_solution_zones(this, status) result(zones)
+        class(coupled_rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_int8_t), pointer :: zones(:, :)
+        type(c_ptr) :: first
+        integer(c_size_t) :: count
+        first = stickslip_coupled_rolling_solution_zones(this%handle, count)
+        zones => map_of_zones(first, count, this%grid, status)
+    end function coupled_rolling_solution_zones
+
+    ! The numbers of both halves.
+    subroutine coupled_rolling_solution_results(this, normal, rolling, status)
+        class(coupled_rolling_solution), intent(in) :: this
+        type(stickslip_normal_result), intent(out), optional :: normal
+        type(stickslip_rolling_result), intent(out), optional :: rolling
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_coupled_rolling_solution_results(this%handle, normal, rolling), status)
+    end subroutine coupled_rolling_solution_results
+
+    function coupled_rolling_solution_report(this, status) result(report)
+        class(coupled_rolling_solution), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_coupled_rolling_report) :: report
+        call report_status(stickslip_coupled_rolling_solution_report(this%handle, report), status)
+    end function coupled_rolling_solution_report
+
+    function coupled_rolling_solver_address(this) result(address)
+        class(coupled_rolling_solver), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function coupled_rolling_solver_address
+
+    ! One in use by another thread stays.
+    subroutine coupled_rolling_solver_free(this)
+        class(coupled_rolling_solver), intent(inout) :: this
+        if (stickslip_coupled_rolling_solver_free(this%handle) == STICKSLIP_OK) then
+            this%handle = stickslip_coupled_rolling_solver()
+        end if
+    end subroutine coupled_rolling_solver_free
+
+    subroutine coupled_rolling_solver_final(this)
+        type(coupled_rolling_solver), intent(inout) :: this
+        call this%free()
+    end subroutine coupled_rolling_solver_final
+
+    function coupled_rolling_solution_address(this) result(address)
+        class(coupled_rolling_solution), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function coupled_rolling_solution_address
+
+    ! One in use by another thread stays.
+    subroutine coupled_rolling_solution_free(this)
+        class(coupled_rolling_solution), intent(inout) :: this
+        if (stickslip_coupled_rolling_solution_free(this%handle) == STICKSLIP_OK) then
+            this%handle = stickslip_coupled_rolling_solution()
+        end if
+    end subroutine coupled_rolling_solution_free
+
+    subroutine coupled_rolling_solution_final(this)
+        type(coupled_rolling_solution), intent(inout) :: this
+        call this%free()
+    end subroutine coupled_rolling_solution_final
 end module stickslip_rolling

@@ -288,6 +288,9 @@
 // A step of a history held the shift, and the tangential force fell by more than half.
 #define STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE 16
 
+// Tractions of dissimilar bodies that roll change the pressure, and the change is neglected.
+#define STICKSLIP_WARNING_NEGLECTED_LIFT 17
+
 // Any other: the message says which.
 #define STICKSLIP_WARNING_OTHER 127
 
@@ -500,6 +503,13 @@ typedef struct stickslip_adaptive_steps stickslip_adaptive_steps;
 
 // A block on its way to this rank.
 typedef struct stickslip_block stickslip_block;
+
+// Pressure, traction, slip and creepage of coupled steady rolling. Its fields are read without a copy, and are valid until
+// the next solve into it, or until it is freed.
+typedef struct stickslip_coupled_rolling_solution stickslip_coupled_rolling_solution;
+
+// Solves coupled steady rolling for one load after the other, each from the last answer.
+typedef struct stickslip_coupled_rolling_solver stickslip_coupled_rolling_solver;
 
 // Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
 // next solve into it, or until it is freed.
@@ -894,6 +904,26 @@ typedef struct {
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_coupled_report;
+
+// Report of coupled rolling: ending, cost, passes and certified errors.
+typedef struct {
+    // The work of all passes; its duality gap is infinite for coupled bodies.
+    stickslip_report work;
+    // Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    size_t passes;
+    // Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+    double coupling_residual;
+    // Change of the pressure in the last pass, over the pressure (root mean squares).
+    double pressure_change;
+    // Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    double pressure_error_bound;
+    // Bound of the relative error of the tractions, for the pressure of the solution.
+    double traction_error_bound;
+    // Estimate of the relative error of the pressure as a whole; NaN if there is none.
+    double error_estimate;
+    // Room for members to come: zero.
+    uint64_t reserved[8];
+} stickslip_coupled_rolling_report;
 
 // A diagnostic on a converged solution that may mislead.
 typedef struct {
@@ -1565,6 +1595,88 @@ stickslip_status stickslip_coupled_solution_stiffness_observed(const stickslip_c
                                                                const stickslip_friction *friction,
                                                                const stickslip_observer *observer,
                                                                stickslip_stiffness *stiffness);
+
+// Makes a solver of a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no spin)
+// and options (the defaults) may be NULL.
+stickslip_status stickslip_coupled_rolling_solver_new(const stickslip_half_space *half_space,
+                                                      const double *gap,
+                                                      size_t count,
+                                                      const stickslip_friction *friction,
+                                                      const stickslip_normal_load *normal,
+                                                      const stickslip_rolling_load *load,
+                                                      const stickslip_rolling_options *options,
+                                                      stickslip_coupled_rolling_solver **solver);
+
+// Frees a solver; nothing for NULL.
+stickslip_status stickslip_coupled_rolling_solver_free(stickslip_coupled_rolling_solver *solver);
+
+// Changes the normal load of the next solve.
+stickslip_status stickslip_coupled_rolling_solver_set_normal_load(stickslip_coupled_rolling_solver *solver,
+                                                                  const stickslip_normal_load *normal);
+
+// Changes creepages, forces, spin or moment of the next solve.
+stickslip_status stickslip_coupled_rolling_solver_set_load(stickslip_coupled_rolling_solver *solver,
+                                                           const stickslip_rolling_load *load);
+
+// Changes the gap before loading of the next solve (lengths, count entries, copied).
+stickslip_status stickslip_coupled_rolling_solver_set_gap(stickslip_coupled_rolling_solver *solver,
+                                                          const double *gap,
+                                                          size_t count);
+
+// Changes the friction of the next solve.
+stickslip_status stickslip_coupled_rolling_solver_set_friction(stickslip_coupled_rolling_solver *solver,
+                                                               const stickslip_friction *friction);
+
+// Changes method, tolerance and limits of the next solve.
+stickslip_status stickslip_coupled_rolling_solver_set_settings(stickslip_coupled_rolling_solver *solver,
+                                                               const stickslip_settings *settings);
+
+// Forgets the last answer: the next solve starts as the first did.
+stickslip_status stickslip_coupled_rolling_solver_reset(stickslip_coupled_rolling_solver *solver);
+
+// Solves into a solution of stickslip_coupled_rolling_solution_new for the same bodies. observer may be NULL. With
+// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report.
+stickslip_status stickslip_coupled_rolling_solver_solve(stickslip_coupled_rolling_solver *solver,
+                                                        stickslip_coupled_rolling_solution *solution,
+                                                        const stickslip_observer *observer);
+
+// The slopes of the loads about the last answer, with the pressure that follows the tractions. observer may be NULL.
+// STICKSLIP_NOT_CONVERGED before the first solve.
+stickslip_status stickslip_coupled_rolling_solver_stiffness(stickslip_coupled_rolling_solver *solver,
+                                                            const stickslip_observer *observer,
+                                                            stickslip_rolling_stiffness *stiffness);
+
+// Makes an empty solution of the right size for a solver.
+stickslip_status stickslip_coupled_rolling_solution_new(const stickslip_coupled_rolling_solver *solver,
+                                                        stickslip_coupled_rolling_solution **solution);
+
+// Frees a solution; nothing for NULL.
+stickslip_status stickslip_coupled_rolling_solution_free(stickslip_coupled_rolling_solution *solution);
+
+// STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count
+// may be NULL); NULL on failure. The slip is the slip for each length rolled (dimensionless).
+const double *stickslip_coupled_rolling_solution_field(const stickslip_coupled_rolling_solution *solution,
+                                                       int32_t which,
+                                                       size_t *count);
+
+// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+const uint8_t *stickslip_coupled_rolling_solution_zones(const stickslip_coupled_rolling_solution *solution,
+                                                        size_t *count);
+
+// The numbers of both halves; either may be NULL.
+stickslip_status stickslip_coupled_rolling_solution_results(const stickslip_coupled_rolling_solution *solution,
+                                                            stickslip_normal_result *normal,
+                                                            stickslip_rolling_result *rolling);
+
+// Report of the solve.
+stickslip_status stickslip_coupled_rolling_solution_report(const stickslip_coupled_rolling_solution *solution,
+                                                           stickslip_coupled_rolling_report *report);
+
+// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+stickslip_status stickslip_coupled_rolling_solution_warnings(const stickslip_coupled_rolling_solution *solution,
+                                                             stickslip_warning *buffer,
+                                                             size_t capacity,
+                                                             size_t *count);
 
 // Begins a cycle at the present state of a history.
 stickslip_status stickslip_cycle_new(const stickslip_history *history, stickslip_cycle **cycle);

@@ -11,6 +11,7 @@ pub mod analytical;
 pub mod batch;
 mod call;
 pub mod coupled;
+pub mod coupled_rolling;
 pub mod cycle;
 pub mod edges;
 mod environment;

@@ -138,6 +138,8 @@ pub const STICKSLIP_WARNING_LARGE_CONTACT_RADIUS: i32 = 14;
 pub const STICKSLIP_WARNING_STEEP_SURFACE: i32 = 15;
 /// A step of a history held the shift, and the tangential force fell by more than half.
 pub const STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE: i32 = 16;
+/// Tractions of dissimilar bodies that roll change the pressure, and the change is neglected.
+pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
 /// Any other: the message says which.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -183,6 +185,7 @@ impl From<&Warning> for stickslip_warning {
             Warning::LargeContactRadius { .. } => (STICKSLIP_WARNING_LARGE_CONTACT_RADIUS, 0, 0),
             Warning::SteepSurface { .. } => (STICKSLIP_WARNING_STEEP_SURFACE, 0, 0),
             Warning::HeldShiftLostForce { .. } => (STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE, 0, 0),
+            Warning::NeglectedLift { .. } => (STICKSLIP_WARNING_NEGLECTED_LIFT, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

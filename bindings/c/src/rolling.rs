@@ -74,7 +74,7 @@ pub struct stickslip_rolling_load {
 }
 
 impl stickslip_rolling_load {
-    fn checked(&self) -> Outcome<([RollingControl; 2], SpinControl)> {
+    pub(crate) fn checked(&self) -> Outcome<([RollingControl; 2], SpinControl)> {
         known("the rolling load", &self.reserved)?;
         Ok(([self.x.along()?, self.y.along()?], self.spin.about()?))
     }
@@ -376,7 +376,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-fn of_rolling(solution: &RollingSolution, field: i32) -> Outcome<&Field> {
+pub(crate) fn of_rolling(solution: &RollingSolution, field: i32) -> Outcome<&Field> {
     match field {
         STICKSLIP_TRACTION_X => Ok(solution.traction()[0]),
         STICKSLIP_TRACTION_Y => Ok(solution.traction()[1]),

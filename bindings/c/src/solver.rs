@@ -3,7 +3,9 @@
 use std::ops::ControlFlow;
 
 use stickslip_rs::cgm::Settings;
-use stickslip_rs::rolling::{RollingSolution, RollingSolver};
+use stickslip_rs::rolling::{
+    CoupledRollingSolution, CoupledRollingSolver, RollingSolution, RollingSolver,
+};
 use stickslip_rs::{
     CoupledSolution, CoupledSolver, Field, Friction, Grid, Iteration, NormalSolution, NormalSolver,
     Result, TangentialSolution, TangentialSolver,
@@ -65,6 +67,7 @@ solve! {
     TangentialSolver => TangentialSolution,
     CoupledSolver => CoupledSolution,
     RollingSolver => RollingSolution,
+    CoupledRollingSolver => CoupledRollingSolution,
 }
 
 /// Changes a solver by a struct of C, which is checked first.

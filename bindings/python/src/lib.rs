@@ -110,7 +110,11 @@ mod _stickslip {
         pickle::{_from_bytes, _restore},
         pool::{num_threads, set_num_threads},
         report::{Iteration, Report, Warning},
-        rolling::{CreepForce, CreepForces, RollingProblem, RollingSolution, RollingSolver},
+        rolling::{
+            CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution,
+            CoupledRollingSolver, CreepForce, CreepForces, RollingProblem, RollingSolution,
+            RollingSolver,
+        },
         settings::Settings,
         spots::{ContactSpots, Spot},
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},

@@ -166,7 +166,7 @@ picklable!(Report: stickslip::Report);
 /// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
 /// ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
 /// ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
-/// ``steep_surface`` or ``held_shift_lost_force``.
+/// ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -201,6 +201,7 @@ impl Warning {
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
+            W::NeglectedLift { .. } => "neglected_lift",
             _ => "other",
         }
     }

@@ -80,6 +80,8 @@ class Scene:
         responses = ss.subsurface.at_points(bodies, "one", normal, points)
         response = responses[0]
         rolling = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-3)
+        pressed = {"normal_force": 100.0, "creepage_x": 1e-3}
+        coupled_rolling = ss.rolling.CoupledRollingProblem(self.dissimilar, ball, 0.5, **pressed)
         creep_forces = rolling.solver().creep_forces([(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)])
         adaptive = ss.history.AdaptiveSteps(history, 0.05)
         contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
@@ -109,6 +111,10 @@ class Scene:
             "CoupledSolution": coupled,
             "CoupledReport": coupled.report,
             "ErrorEstimate": coupled.report.error_estimate,
+            "CoupledRollingProblem": coupled_rolling,
+            "CoupledRollingSolver": coupled_rolling.solver(),
+            "CoupledRollingSolution": coupled_rolling.solve(),
+            "CoupledRollingReport": coupled_rolling.solve().report,
             "RollingProblem": rolling,
             "RollingSolver": rolling.solver(),
             "RollingSolution": rolling.solve(),
@@ -221,6 +227,9 @@ class Scene:
             "NormalSolver.set_load": {"force": 100.0},
             "NormalSolver.solve": {"force": 100.0},
             "Planes.write_vti": {"path": f"{self.folder}/planes.vti"},
+            "CoupledRollingProblem": {"normal_force": 100.0, "creepage_x": 1e-3},
+            "CoupledRollingSolver.set_load": {"normal_force": 100.0},
+            "CoupledRollingSolver.solve": {"creepage_x": 1e-3},
             "RollingProblem": {"creepage_x": 1e-3},
             "RollingSolver.creep_forces": {"points": [(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)]},
             "RollingSolver.solve": {"creepage_x": 1e-3},

@@ -6,16 +6,16 @@
 use crate::cgm::cone::law::{Kind, Lag, Law};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
-use crate::numerics::cell_vector::{at, plus, slices, update_cells};
+use crate::numerics::cell_vector::{at, slices, update_cells};
 use crate::parallel;
 
 /// Part of the largest pressure that stands for a smaller one in `kappa g / p`.
 const LEAST: f64 = 1e-9;
 
 impl<F: Cone> ConeProblem<'_, F> {
-    /// $`\kappa g`$ of a cell.
+    /// $`\kappa g`$ of a cell, the mean of all directions.
     pub(super) fn closing_of(&self, cell: usize) -> f64 {
-        self.closing.map_or(0.0, |closing| closing[cell])
+        self.closing.map_or(0.0, |closing| closing.mean(cell))
     }
 
     /// Traction over pressure of a cell.
@@ -39,12 +39,18 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         let least = LEAST * reduce::max(problem.layout, |i| x[0][i]);
         parallel::update(&mut self.workspace.linear.rows, |first, laws| {
             for (i, law) in (first..).zip(laws) {
-                let own = match closing[i] {
+                let own = match closing.mean(i) {
                     0.0 => 0.0,
                     closing => (closing / x[0][i].max(least)).min(f64::MAX),
                 };
+                let per_pressure = if own > 0.0 {
+                    own / closing.mean(i)
+                } else {
+                    0.0
+                };
                 law.lag = Lag {
                     own,
+                    deviator: closing.deviator(i).map(|part| part * per_pressure),
                     ratio: problem.ratio(i, *law, at(&x, i)),
                 };
             }
@@ -61,7 +67,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         let laws = &w.linear.rows;
         let [_, along_x, along_y] = &mut w.product;
         update_cells(&mut [&mut **along_x, &mut **along_y], |i, u| {
-            plus(u, part * closing[i], laws[i].lag.ratio)
+            closing.added(u, part, i, laws[i].lag.ratio)
         });
     }
 }

@@ -22,8 +22,10 @@ pub(crate) struct Law {
 /// How a cell that enters the contact lags behind its motion: by $`\kappa g\,q/p`$ from a gap g.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lag {
-    /// $`\kappa g/p`$; zero where the cell does not enter.
+    /// $`\kappa g/p`$, the mean of all directions; zero where the cell does not enter.
     pub(super) own: f64,
+    /// The rest of it: `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`.
+    pub(super) deviator: [f64; 2],
     /// Traction over pressure, $`q/p`$.
     pub(super) ratio: [f64; 2],
 }
@@ -31,6 +33,7 @@ pub(super) struct Lag {
 impl Lag {
     const NONE: Self = Self {
         own: 0.0,
+        deviator: [0.0; 2],
         ratio: [0.0; 2],
     };
 }
@@ -286,9 +289,13 @@ impl Row<N> for Law {
     }
 
     fn lag(self, [dp, dx, dy]: [f64; N]) -> [f64; N] {
-        let Lag { own, ratio } = self.lag;
+        let Lag {
+            own,
+            deviator: [a, b],
+            ratio,
+        } = self.lag;
         let [x, y] = plus([dx, dy], -dp, ratio);
-        [0.0, own * x, own * y]
+        [0.0, own * x + (a * x + b * y), own * y + (b * x - a * y)]
     }
 
     fn weighted(self, r: [f64; N]) -> [f64; N] {

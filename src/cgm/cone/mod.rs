@@ -30,7 +30,7 @@ use crate::cgm::cone::newton::Course;
 use crate::cgm::linear::Border;
 use crate::cgm::monitor::Monitor;
 use crate::cgm::newton::newton;
-use crate::cgm::{Settings, Total, reduce};
+use crate::cgm::{Own, Settings, Total, reduce};
 use crate::error::Result;
 use crate::grid::per_cell::PerCell;
 use crate::observer::Observer;
@@ -61,9 +61,9 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) layout: &'a Layout,
     /// The gap before loading, and minus what the cells are asked to follow along x and y.
     pub(crate) linear: [&'a [f64]; N],
-    /// $`\kappa g`$ of the cells that would enter the contact from a gap g: they lag behind their motion by
+    /// $`\kappa g`$ of the cells that would enter the contact from a gap g, a tensor: they lag behind their motion by
     /// $`\kappa g\,q/p`$. Zero elsewhere; `None` where no cell of any rank does.
-    pub(crate) closing: Option<&'a [f64]>,
+    pub(crate) closing: Option<Own<'a>>,
     /// The largest pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,
     pub(crate) friction: F,

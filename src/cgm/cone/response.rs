@@ -41,6 +41,7 @@ impl ConeWorkspace {
             let mut law = Law::of(tractions, limit(i), problem.hardness.of(i));
             law.lag = Lag {
                 own: own.get(i).copied().unwrap_or(0.0),
+                deviator: [0.0; 2],
                 ratio: problem.ratio(i, law, tractions),
             };
             let law = if slips { law } else { law.stuck() };

@@ -3,7 +3,7 @@
 use crate::bodies::coupling::Coupling;
 use crate::contact::{Conditions, Trend};
 use crate::coupled::{CoupledDemand, CoupledIncrement};
-use crate::error::Result;
+use crate::error::{Result, of_rolling};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
@@ -12,7 +12,9 @@ use crate::history::{History, LoadStep};
 use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
-use crate::tangential::{Axis, Motion};
+use crate::rolling::Travel;
+use crate::rolling::entry::compliance;
+use crate::tangential::{Axis, Motion, OwnCompliance};
 
 impl State {
     /// With this much coupling. Where pressure and traction are found together, that is on all of the grid and along both
@@ -64,7 +66,12 @@ impl History {
         if let Some(change) = state.displaced_by(load) {
             joint.displace(change);
         }
-        joint.enter(state.closing(&self.bodies, normal, false))?;
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
+        let motion = state.demand(load, &self.bodies);
+        match &travel {
+            Some(travel) => roll(joint, state, (&self.bodies, normal), travel, motion.twist)?,
+            None => joint.enter(state.closing(&self.bodies, normal, false))?,
+        }
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
         let mut conditions = Conditions::new(&state.settings, observer);
@@ -73,13 +80,42 @@ impl History {
             friction: &state.friction,
             hardness,
             normal,
-            tangential: load.demand(state.motion.twist),
+            tangential: motion,
         };
-        joint.solve(demand, state.motion, &mut conditions)?;
+        let solved = joint.solve(demand, state.motion, &mut conditions);
+        if travel.is_some() {
+            solved.map_err(of_rolling)?;
+        } else {
+            solved?;
+        }
         let candidate = self.candidate.take(|| state.normal.try_clone())?;
         joint.write(&state.gap, hardness, candidate);
+        if let Some(travel) = &travel {
+            travel.check_ahead(&self.bodies, candidate.pressure())?;
+        }
         Ok(Some(joint.answer().motion))
     }
+}
+
+/// Poses a step in which other particles come to the cells, and body 2 has turned by `twist` at its end.
+fn roll(
+    joint: &mut CoupledIncrement,
+    state: &State,
+    (bodies, control): (&HalfSpace, NormalControl),
+    travel: &Travel,
+    twist: f64,
+) -> Result<()> {
+    let passage = travel.through(state.grid().size());
+    let turned = travel.turned(0.5 * (state.twist() + twist));
+    joint.carry_offset(|part| passage.carry(part), turned);
+    let Some(gap) = state.closing(bodies, control, true) else {
+        return joint.enter(None::<fn(usize) -> f64>);
+    };
+    // The compliance under a unit pressure: the pressure of the cell is not known yet.
+    joint.roll_in(Some(|i: usize| {
+        let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
+        travel.before(i).map_or(OwnCompliance::NONE, entered)
+    }))
 }
 
 /// What solves the steps of a coupled state.

@@ -5,6 +5,7 @@ pub(super) mod batch;
 pub(super) mod commit;
 pub(super) mod entering;
 pub(super) mod joint;
+pub(super) mod neglected;
 pub(super) mod pool;
 pub(super) mod pressing;
 pub(super) mod remarks;
@@ -27,6 +28,7 @@ use crate::history::state::narrowing::narrow;
 use crate::history::state::permanent_set::{add_yielded, settle};
 use crate::history::step::commit::commit;
 use crate::history::step::joint::new_joint;
+use crate::history::step::neglected::NeglectedLift;
 use crate::history::step::pool::Increments;
 use crate::history::step::remarks::Remarks;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
@@ -98,6 +100,8 @@ pub struct History {
     /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
+    /// What the tractions of a rolled step lift where the pressure ignores the lift; none before the first such step.
+    pub(super) lifting: Option<NeglectedLift>,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,
 }
@@ -149,6 +153,7 @@ impl History {
             increment: None,
             joint: new_joint(bodies, &state)?,
             step: StepResult::new(state.grid())?,
+            lifting: None,
             written: None,
             state,
         })
@@ -283,6 +288,7 @@ impl History {
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
+        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         match self.candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -293,7 +299,8 @@ impl History {
                 if joint.is_some() {
                     let before = (&state.normal, &state.pressed_gap);
                     let (layout, after) = (self.bodies.grid_layout(), (&*candidate, &state.gap));
-                    pressing = EnergyBalance::of_pressing(&layout, before, after);
+                    let place = |i: usize| travel.map_or(Some(i), |travel| travel.before(i));
+                    pressing = EnergyBalance::of_pressing(&layout, before, after, place);
                 }
                 std::mem::swap(&mut state.normal, candidate);
                 state.pressed_gap.clone_from(&state.gap);
@@ -313,6 +320,10 @@ impl History {
             edge_cells: state.normal.cells_on_edge(),
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
+            neglected_lift: load
+                .rolling()
+                .and(self.lifting.as_ref())
+                .and_then(|lifting| lifting.found),
             ..Remarks::default()
         };
         step.normal_force = state.normal.force();
@@ -326,7 +337,6 @@ impl History {
         let moved = motion.since(state.motion).shift;
         let [x, y] = state.force;
         let force_before = x.hypot(y);
-        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let before = self.candidate.held().map(NormalSolution::pressure);
         commit(
             answer.as_ref(),
@@ -441,6 +451,7 @@ impl TryClone for History {
             increment: None,
             joint,
             step: self.step.try_clone()?,
+            lifting: None,
             written: self.written,
             state,
         })

@@ -28,6 +28,9 @@ pub(in crate::history) struct Remarks {
     /// Part of the tangential force that a held shift has lost, in per cent, the most of any step.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
+    /// Lift by the tractions of a rolled step that the pressure ignores, in millionths of the normal displacement, the most
+    /// of any step.
+    pub(in crate::history) neglected_lift: Option<usize>,
     /// Cells in contact and its zones: the fewest that stick and the widest zone that slips.
     pub(in crate::history) resolution: Resolution,
 }
@@ -46,6 +49,7 @@ impl Remarks {
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
             scale: self.scale.max(other.scale),
             lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
+            neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
         }
     }
@@ -66,7 +70,10 @@ impl Remarks {
             .chain(resolution.zone_warnings());
         let per_cent = self.lost_per_cent;
         let lost = (per_cent > LARGEST_LOSS).then_some(Warning::HeldShiftLostForce { per_cent });
+        let lift = self.neglected_lift;
+        let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
+            .chain(lift)
             .chain(zones)
             .chain(self.scale.warnings())
             .chain(lost)

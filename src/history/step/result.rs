@@ -244,8 +244,8 @@ impl StepResult {
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
     /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], those of contacts and zones
-    /// of too few cells, such as [`Warning::NarrowSlip`], those of large approaches and slopes, and
-    /// [`Warning::HeldShiftLostForce`]. Others, such as spots too small to resolve, are among the warnings
+    /// of too few cells, such as [`Warning::NarrowSlip`], those of large approaches and slopes,
+    /// [`Warning::HeldShiftLostForce`], and [`Warning::NeglectedLift`] of a rolled step with one-way coupling. Others, such as spots too small to resolve, are among the warnings
     /// of [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {

@@ -146,10 +146,6 @@ impl Rolling {
             let remedy = "roll bodies on a grid that ranks do not share";
             return refused("bodies on a grid that ranks share", cells, remedy);
         }
-        if state.is_joint() {
-            let remedy = "roll bodies of one material, or build the history with one-way coupling";
-            return refused("two-way coupling of pressure and traction", cells, remedy);
-        }
         if state.relative.is_some() {
             let remedy = "build the history without a relative displacement";
             return refused("a relative displacement", cells, remedy);

@@ -6,6 +6,7 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
+use crate::history::step::neglected::NeglectedLift;
 use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalControl, Pressing};
@@ -173,6 +174,16 @@ impl History {
             solved.map_err(of_rolling)?;
         } else {
             solved?;
+        }
+        if is_rolled && state.coupling.is_one_way(self.bodies.pair()) {
+            let gap = if is_pressed {
+                &state.gap
+            } else {
+                &state.pressed_gap
+            };
+            let tolerance = state.settings.tolerance;
+            let (lifting, answer) = (&mut self.lifting, increment.answer());
+            NeglectedLift::measure(lifting, &self.bodies, &answer, (pressed, gap), tolerance)?;
         }
         Ok(increment.motion())
     }

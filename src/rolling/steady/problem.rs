@@ -1,10 +1,12 @@
 //! The scene of steady rolling, checked once.
 
+use crate::bodies::component::Direction;
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
+use crate::operator::Operator;
 use crate::rolling::entry::entering;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::rolling::{Passage, Travel};
@@ -29,12 +31,14 @@ pub struct RollingProblem {
     pub(in crate::rolling) chain: usize,
     /// What the pressure adds to the slip of each cell.
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
+    /// Normal displacement by the pressure, of bodies of different materials; else of no cells.
+    pub(in crate::rolling) pressed_in: Vec<f64>,
     pub(in crate::rolling) controls: [RollingControl; 2],
     pub(in crate::rolling) spin: SpinControl,
     pub(in crate::rolling) settings: Settings,
 }
 
-try_clone!(RollingProblem { pressed, own, drawn } { bodies, step, length, chain, controls, spin, settings });
+try_clone!(RollingProblem { pressed, own, drawn, pressed_in } { bodies, step, length, chain, controls, spin, settings });
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
 
@@ -99,39 +103,12 @@ impl RollingProblem {
         controls: [RollingControl; 2],
         spin: SpinControl,
     ) -> Result<()> {
-        controls.into_iter().try_for_each(RollingControl::check)?;
-        let (name, turn) = match spin {
-            SpinControl::Spin(spin) => ("spin", spin),
-            SpinControl::Moment(moment) => ("moment", moment),
-        };
-        finite(name, turn)?;
-        if spin != SpinControl::Spin(0.0) && !self.bodies.boundary().may_turn() {
-            return Err(Error::NotModelled {
-                model: "the model of rolling",
-                quantity: name,
-                value: turn,
-                remedy: "a grid that repeats cannot turn, with any option",
-            });
-        }
+        check_motion(&self.bodies, self.length, controls, spin)?;
         let force = controls.map(|control| match control {
             RollingControl::Force(force) => force,
             RollingControl::Creepage(_) => 0.0,
         });
-        let (grid, area) = (self.bodies.grid(), self.bodies.grid().cell_area());
-        if let SpinControl::Spin(spin) = spin {
-            let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
-            finite("turn of a step by the spin", spin * extent * self.length)?;
-        }
-        for control in controls {
-            match control {
-                RollingControl::Creepage(creepage) => {
-                    finite("creepage of a step", creepage * self.length)?;
-                }
-                RollingControl::Force(force) => {
-                    finite("tangential force over the cell area", force / area)?;
-                }
-            }
-        }
+        let area = self.bodies.grid().cell_area();
         self.pressed.limits.check(force, area).map_err(of_rolling)?;
         let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
         let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
@@ -251,6 +228,7 @@ impl RollingProblemBuilder<'_> {
         let problem = RollingProblem {
             own,
             drawn: drawn(bodies, &pressed, step)?,
+            pressed_in: pressed_in(bodies, &pressed)?,
             chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
@@ -265,6 +243,45 @@ impl RollingProblemBuilder<'_> {
     }
 }
 
+/// `Ok` if bodies can roll so by steps of this length, whatever the pressure.
+pub(in crate::rolling) fn check_motion(
+    bodies: &HalfSpace,
+    length: f64,
+    controls: [RollingControl; 2],
+    spin: SpinControl,
+) -> Result<()> {
+    controls.into_iter().try_for_each(RollingControl::check)?;
+    let (name, turn) = match spin {
+        SpinControl::Spin(spin) => ("spin", spin),
+        SpinControl::Moment(moment) => ("moment", moment),
+    };
+    finite(name, turn)?;
+    if spin != SpinControl::Spin(0.0) && !bodies.boundary().may_turn() {
+        return Err(Error::NotModelled {
+            model: "the model of rolling",
+            quantity: name,
+            value: turn,
+            remedy: "a grid that repeats cannot turn, with any option",
+        });
+    }
+    let (grid, area) = (bodies.grid(), bodies.grid().cell_area());
+    if let SpinControl::Spin(spin) = spin {
+        let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
+        finite("turn of a step by the spin", spin * extent * length)?;
+    }
+    for control in controls {
+        match control {
+            RollingControl::Creepage(creepage) => {
+                finite("creepage of a step", creepage * length)?;
+            }
+            RollingControl::Force(force) => {
+                finite("tangential force over the cell area", force / area)?;
+            }
+        }
+    }
+    Ok(())
+}
+
 /// What the pressure of bodies of different materials adds to the slip of each cell.
 fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f64>; 2]> {
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
@@ -277,4 +294,21 @@ fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f6
         });
     }
     Ok(drawn)
+}
+
+/// Returns the normal displacement by the pressure of bodies of different materials; of no cells for others.
+fn pressed_in(bodies: &HalfSpace, pressed: &Pressed) -> Result<Vec<f64>> {
+    if !bodies.pair().is_coupled() {
+        return Ok(Vec::new());
+    }
+    let operator = bodies
+        .compliance([Direction::Z], pressed.window().size)?
+        .operator;
+    let mut displacement = zeros(pressed.region.cells())?;
+    operator.apply(
+        [&pressed.pressure],
+        [&mut displacement],
+        &mut operator.scratch()?,
+    );
+    Ok(displacement)
 }

@@ -13,6 +13,7 @@ use crate::support::debug::shown;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 use crate::tangential::{Zone, centre, is_at_limit};
+use crate::warning::Warning;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling.
 #[derive(Clone, PartialEq)]
@@ -23,12 +24,14 @@ pub struct RollingSolution {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
+    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement, if it needs a warning.
+    neglected_lift: Option<usize>,
     report: Report,
 }
 
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
 
-try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, report });
+try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, neglected_lift, report });
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -39,6 +42,8 @@ struct Unchecked {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
+    #[serde(default)]
+    neglected_lift: Option<usize>,
     report: Report,
 }
 
@@ -66,6 +71,7 @@ impl RollingSolution {
             zones: filled(Zone::Separated, grid.cells())?,
             creepage: [0.0; 2],
             spin: 0.0,
+            neglected_lift: None,
             report: Report::with_room(),
         })
     }
@@ -109,6 +115,11 @@ impl RollingSolution {
     ) {
         (self.creepage, self.spin) = (creepage, spin);
         self.report.clone_from(report);
+    }
+
+    /// With a lift by the tractions that the pressure ignores, in millionths of the normal displacement.
+    pub(in crate::rolling) fn set_neglected_lift(&mut self, lift: Option<usize>) {
+        self.neglected_lift = lift;
     }
 
     pub(in crate::rolling) fn set_report(&mut self, report: &Report) {
@@ -206,6 +217,14 @@ impl RollingSolution {
         let count = |zone: Zone| self.zones.iter().filter(|z| **z == zone).count();
         let (stick, slip) = (count(Zone::Stick), count(Zone::Slip));
         stick as f64 / (stick + slip).max(1) as f64
+    }
+
+    /// Returns [`Warning::NeglectedLift`] if tractions of dissimilar bodies change the pressure by more than the tolerance.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let lift = self.neglected_lift;
+        let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
+        lift.into_iter().collect()
     }
 
     /// How the solve ended, and its certified error.

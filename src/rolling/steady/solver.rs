@@ -21,7 +21,8 @@ use crate::rolling::steady::spin_search::SpinSearch;
 use crate::rolling::steady::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::support::debug::shown;
-use crate::tangential::{Friction, OwnCompliance, TangentialModel};
+use crate::tangential::{Friction, Lifting, OwnCompliance, TangentialModel, lift_residual};
+use crate::warning::Warning;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
 const SPINS: usize = 60;
@@ -56,7 +57,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) workspace: Workspace<Disc, 2>,
     /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
     /// of numbers.
-    unit: f64,
+    pub(in crate::rolling) unit: f64,
     pub(in crate::rolling) limits: Vec<f64>,
     pub(in crate::rolling) traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
@@ -65,11 +66,13 @@ pub struct RollingSolver {
     own_mean: Vec<f64>,
     own_deviator: Vec<[f64; 2]>,
     /// The spin of the last solve, from which the search for that of a moment starts.
-    spin: f64,
+    pub(in crate::rolling) spin: f64,
     report: Report,
     /// Whether there is a last answer.
     is_warm: bool,
     pub(in crate::rolling) follow: Option<Follow>,
+    /// What the tractions lift, of bodies of different materials whose pressure ignores the lift, and the lift.
+    pub(in crate::rolling) lifting: Option<(Lifting, Vec<f64>)>,
 }
 
 shown!(RollingSolver: problem);
@@ -86,7 +89,10 @@ impl RollingSolver {
         let inverse = SteadyInverse::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
+        let lifting = || Ok::<_, Error>((Lifting::new(bodies, step.size)?, zeros(cells)?));
+        let lifting = bodies.pair().is_coupled().then(lifting).transpose()?;
         let mut solver = Self {
+            lifting,
             limits: zeros(cells)?,
             unit: 1.0,
             workspace: Problem::new(Arc::clone(&operator), [&[]; 2], Magnitude(&[]))
@@ -274,8 +280,31 @@ impl RollingSolver {
             let traction = |cell: usize| at(&slices(&self.traction), cell).map(|q| unit * q);
             let answer = solution.of(problem, traction, slip);
             answer.set_motion(creepage, self.spin, self.workspace.report());
+            let lift = self.neglected_lift();
+            let tolerance = self.problem.settings.tolerance;
+            solution.set_neglected_lift(Warning::lift_beyond(lift, tolerance));
         }
         outcome
+    }
+
+    /// Returns the lift by the tractions of the last solve that the pressure ignores, over the normal displacement.
+    fn neglected_lift(&mut self) -> f64 {
+        let Some((lifting, lift)) = &mut self.lifting else {
+            return 0.0;
+        };
+        let RollingProblem {
+            pressed,
+            pressed_in,
+            ..
+        } = &self.problem;
+        lifting.lift(slices(&self.traction), lift);
+        lift_residual(
+            pressed.region.layout(),
+            |i| pressed.pressure[i] > 0.0,
+            |i| self.unit * lift[i],
+            |i| pressed_in[i],
+            false,
+        )
     }
 
     pub(in crate::rolling) fn own(&self) -> Own<'_> {

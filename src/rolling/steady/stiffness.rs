@@ -23,7 +23,7 @@ const TOLERANCE: f64 = 1e-10;
 
 /// The linear problem of a step at fixed zones, and its unknowns.
 pub(in crate::rolling) struct Follow {
-    linear: LinearWorkspace<<Disc as Linearised<2>>::Motion, 2>,
+    pub(in crate::rolling) linear: LinearWorkspace<<Disc as Linearised<2>>::Motion, 2>,
     layout: Layout,
     right: Vec<[f64; 2]>,
     unknowns: Vec<[f64; 2]>,
@@ -75,7 +75,15 @@ impl RollingSolver {
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<[[f64; 3]; 3]> {
-        let mut follow = match self.follow.take() {
+        let mut follow = self.take_follow()?;
+        let found = self.loads(&mut follow, &mut observer);
+        self.follow = Some(follow);
+        Ok(Small(found?).transposed().0)
+    }
+
+    /// Takes the linear problem, or makes it.
+    pub(in crate::rolling) fn take_follow(&mut self) -> Result<Follow> {
+        Ok(match self.follow.take() {
             Some(follow) => follow,
             None => Follow {
                 linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
@@ -83,10 +91,7 @@ impl RollingSolver {
                 right: Vec::new(),
                 unknowns: Vec::new(),
             },
-        };
-        let found = self.loads(&mut follow, &mut observer);
-        self.follow = Some(follow);
-        Ok(Small(found?).transposed().0)
+        })
     }
 
     /// Forces and moment by a unit of each creepage and of spin.
@@ -103,7 +108,7 @@ impl RollingSolver {
     }
 
     /// Holds each cell in the zone where it is.
-    fn hold_zones(&self, follow: &mut Follow) -> Result<()> {
+    pub(in crate::rolling) fn hold_zones(&self, follow: &mut Follow) -> Result<()> {
         let (traction, limits) = (slices(&self.traction), &self.limits);
         let alone = self.operator.self_compliance();
         follow.linear.hold(|cell| {
@@ -122,15 +127,30 @@ impl RollingSolver {
         follow: &mut Follow,
         observer: Observer<'_>,
     ) -> Result<[f64; 3]> {
+        let problem = &self.problem;
+        let index = |cell: usize| problem.pressed.window().index(cell);
+        self.respond(
+            |cell| problem.motions(index(cell))[motion],
+            follow,
+            observer,
+        )?;
+        Ok(self.loads_of(follow.linear.tractions()))
+    }
+
+    /// Finds the tractions that answer displacements of the cells over a step at fixed zones.
+    pub(in crate::rolling) fn respond(
+        &self,
+        moved: impl Fn(usize) -> [f64; 2] + Sync,
+        follow: &mut Follow,
+        observer: Observer<'_>,
+    ) -> Result<()> {
         let Follow {
             linear,
             layout,
             right,
             unknowns,
         } = follow;
-        let problem = &self.problem;
-        let index = |cell: usize| problem.pressed.window().index(cell);
-        linear.restrict(|cell| problem.motions(index(cell))[motion], right)?;
+        linear.restrict(moved, right)?;
         let held = Held {
             operator: &*self.operator,
             preconditioner: &*self.inverse,
@@ -141,12 +161,16 @@ impl RollingSolver {
         if !linear.report().is_converged() {
             return Err(Error::NotConverged(Box::new(linear.report().clone())));
         }
-        let tractions = linear.tractions();
-        let grid = problem.bodies.grid();
-        let loads: [f64; 3] = reduce::sum(layout, |cell| {
-            let (q, [x, y]) = (at(&tractions, cell), centre(grid, index(cell)));
+        Ok(())
+    }
+
+    /// Forces and moment of tractions of the cells of the window.
+    pub(in crate::rolling) fn loads_of(&self, tractions: [&[f64]; 2]) -> [f64; 3] {
+        let (grid, window) = (self.problem.bodies.grid(), self.problem.pressed.window());
+        let loads: [f64; 3] = reduce::sum(&self.operator.layout(), |cell| {
+            let (q, [x, y]) = (at(&tractions, cell), centre(grid, window.index(cell)));
             [q[0], q[1], x * q[1] - y * q[0]]
         });
-        Ok(loads.map(|load| load * grid.cell_area()))
+        loads.map(|load| load * grid.cell_area())
     }
 }

@@ -117,6 +117,99 @@ class RollingSolver {
     Own own_;
 };
 
+/// A solved rolling contact of dissimilar bodies, with pressure and traction coupled both ways.
+class CoupledRollingSolution {
+  public:
+    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    /// Under load, with the lift by the tractions.
+    Field gap() const { return field(STICKSLIP_GAP); }
+    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    /// For each length rolled.
+    Field slip_x() const { return field(STICKSLIP_SLIP_X); }
+    Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
+    Zones zones() const {
+        return detail::viewed<std::uint8_t>(
+            [&](std::size_t *size) { return stickslip_coupled_rolling_solution_zones(get(), size); });
+    }
+    stickslip_normal_result normal_result() const {
+        return detail::asked<stickslip_normal_result>(
+            [&](auto *out) { return stickslip_coupled_rolling_solution_results(get(), out, nullptr); });
+    }
+    stickslip_rolling_result rolling_result() const {
+        return detail::asked<stickslip_rolling_result>(
+            [&](auto *out) { return stickslip_coupled_rolling_solution_results(get(), nullptr, out); });
+    }
+    stickslip_coupled_rolling_report report() const {
+        return detail::asked<stickslip_coupled_rolling_report>(
+            [&](auto *out) { return stickslip_coupled_rolling_solution_report(get(), out); });
+    }
+    stickslip_coupled_rolling_solution *get() const { return own_.get(); }
+
+  private:
+    friend class CoupledRollingSolver;
+    using Own = detail::Owned<stickslip_coupled_rolling_solution, stickslip_coupled_rolling_solution_free>;
+    explicit CoupledRollingSolution(Own own) : own_(std::move(own)) {}
+
+    Field field(std::int32_t which) const {
+        return detail::viewed<double>(
+            [&](std::size_t *size) { return stickslip_coupled_rolling_solution_field(get(), which, size); });
+    }
+
+    Own own_;
+};
+
+/// Solves coupled steady rolling for one load after the other, each from the last answer.
+class CoupledRollingSolver {
+  public:
+    CoupledRollingSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
+                         const stickslip_normal_load &normal, const stickslip_rolling_load &load = {},
+                         const stickslip_rolling_options *options = nullptr)
+        : own_(detail::made<Own>([&](auto **out) {
+              return stickslip_coupled_rolling_solver_new(bodies.get(), gap.data(), gap.size(), &friction, &normal, &load,
+                                                          options, out);
+          })) {}
+
+    void set_normal_load(const stickslip_normal_load &normal) {
+        check(stickslip_coupled_rolling_solver_set_normal_load(get(), &normal));
+    }
+    void set_load(const stickslip_rolling_load &load) { check(stickslip_coupled_rolling_solver_set_load(get(), &load)); }
+    void set_gap(Field gap) { check(stickslip_coupled_rolling_solver_set_gap(get(), gap.data(), gap.size())); }
+    void set_friction(const stickslip_friction &friction) {
+        check(stickslip_coupled_rolling_solver_set_friction(get(), &friction));
+    }
+    void set_settings(const Settings &settings) { check(stickslip_coupled_rolling_solver_set_settings(get(), &settings)); }
+    void reset() { check(stickslip_coupled_rolling_solver_reset(get())); }
+
+    CoupledRollingSolution solve(const Observe &observe = nullptr) {
+        CoupledRollingSolution solution = new_solution();
+        solve_into(solution, observe);
+        return solution;
+    }
+    CoupledRollingSolution new_solution() const {
+        return CoupledRollingSolution(detail::made<CoupledRollingSolution::Own>(
+            [&](auto **out) { return stickslip_coupled_rolling_solution_new(get(), out); }));
+    }
+    void solve_into(CoupledRollingSolution &solution, const Observe &observe = nullptr) {
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_coupled_rolling_solver_solve(get(), solution.get(), observer);
+        });
+    }
+    /// About the last answer, with the pressure that follows the tractions.
+    stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
+        stickslip_rolling_stiffness found{};
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_coupled_rolling_solver_stiffness(get(), observer, &found);
+        });
+        return found;
+    }
+    stickslip_coupled_rolling_solver *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_coupled_rolling_solver, stickslip_coupled_rolling_solver_free>;
+    Own own_;
+};
+
 /// Carter's contact of a cylinder under a force per length, with a creepage.
 inline stickslip_carter carter_cylinder(const HalfSpace &bodies, double radius, double force, double friction,
                                         double creepage) {

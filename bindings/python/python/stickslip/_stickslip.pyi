@@ -23,6 +23,10 @@ __all__ = [
     "Convolution",
     "CoupledProblem",
     "CoupledReport",
+    "CoupledRollingProblem",
+    "CoupledRollingReport",
+    "CoupledRollingSolution",
+    "CoupledRollingSolver",
     "CoupledSolution",
     "CoupledSolver",
     "CreepForce",
@@ -973,6 +977,218 @@ class CoupledReport:
     def work(self, /) -> Report:
         """
         Why the iteration ended, products with the whole tensor, residual and time.
+        """
+
+@final
+class CoupledRollingProblem:
+    """
+    Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
+
+    Along an axis without a creepage and a force there is no creepage.
+
+    Parameters
+    ----------
+    bodies : HalfSpace
+        The two bodies and the grid.
+    gap : Field or array_like of shape (ny, nx)
+        The gap before loading (lengths). An array is copied, a Field is shared.
+    friction : Friction, float or array_like of shape (ny, nx)
+        Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+    normal_force, approach : float
+        One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
+        positive when they come together).
+    creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+        As of :class:`RollingProblem`.
+    leading_edge, step, touch_rule : optional
+        As of :class:`RollingProblem`.
+    settings : Settings, optional
+        Method, tolerance and limits; those of ``Settings()`` by default.
+    tolerance, method, max_iterations, time_limit : optional
+        As of :class:`Settings`; they take precedence over ``settings``.
+
+    Raises
+    ------
+    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Tolerance,
+    IterationLimit, Method
+
+    Examples
+    --------
+    >>> import stickslip
+    >>> grid = stickslip.Grid.square(24, 3.0)
+    >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(1.0, 0.0), stickslip.Material.rigid()))
+    >>> ball = stickslip.surface.sphere(grid, 1.0)
+    >>> problem = stickslip.rolling.CoupledRollingProblem(bodies, ball, 0.3, normal_force=1.0, force_x=0.0)
+    >>> rolling = problem.solve()
+    >>> smooth = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
+    >>> bool(rolling.normal.pressure.max() > smooth.pressure.max())  # the tractions raise the pressure
+    True
+    """
+    def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, normal_force: float | None = None, approach: float | None = None, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledRollingProblem: ...
+    def __repr__(self, /) -> str: ...
+    def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
+        """
+        Solves once; see :meth:`NormalProblem.solve`.
+        """
+    def solver(self, /) -> CoupledRollingSolver:
+        """
+        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        """
+
+@final
+class CoupledRollingReport:
+    """
+    Report of coupled rolling: ending, cost, passes and certified errors.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def coupling_residual(self, /) -> float:
+        """
+        Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+        """
+    @property
+    def error_estimate(self, /) -> float | None:
+        """
+        Estimate of the relative error of the pressure as a whole, if there is one.
+        """
+    @property
+    def is_converged(self, /) -> bool:
+        """
+        Whether the tolerance was reached.
+        """
+    @property
+    def normal(self, /) -> Report:
+        """
+        Steps and products for the pressure.
+        """
+    @property
+    def passes(self, /) -> int:
+        """
+        Number of passes: solves of the pressure, each followed by a solve of the tractions.
+        """
+    @property
+    def pressure_change(self, /) -> float:
+        """
+        Change of the pressure in the last pass, over the pressure (root mean squares).
+        """
+    @property
+    def pressure_error_bound(self, /) -> float:
+        """
+        Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+        """
+    @property
+    def rolling(self, /) -> Report:
+        """
+        Steps and products for the tractions.
+        """
+    @property
+    def traction_error_bound(self, /) -> float:
+        """
+        Bound of the relative error of the tractions, for the pressure of the solution.
+        """
+    @property
+    def work(self, /) -> Report:
+        """
+        Status, steps and products of all passes, and the largest residual of both halves.
+        """
+
+@final
+class CoupledRollingSolution:
+    """
+    Both halves of coupled steady rolling.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def normal(self, /) -> NormalSolution:
+        """
+        The normal half; a copy.
+        """
+    @property
+    def report(self, /) -> CoupledRollingReport:
+        """
+        Ending, cost, passes and certified errors.
+        """
+    @property
+    def rolling(self, /) -> RollingSolution:
+        """
+        The rolling half; a copy.
+        """
+    @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Remarks on a result that may mislead; empty if there are none.
+        """
+
+@final
+class CoupledRollingSolver:
+    """
+    Solves coupled rolling for one load after the other, each from the last answer; made by
+    :meth:`CoupledRollingProblem.solver`.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def report(self, /) -> CoupledRollingReport:
+        """
+        How the last solve ended.
+        """
+    def reset(self, /) -> None:
+        """
+        Forgets the last answer: the next solve starts as the first did.
+        """
+    def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
+        """
+        Sets the friction of the next solve.
+        """
+    def set_gap(self, /, gap: Field | ArrayLike) -> None:
+        """
+        Sets the gap of the next solve (lengths).
+        """
+    def set_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
+        """
+        Sets the normal load of the next solve: a normal force (not negative) or an approach (a length).
+        """
+    @property
+    def settings(self, /) -> Settings:
+        """
+        The settings of the next solve; may be assigned.
+        """
+    @settings.setter
+    def settings(self, /, settings: Settings) -> None: ...
+    def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
+        """
+        Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+
+        Parameters
+        ----------
+        creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+            As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+        progress, warn : optional
+            As of :meth:`NormalProblem.solve`.
+
+        Returns
+        -------
+        CoupledRollingSolution
+
+        Raises
+        ------
+        NotFinite, NotModelled
+            For what is prescribed, which is then unchanged.
+        EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+            If the contact cannot roll so.
+        NotConverged
+            With ``report`` and ``last_iterate``.
+        """
+    def stiffness(self, /) -> list[list[float]]:
+        """
+        How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
+        last answer, with the pressure that follows the tractions.
+
+        Raises
+        ------
+        NotConverged
+            Before the first solve, or if a column is not found.
         """
 
 @final
@@ -4619,6 +4835,11 @@ class RollingSolution:
         Traction on body 1 along x and y (pressures); zero outside the contact.
         """
     @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Remarks on a result that may mislead; empty if there are none.
+        """
+    @property
     def work(self, /) -> float:
         """
         Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
@@ -6046,7 +6267,7 @@ class Warning:
     ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
     ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
     ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
-    ``steep_surface`` or ``held_shift_lost_force``.
+    ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

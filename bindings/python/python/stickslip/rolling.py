@@ -7,9 +7,23 @@ as much room.
 """
 
 from ._enums import LeadingEdge, TouchRule
-from ._stickslip import CreepForce, CreepForces, RollingProblem, RollingSolution, RollingSolver
+from ._stickslip import (
+    CoupledRollingProblem,
+    CoupledRollingReport,
+    CoupledRollingSolution,
+    CoupledRollingSolver,
+    CreepForce,
+    CreepForces,
+    RollingProblem,
+    RollingSolution,
+    RollingSolver,
+)
 
 __all__ = [
+    "CoupledRollingProblem",
+    "CoupledRollingReport",
+    "CoupledRollingSolution",
+    "CoupledRollingSolver",
     "CreepForce",
     "CreepForces",
     "LeadingEdge",

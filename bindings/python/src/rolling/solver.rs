@@ -27,7 +27,8 @@ impl RollingSolver {
     }
 }
 
-solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as RollingSolution, |_| Vec::new());
+solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as RollingSolution,
+    rolling::RollingSolution::warnings);
 
 #[pymethods]
 impl RollingSolver {

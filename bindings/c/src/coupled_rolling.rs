@@ -1,0 +1,321 @@
+//! Steady rolling of dissimilar bodies with pressure and traction coupled both ways.
+
+use stickslip_rs::rolling::{
+    CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution, CoupledRollingSolver,
+};
+use stickslip_rs::{Axis, Field};
+
+use crate::call::{Outcome, call, call_on};
+use crate::fields::*;
+use crate::half_space::stickslip_half_space;
+use crate::handle::{Handle, changing, free, give, opaque, reading};
+use crate::history::touch_rule;
+use crate::inputs::{stickslip_friction, stickslip_settings};
+use crate::loads::stickslip_normal_load;
+use crate::observer::{stickslip_observer, watch};
+use crate::pointer::{Place, field, input, optional};
+use crate::reading::{show, tell, warn};
+use crate::reserved::known;
+use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning};
+use crate::rolling::{
+    leading_edge, of_rolling, stickslip_rolling_load, stickslip_rolling_options,
+    stickslip_rolling_result, stickslip_rolling_stiffness,
+};
+use crate::solver::{self, Solver};
+use crate::status::stickslip_status;
+
+/// Solves coupled steady rolling for one load after the other, each from the last answer.
+pub struct stickslip_coupled_rolling_solver(Handle<Solver<CoupledRollingSolver>>);
+
+opaque!(stickslip_coupled_rolling_solver holds Solver<CoupledRollingSolver>, named "coupled rolling solver");
+
+/// Pressure, traction, slip and creepage of coupled steady rolling. Its fields are read without a copy, and are valid until
+/// the next solve into it, or until it is freed.
+pub struct stickslip_coupled_rolling_solution(Handle<CoupledRollingSolution>);
+
+opaque!(stickslip_coupled_rolling_solution holds CoupledRollingSolution, named "coupled rolling solution");
+
+/// Report of coupled rolling: ending, cost, passes and certified errors.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_coupled_rolling_report {
+    /// The work of all passes; its duality gap is infinite for coupled bodies.
+    pub work: stickslip_report,
+    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    pub passes: usize,
+    /// Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+    pub coupling_residual: f64,
+    /// Change of the pressure in the last pass, over the pressure (root mean squares).
+    pub pressure_change: f64,
+    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    pub pressure_error_bound: f64,
+    /// Bound of the relative error of the tractions, for the pressure of the solution.
+    pub traction_error_bound: f64,
+    /// Estimate of the relative error of the pressure as a whole; NaN if there is none.
+    pub error_estimate: f64,
+    /// Room for members to come: zero.
+    pub reserved: [u64; 8],
+}
+
+impl From<&CoupledRollingReport> for stickslip_coupled_rolling_report {
+    fn from(report: &CoupledRollingReport) -> Self {
+        Self {
+            work: (&report.work).into(),
+            passes: report.passes,
+            coupling_residual: report.coupling_residual,
+            pressure_change: report.pressure_change,
+            pressure_error_bound: report.pressure_error_bound,
+            traction_error_bound: report.traction_error_bound,
+            error_estimate: report.error_estimate.unwrap_or(f64::NAN),
+            reserved: [0; 8],
+        }
+    }
+}
+
+/// Makes a solver of a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no spin)
+/// and options (the defaults) may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
+    half_space: *const stickslip_half_space,
+    gap: *const f64,
+    count: usize,
+    friction: *const stickslip_friction,
+    normal: *const stickslip_normal_load,
+    load: *const stickslip_rolling_load,
+    options: *const stickslip_rolling_options,
+    solver: *mut *mut stickslip_coupled_rolling_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(half_space, || unsafe {
+        let place = Place::new("solver", solver)?;
+        let bodies = reading(half_space)?;
+        let grid = bodies.grid();
+        let friction = input("friction", friction)?.checked(grid)?;
+        let gap = field("gap", grid, gap, count)?;
+        let normal = input("normal", normal)?.checked()?;
+        let mut problem = CoupledRollingProblem::builder(&bodies, gap, friction, normal);
+        if let Some(load) = optional("load", load)? {
+            let ([x, y], spin) = load.checked()?;
+            problem = problem.control(Axis::X, x).control(Axis::Y, y).spin(spin);
+        }
+        if let Some(options) = optional("options", options)? {
+            known("the options", &options.reserved)?;
+            problem = problem
+                .leading_edge(leading_edge(options.leading_edge)?)
+                .touch_rule(touch_rule(options.touch_rule)?)
+                .step(options.step)
+                .settings(options.settings.checked()?);
+        }
+        let own = problem.build()?.into_solver()?;
+        give(place, Solver { own, grid }, grid.cells())
+    })
+}
+
+/// Frees a solver; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_free(
+    solver: *mut stickslip_coupled_rolling_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solver) })
+}
+
+/// Changes the normal load of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
+    solver: *mut stickslip_coupled_rolling_solver,
+    normal: *const stickslip_normal_load,
+) -> stickslip_status {
+    let set = CoupledRollingSolver::set_load;
+    // SAFETY: the rule for pointers.
+    unsafe {
+        solver::change(
+            solver,
+            ("normal", normal),
+            stickslip_normal_load::checked,
+            set,
+        )
+    }
+}
+
+/// Changes creepages, forces, spin or moment of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
+    solver: *mut stickslip_coupled_rolling_solver,
+    load: *const stickslip_rolling_load,
+) -> stickslip_status {
+    let set = |own: &mut CoupledRollingSolver, (controls, spin)| own.set_control(controls, spin);
+    // SAFETY: the rule for pointers.
+    unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
+}
+
+/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_gap(
+    solver: *mut stickslip_coupled_rolling_solver,
+    gap: *const f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledRollingSolver::set_gap) }
+}
+
+/// Changes the friction of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_friction(
+    solver: *mut stickslip_coupled_rolling_solver,
+    friction: *const stickslip_friction,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::set_friction(solver, friction, CoupledRollingSolver::set_friction) }
+}
+
+/// Changes method, tolerance and limits of the next solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_settings(
+    solver: *mut stickslip_coupled_rolling_solver,
+    settings: *const stickslip_settings,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::set_settings(solver, settings) }
+}
+
+/// Forgets the last answer: the next solve starts as the first did.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_reset(
+    solver: *mut stickslip_coupled_rolling_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::reset(solver, CoupledRollingSolver::reset) }
+}
+
+/// Solves into a solution of stickslip_coupled_rolling_solution_new for the same bodies. observer may be NULL. With
+/// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_solve(
+    solver: *mut stickslip_coupled_rolling_solver,
+    solution: *mut stickslip_coupled_rolling_solution,
+    observer: *const stickslip_observer,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::solve(solver, solution, observer) }
+}
+
+/// The slopes of the loads about the last answer, with the pressure that follows the tractions. observer may be NULL.
+/// STICKSLIP_NOT_CONVERGED before the first solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solver_stiffness(
+    solver: *mut stickslip_coupled_rolling_solver,
+    observer: *const stickslip_observer,
+    stiffness: *mut stickslip_rolling_stiffness,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let place = Place::new("stiffness", stiffness)?;
+        let observer = optional("observer", observer)?;
+        let slopes = changing(solver)?.own.stiffness_observed(watch(observer))?;
+        place.put(stickslip_rolling_stiffness {
+            slopes,
+            reserved: [0; 8],
+        });
+        Ok(())
+    })
+}
+
+/// Makes an empty solution of the right size for a solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_new(
+    solver: *const stickslip_coupled_rolling_solver,
+    solution: *mut *mut stickslip_coupled_rolling_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { solver::new_solution(solver, solution) }
+}
+
+/// Frees a solution; nothing for NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_free(
+    solution: *mut stickslip_coupled_rolling_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call(|| unsafe { free(solution) })
+}
+
+fn own_field(solution: &CoupledRollingSolution, which: i32) -> Outcome<&Field> {
+    match which {
+        STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(solution.normal(), which),
+        other => of_rolling(solution.rolling(), other),
+    }
+}
+
+/// STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count
+/// may be NULL); NULL on failure. The slip is the slip for each length rolled (dimensionless).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
+    solution: *const stickslip_coupled_rolling_solution,
+    which: i32,
+    count: *mut usize,
+) -> *const f64 {
+    // SAFETY: the rule for pointers.
+    unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
+}
+
+/// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
+    solution: *const stickslip_coupled_rolling_solution,
+    count: *mut usize,
+) -> *const u8 {
+    // SAFETY: the rule for pointers.
+    unsafe { show(solution, count, |of| Ok(of.rolling().zones())).cast() }
+}
+
+/// The numbers of both halves; either may be NULL.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_results(
+    solution: *const stickslip_coupled_rolling_solution,
+    normal: *mut stickslip_normal_result,
+    rolling: *mut stickslip_rolling_result,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solution, || unsafe {
+        let normal = Place::if_asked("normal", normal)?;
+        let rolling = Place::if_asked("rolling", rolling)?;
+        let solution = reading(solution)?;
+        if let Some(place) = normal {
+            place.put(solution.normal().into());
+        }
+        if let Some(place) = rolling {
+            place.put(solution.rolling().into());
+        }
+        Ok(())
+    })
+}
+
+/// Report of the solve.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_report(
+    solution: *const stickslip_coupled_rolling_solution,
+    report: *mut stickslip_coupled_rolling_report,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
+}
+
+/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_coupled_rolling_solution_warnings(
+    solution: *const stickslip_coupled_rolling_solution,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        warn(
+            solution,
+            (buffer, capacity, count),
+            CoupledRollingSolution::try_warnings,
+        )
+    }
+}

@@ -1,0 +1,408 @@
+//! Rolling of dissimilar bodies, with pressure and traction coupled both ways.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use stickslip::cgm;
+use stickslip::history::TouchRule;
+use stickslip::rolling::{self, LeadingEdge};
+
+use crate::choice::Choice;
+use crate::digits::{in_python, rough, short, tuple};
+use crate::due;
+use crate::error::OrRaise;
+use crate::field::{Field, Samples};
+use crate::friction::{AnyFriction, Friction};
+use crate::grid::size;
+use crate::half_space::HalfSpace;
+use crate::load;
+use crate::normal::NormalSolution;
+use crate::pickle::Recipe;
+use crate::real::Real;
+use crate::report::{Report, Warning, ending};
+use crate::rolling::RollingSolution;
+use crate::rolling::control::Keywords;
+use crate::settings::{Settings, chosen};
+use crate::solver::{Reused, solve_once, solver};
+use crate::work::unobserved_on;
+
+/// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
+///
+/// Along an axis without a creepage and a force there is no creepage.
+///
+/// Parameters
+/// ----------
+/// bodies : HalfSpace
+///     The two bodies and the grid.
+/// gap : Field or array_like of shape (ny, nx)
+///     The gap before loading (lengths). An array is copied, a Field is shared.
+/// friction : Friction, float or array_like of shape (ny, nx)
+///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
+/// normal_force, approach : float
+///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
+///     positive when they come together).
+/// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+///     As of :class:`RollingProblem`.
+/// leading_edge, step, touch_rule : optional
+///     As of :class:`RollingProblem`.
+/// settings : Settings, optional
+///     Method, tolerance and limits; those of ``Settings()`` by default.
+/// tolerance, method, max_iterations, time_limit : optional
+///     As of :class:`Settings`; they take precedence over ``settings``.
+///
+/// Raises
+/// ------
+/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Tolerance,
+/// IterationLimit, Method
+///
+/// Examples
+/// --------
+/// >>> import stickslip
+/// >>> grid = stickslip.Grid.square(24, 3.0)
+/// >>> bodies = stickslip.HalfSpace(grid, (stickslip.Material(1.0, 0.0), stickslip.Material.rigid()))
+/// >>> ball = stickslip.surface.sphere(grid, 1.0)
+/// >>> problem = stickslip.rolling.CoupledRollingProblem(bodies, ball, 0.3, normal_force=1.0, force_x=0.0)
+/// >>> rolling = problem.solve()
+/// >>> smooth = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
+/// >>> bool(rolling.normal.pressure.max() > smooth.pressure.max())  # the tractions raise the pressure
+/// True
+#[pyclass(frozen, module = "stickslip.rolling")]
+pub(crate) struct CoupledRollingProblem(rolling::CoupledRollingProblem, stickslip::Grid, Recipe);
+
+#[pymethods]
+impl CoupledRollingProblem {
+    #[new]
+    #[pyo3(signature = (bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None,
+        creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None,
+        touch_rule=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+    fn new(
+        py: Python<'_>,
+        bodies: &HalfSpace,
+        gap: Samples<'_>,
+        friction: AnyFriction<'_>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
+        creepage: Option<due::Creepages>,
+        creepage_x: Option<Real>,
+        creepage_y: Option<Real>,
+        force: Option<due::Force>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        spin: Option<Real>,
+        moment: Option<Real>,
+        leading_edge: Option<Choice<LeadingEdge>>,
+        step: Option<usize>,
+        touch_rule: Option<Choice<TouchRule>>,
+        settings: Option<Settings>,
+        tolerance: Option<Real>,
+        method: Option<Choice<cgm::Method>>,
+        max_iterations: Option<usize>,
+        time_limit: Option<Real>,
+    ) -> PyResult<Self> {
+        let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        let keywords = Keywords::new(
+            (creepage, force),
+            [creepage_x, creepage_y],
+            [force_x, force_y],
+            (spin, moment),
+        )?;
+        let normal = load::needed(normal_force, approach)?;
+        let grid = bodies.0.grid();
+        let gap = gap.on(py, "gap", grid)?;
+        let friction = friction.on(py, grid)?;
+        let given = (
+            bodies.clone(),
+            Field::from(Arc::clone(&gap)),
+            Friction(friction.clone()),
+        );
+        let recipe = Recipe::new(py, given)?
+            .with_normal(py, normal, "normal_force")?
+            .with(py, "leading_edge", leading_edge)?
+            .with(py, "step", step)?
+            .with(py, "touch_rule", touch_rule)?
+            .with(py, "settings", Some(Settings(settings)))?;
+        let recipe = keywords.recorded(py, recipe)?;
+        let built = unobserved_on(py, grid, || {
+            let [x, y] = keywords.controls();
+            let mut builder =
+                rolling::CoupledRollingProblem::builder(&bodies.0, gap, friction, normal)
+                    .control(stickslip::Axis::X, x)
+                    .control(stickslip::Axis::Y, y)
+                    .spin(keywords.spin())
+                    .settings(settings);
+            if let Some(edge) = leading_edge {
+                builder = builder.leading_edge(edge.0);
+            }
+            if let Some(cells) = step {
+                builder = builder.step(cells);
+            }
+            if let Some(rule) = touch_rule {
+                builder = builder.touch_rule(rule.0);
+            }
+            builder.build()
+        })?;
+        Ok(Self(built, grid, recipe))
+    }
+
+    /// Solves once; see :meth:`NormalProblem.solve`.
+    #[pyo3(signature = (*, progress=None, warn=true))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
+        let solver = || self.0.clone().into_solver();
+        solve_once(py, self.1.cells(), solver, progress, warn)
+    }
+
+    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    fn solver(&self, py: Python<'_>) -> PyResult<CoupledRollingSolver> {
+        let solver = || self.0.clone().into_solver();
+        Reused::new(py, self.1, solver).map(CoupledRollingSolver)
+    }
+
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
+        self.2.parts(py)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("CoupledRollingProblem({})", size(self.1))
+    }
+}
+
+/// Solves coupled rolling for one load after the other, each from the last answer; made by
+/// :meth:`CoupledRollingProblem.solver`.
+#[pyclass(frozen, module = "stickslip.rolling")]
+pub(crate) struct CoupledRollingSolver(Reused<rolling::CoupledRollingSolver>);
+
+solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
+    rolling::CoupledRollingSolution as CoupledRollingSolution, rolling::CoupledRollingSolution::warnings);
+
+#[pymethods]
+impl CoupledRollingSolver {
+    /// Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+    ///
+    /// Parameters
+    /// ----------
+    /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
+    ///     As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+    /// progress, warn : optional
+    ///     As of :meth:`NormalProblem.solve`.
+    ///
+    /// Returns
+    /// -------
+    /// CoupledRollingSolution
+    ///
+    /// Raises
+    /// ------
+    /// NotFinite, NotModelled
+    ///     For what is prescribed, which is then unchanged.
+    /// EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+    ///     If the contact cannot roll so.
+    /// NotConverged
+    ///     With ``report`` and ``last_iterate``.
+    #[pyo3(signature = (*, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None,
+        spin=None, moment=None, progress=None, warn=true))]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        creepage: Option<due::Creepages>,
+        creepage_x: Option<Real>,
+        creepage_y: Option<Real>,
+        force: Option<due::Force>,
+        force_x: Option<Real>,
+        force_y: Option<Real>,
+        spin: Option<Real>,
+        moment: Option<Real>,
+        progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
+    ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
+        let keywords = Keywords::new(
+            (creepage, force),
+            [creepage_x, creepage_y],
+            [force_x, force_y],
+            (spin, moment),
+        )?;
+        let set = |solver: &mut rolling::CoupledRollingSolver| {
+            if keywords.is_empty() {
+                return Ok(());
+            }
+            let outcome = solver.set_control(keywords.controls(), keywords.spin());
+            outcome.or_raise(py)
+        };
+        self.0.solve(py, set, progress, warn)
+    }
+
+    /// Sets the normal load of the next solve: a normal force (not negative) or an approach (a length).
+    #[pyo3(signature = (*, normal_force=None, approach=None))]
+    fn set_load(
+        &self,
+        py: Python<'_>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
+    ) -> PyResult<()> {
+        let normal = load::needed(normal_force, approach)?;
+        self.0.with(|solver| solver.set_load(normal))?.or_raise(py)
+    }
+
+    /// Sets the gap of the next solve (lengths).
+    fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
+        let gap = gap.on(py, "gap", self.0.grid())?;
+        self.0.change(py, |solver| solver.set_gap(&gap))
+    }
+
+    /// Sets the friction of the next solve.
+    fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let friction = friction.on(py, self.0.grid())?;
+        self.0.change(py, |solver| solver.set_friction(&friction))
+    }
+
+    /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
+    /// last answer, with the pressure that follows the tractions.
+    ///
+    /// Raises
+    /// ------
+    /// NotConverged
+    ///     Before the first solve, or if a column is not found.
+    fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
+        self.0
+            .unobserved(py, rolling::CoupledRollingSolver::stiffness)
+    }
+
+    /// How the last solve ended.
+    #[getter]
+    fn report(&self) -> PyResult<CoupledRollingReport> {
+        self.0
+            .with(|solver| CoupledRollingReport(solver.report().clone()))
+    }
+}
+
+/// Both halves of coupled steady rolling.
+#[pyclass(frozen, module = "stickslip.rolling")]
+pub(crate) struct CoupledRollingSolution(Arc<rolling::CoupledRollingSolution>);
+
+impl From<Arc<rolling::CoupledRollingSolution>> for CoupledRollingSolution {
+    fn from(solution: Arc<rolling::CoupledRollingSolution>) -> Self {
+        Self(solution)
+    }
+}
+
+#[pymethods]
+impl CoupledRollingSolution {
+    /// The normal half; a copy.
+    #[getter]
+    fn normal(&self) -> NormalSolution {
+        Arc::new(self.0.normal().clone()).into()
+    }
+
+    /// The rolling half; a copy.
+    #[getter]
+    fn rolling(&self) -> RollingSolution {
+        Arc::new(self.0.rolling().clone()).into()
+    }
+
+    /// Ending, cost, passes and certified errors.
+    #[getter]
+    fn report(&self) -> CoupledRollingReport {
+        CoupledRollingReport(self.0.report().clone())
+    }
+
+    /// Remarks on a result that may mislead; empty if there are none.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.0.warnings())
+    }
+
+    fn __repr__(&self) -> String {
+        let rolling = self.0.rolling();
+        format!(
+            "CoupledRollingSolution(normal_force={}, creepage={}, force={}, {})",
+            short(self.0.normal().force()),
+            tuple(&rolling.creepage()),
+            tuple(&rolling.force()),
+            ending(&self.0.report().work, &self.0.warnings())
+        )
+    }
+}
+
+/// Report of coupled rolling: ending, cost, passes and certified errors.
+#[pyclass(frozen, eq, module = "stickslip.rolling")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct CoupledRollingReport(rolling::CoupledRollingReport);
+
+#[pymethods]
+impl CoupledRollingReport {
+    /// Status, steps and products of all passes, and the largest residual of both halves.
+    #[getter]
+    fn work(&self) -> Report {
+        Report::of(&self.0.work)
+    }
+
+    /// Steps and products for the pressure.
+    #[getter]
+    fn normal(&self) -> Report {
+        Report::of(&self.0.normal)
+    }
+
+    /// Steps and products for the tractions.
+    #[getter]
+    fn rolling(&self) -> Report {
+        Report::of(&self.0.rolling)
+    }
+
+    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    #[getter]
+    fn passes(&self) -> usize {
+        self.0.passes
+    }
+
+    /// Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+    #[getter]
+    fn coupling_residual(&self) -> f64 {
+        self.0.coupling_residual
+    }
+
+    /// Change of the pressure in the last pass, over the pressure (root mean squares).
+    #[getter]
+    fn pressure_change(&self) -> f64 {
+        self.0.pressure_change
+    }
+
+    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    #[getter]
+    fn pressure_error_bound(&self) -> f64 {
+        self.0.pressure_error_bound
+    }
+
+    /// Bound of the relative error of the tractions, for the pressure of the solution.
+    #[getter]
+    fn traction_error_bound(&self) -> f64 {
+        self.0.traction_error_bound
+    }
+
+    /// Estimate of the relative error of the pressure as a whole, if there is one.
+    #[getter]
+    fn error_estimate(&self) -> Option<f64> {
+        self.0.error_estimate
+    }
+
+    /// Whether the tolerance was reached.
+    #[getter]
+    fn is_converged(&self) -> bool {
+        self.0.is_converged()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!(
+            "CoupledRollingReport({}, {} passes, coupling residual {})",
+            in_python(py, &self.0.work.to_string())?,
+            self.0.passes,
+            rough(self.0.coupling_residual)
+        ))
+    }
+}

@@ -1,0 +1,58 @@
+//! The lift by tractions that the pressure of a step ignores.
+
+use crate::error::Result;
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible;
+use crate::normal::NormalSolution;
+use crate::tangential::{Answer, Lifting, lift_residual};
+use crate::warning::Warning;
+
+/// Operator of the lift on the window of a contact with one-way coupling, and the lift of the last rolled step.
+#[derive(Debug, Clone)]
+pub(super) struct NeglectedLift {
+    size: [usize; 2],
+    lifting: Lifting,
+    lift: Vec<f64>,
+    /// The lift in millionths of the normal displacement, if it exceeds the tolerance.
+    pub(super) found: Option<usize>,
+}
+
+impl NeglectedLift {
+    /// Measures the lift by the tractions of a step under a pressure that was found over a gap before loading, in the
+    /// buffers of `slot` if they have the size of the window.
+    pub(super) fn measure(
+        slot: &mut Option<Self>,
+        bodies: &HalfSpace,
+        answer: &Answer<'_>,
+        (normal, gap): (&NormalSolution, &Field),
+        tolerance: f64,
+    ) -> Result<()> {
+        let size = answer.region.window().size;
+        let of_size = slot.take().filter(|own| own.size == size);
+        let own = match of_size {
+            Some(own) => slot.insert(own),
+            None => slot.insert(Self {
+                size,
+                lifting: Lifting::new(bodies, size)?,
+                lift: fallible::zeros(answer.region.cells())?,
+                found: None,
+            }),
+        };
+        own.lifting.lift(answer.traction, &mut own.lift);
+        let (window, lift) = (answer.region.own(), &own.lift);
+        let (gap, under_load) = (gap.as_slice(), normal.gap().as_slice());
+        let residual = lift_residual(
+            answer.region.layout(),
+            |k| answer.pressure[k] > 0.0,
+            |k| lift[k],
+            |k| {
+                let i = window.index(k);
+                under_load[i] + (normal.approach() - gap[i])
+            },
+            false,
+        );
+        own.found = Warning::lift_beyond(residual, tolerance);
+        Ok(())
+    }
+}

@@ -1,0 +1,209 @@
+//! The scene of coupled steady rolling, checked once.
+
+use std::sync::Arc;
+
+use crate::cgm::{Settings, settings_methods};
+use crate::coupled::check_joint;
+use crate::error::{Error, RankFailure, Result};
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, try_clone};
+use crate::normal::NormalControl;
+use crate::rolling::Travel;
+use crate::rolling::coupled::{CoupledRollingSolution, CoupledRollingSolver};
+use crate::rolling::steady::problem::check_motion;
+use crate::rolling::{LeadingEdge, RollingControl, SpinControl};
+use crate::support::debug::shown;
+use crate::tangential::TouchRule;
+use crate::tangential::{Axis, Friction, TangentialModel};
+
+/// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
+///
+/// Between bodies of different materials tractions lift the surfaces, and the pressure changes. A
+/// [`RollingProblem`](crate::rolling::RollingProblem) takes a pressure that ignores the lift. This problem finds both
+/// together: it adds the lift to the gap, solves the pressure and the tractions again, and repeats until the tractions
+/// no longer change. For bodies that [are not coupled](crate::ElasticPair::is_coupled) one pass is exact; its results
+/// are bitwise identical to the results of a [`NormalProblem`](crate::NormalProblem) and a `RollingProblem`.
+///
+/// ```
+/// use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
+/// use stickslip::*;
+/// // A compressible rubber roller (nu = 0) on a rigid plane: beta = 1/2.
+/// let grid = Grid::square(24, 3.0)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
+/// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
+/// let press = NormalControl::Force(4.0 / 3.0);
+/// let free = [RollingControl::Force(0.0), RollingControl::Creepage(0.0)];
+/// let rolling = CoupledRollingProblem::builder(&bodies, &ball, friction.clone(), press)
+///     .control(Axis::X, free[0])
+///     .build()?
+///     .solve()?;
+/// assert!(rolling.report().is_converged());
+///
+/// // The tractions of free rolling raise the peak pressure.
+/// let smooth = NormalProblem::builder(&bodies, &ball, press).build()?.solve()?;
+/// assert!(rolling.normal().pressure().max() > 1.02 * smooth.pressure().max());
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone)]
+pub struct CoupledRollingProblem {
+    pub(super) bodies: HalfSpace,
+    pub(super) gap: Arc<Field>,
+    pub(super) friction: Friction,
+    pub(super) normal: NormalControl,
+    pub(super) edge: LeadingEdge,
+    pub(super) cells: usize,
+    pub(super) controls: [RollingControl; 2],
+    pub(super) spin: SpinControl,
+    pub(super) touch_rule: TouchRule,
+    pub(super) settings: Settings,
+}
+
+try_clone!(CoupledRollingProblem { friction } {
+    bodies, gap, normal, edge, cells, controls, spin, touch_rule, settings,
+});
+
+shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, touch_rule, settings);
+
+/// Options of a [`CoupledRollingProblem`]; each has a default.
+#[derive(Debug, Clone)]
+#[must_use = "a builder does nothing until build() is called"]
+pub struct CoupledRollingProblemBuilder {
+    problem: CoupledRollingProblem,
+    settings: Settings,
+}
+
+impl CoupledRollingProblem {
+    /// Creates a builder from bodies, gap before loading (lengths, on the grid of the bodies), friction and normal load.
+    /// Without options both creepages and the spin are zero. The gap is copied from a reference. A gap given by value, or
+    /// in an [`Arc`], is not copied.
+    pub fn builder(
+        bodies: &HalfSpace,
+        gap: impl Into<Arc<Field>>,
+        friction: Friction,
+        normal: NormalControl,
+    ) -> CoupledRollingProblemBuilder {
+        CoupledRollingProblemBuilder {
+            problem: Self {
+                bodies: bodies.clone(),
+                gap: gap.into(),
+                friction,
+                normal,
+                edge: LeadingEdge::default(),
+                cells: 1,
+                controls: [RollingControl::Creepage(0.0); 2],
+                spin: SpinControl::Spin(0.0),
+                touch_rule: TouchRule::default(),
+                settings: Settings::default(),
+            },
+            settings: Settings::default(),
+        }
+    }
+
+    /// Solves once, with buffers of its own.
+    ///
+    /// # Errors
+    /// - [`Error::NotConverged`] with the report. [`CoupledRollingSolver::solve_into`] keeps the last iterate.
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction does not hold the loads.
+    /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
+    pub fn solve(&self) -> Result<CoupledRollingSolution> {
+        let mut solver = CoupledRollingSolver::new(self.try_clone()?)?;
+        let mut solution = solver.try_new_solution()?;
+        solver.solve_into(&mut solution)?;
+        Ok(solution)
+    }
+
+    /// Returns the reusable solver. Gap, friction and loads may change between its solves, and each solve starts from the
+    /// last solution.
+    ///
+    /// # Errors
+    /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
+    pub fn into_solver(self) -> Result<CoupledRollingSolver> {
+        CoupledRollingSolver::new(self)
+    }
+
+    /// Returns an error for loads that no pressure allows.
+    pub(super) fn check(
+        &self,
+        normal: NormalControl,
+        controls: [RollingControl; 2],
+        spin: SpinControl,
+    ) -> Result<()> {
+        let length = Travel::new(self.bodies.grid(), self.edge, self.cells).length;
+        check_motion(&self.bodies, length, controls, spin)?;
+        normal.check(&self.bodies, &self.gap, None)
+    }
+}
+
+impl CoupledRollingProblemBuilder {
+    settings_methods!();
+
+    /// Sets the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
+    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
+        self.problem.edge = edge;
+        self
+    }
+
+    /// Sets the number of cells that a particle passes in a step (default 1).
+    pub fn step(mut self, cells: usize) -> Self {
+        self.problem.cells = cells;
+        self
+    }
+
+    /// Sets both creepages `[x, y]` (dimensionless, default zero).
+    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
+        self.problem.controls = creepage.map(RollingControl::Creepage);
+        self
+    }
+
+    /// Sets the load or creepage along an axis (default: no creepage).
+    pub fn control(mut self, axis: Axis, control: RollingControl) -> Self {
+        self.problem.controls[axis.index()] = control;
+        self
+    }
+
+    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero), or the moment that causes it.
+    pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
+        self.problem.spin = spin.into();
+        self
+    }
+
+    /// Sets how cells that enter the contact follow the motion (default [`TouchRule::Growth`]).
+    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
+        self.problem.touch_rule = touch_rule;
+        self
+    }
+
+    /// Checks everything that does not depend on the pressure.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] if gap or friction live on a different grid, [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::Negative`], [`Error::NotFinite`], [`Error::NothingToHold`] or [`Error::ApproachBeyondMeanGap`] for the
+    ///   normal load.
+    /// - [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells.
+    /// - [`Error::NotModelled`] for rolling along an axis on which the grid is periodic, or spin on such a grid.
+    /// - [`Error::Coated`] for user-defined operators.
+    /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for the settings.
+    /// - [`Error::Ranks`] on bodies that ranks share.
+    pub fn build(self) -> Result<CoupledRollingProblem> {
+        let Self {
+            mut problem,
+            settings,
+        } = self;
+        problem.settings = settings;
+        let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
+        if bodies.is_shared() {
+            return Err(Error::Ranks(RankFailure::NotShared("steady rolling")));
+        }
+        problem.gap.check("gap", grid)?;
+        problem.friction.check(grid)?;
+        settings.check()?;
+        TangentialModel::Vector.check(&settings)?;
+        Travel::new(grid, problem.edge, problem.cells).check(bodies)?;
+        check_joint(bodies)?;
+        problem.check(problem.normal, problem.controls, problem.spin)?;
+        Ok(problem)
+    }
+}

@@ -1,0 +1,110 @@
+//! How a solve of coupled rolling ended, and how large its error can be.
+
+use crate::error::{Error, Result};
+use crate::grid::field::clone_in_place;
+use crate::report::{Report, Status};
+
+/// Report of coupled steady rolling: ending, cost, passes and certified errors.
+///
+/// The equations have two halves: the pressure for given tractions, and the tractions for a given pressure. Each half has
+/// a rigorous bound of its error. Coupled rolling as a whole has no known bound, as in
+/// [`CoupledReport`](crate::coupled::CoupledReport).
+#[derive(Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct CoupledRollingReport {
+    /// Report of the whole: status, steps and products of all passes, and the largest residual of both halves. The duality
+    /// gap is infinite for coupled bodies.
+    pub work: Report,
+    /// Steps and products for the pressure, with the certificate of the last pass.
+    pub normal: Report,
+    /// Steps and products for the tractions, with the certificate of the last pass.
+    pub rolling: Report,
+    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    pub passes: usize,
+    /// Residual of the coupling: half the range of the lift within the contact that the last pass has added, over the
+    /// largest normal displacement. Under a prescribed approach the largest such lift replaces half the range.
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
+    pub coupling_residual: f64,
+    /// Change of the pressure in the last pass, over the pressure (root mean squares). Zero after one pass that is exact.
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
+    pub pressure_change: f64,
+    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
+    pub pressure_error_bound: f64,
+    /// Bound of the relative error of the tractions in the norm of
+    /// [rolling](crate::rolling#uniqueness-and-error), for the pressure of the solution.
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
+    pub traction_error_bound: f64,
+    /// Estimate of the relative error of the pressure in the energy norm, of the coupled contact as a whole. It is not a
+    /// bound. It assumes the slopes of [`ErrorEstimate`](crate::coupled::ErrorEstimate); `None` if their product is one or
+    /// more.
+    pub error_estimate: Option<f64>,
+}
+
+clone_in_place!(CoupledRollingReport {
+    work,
+    normal,
+    rolling,
+    passes,
+    coupling_residual,
+    pressure_change,
+    pressure_error_bound,
+    traction_error_bound,
+    error_estimate,
+});
+
+impl CoupledRollingReport {
+    pub(super) fn unsolved() -> Self {
+        Self {
+            work: Report::with_room(),
+            normal: Report::with_room(),
+            rolling: Report::with_room(),
+            passes: 0,
+            coupling_residual: f64::INFINITY,
+            pressure_change: f64::INFINITY,
+            pressure_error_bound: f64::INFINITY,
+            traction_error_bound: f64::INFINITY,
+            error_estimate: None,
+        }
+    }
+
+    /// Before a solve, with the memory there is.
+    pub(super) fn clear(&mut self) {
+        for report in [&mut self.work, &mut self.normal, &mut self.rolling] {
+            report.clear();
+        }
+        self.passes = 0;
+        (self.coupling_residual, self.pressure_change) = (f64::INFINITY, f64::INFINITY);
+        (self.pressure_error_bound, self.traction_error_bound) = (f64::INFINITY, f64::INFINITY);
+        self.error_estimate = None;
+    }
+
+    /// Error of both halves and of their coupling, the largest part.
+    pub(super) fn merit(&self) -> f64 {
+        [
+            self.work.residual,
+            self.work.load_error,
+            self.pressure_error_bound,
+            self.traction_error_bound,
+        ]
+        .into_iter()
+        .fold(0.0, crate::cgm::reduce::larger)
+    }
+
+    /// Ends with a status: an error unless it has converged.
+    pub(super) fn end(&mut self, status: Status) -> Result<()> {
+        self.work.status = status;
+        if status == Status::Converged {
+            Ok(())
+        } else {
+            Err(Error::NotConverged(Box::new(self.work.clone())))
+        }
+    }
+
+    /// Returns whether the tolerance was reached.
+    #[must_use]
+    pub fn is_converged(&self) -> bool {
+        self.work.is_converged()
+    }
+}

@@ -1,0 +1,558 @@
+//! The reusable solver of coupled steady rolling.
+
+use std::ops::ControlFlow;
+
+use crate::bodies::component::Direction;
+use crate::cgm::{Settings, solver_settings};
+use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
+use crate::error::{Error, Result};
+use crate::grid::field::{self, Field};
+use crate::memory::fallible::{self, TryClone, or_abort};
+use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+use crate::parallel::layout::Layout;
+use crate::parallel::reduce;
+use crate::report::{Iteration, Report, Status};
+use crate::rolling::coupled::{
+    CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution,
+};
+use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl};
+use crate::support::debug::shown;
+use crate::tangential::{Axis, Friction, Lifting, TangentialModel, lift_residual};
+
+/// Tolerance of the halves in the first pass, and ratio of this tolerance to the error of the coupling in later passes. A
+/// ratio of 0.1 left the passes of strong friction in a cycle of two.
+const START: f64 = 1e-3;
+const SHARPER: f64 = 0.03;
+/// Part of the tolerance that the halves may use up.
+const HALVES: f64 = 0.3;
+/// Least tolerance of the tractions: a smaller one is below round-off.
+const LEAST_TOLERANCE: f64 = 1e-13;
+/// Passes that a solve may take, and passes without halving the error after which it has stalled.
+const MOST_PASSES: usize = 100;
+const PATIENCE: usize = 15;
+/// Part of a force that friction does not hold under the pressure of an intermediate pass, over the limit.
+const HELD: f64 = 0.999;
+/// Measured slope of the pressure by the tractions, over beta.
+const TYPICAL: f64 = 0.7;
+
+/// Solves coupled rolling for one load after the other, each from the last solution.
+///
+/// ```
+/// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
+/// use stickslip::*;
+/// let grid = Grid::square(24, 3.0)?;
+/// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
+/// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
+/// let press = NormalControl::Force(4.0 / 3.0);
+/// let mut solver = CoupledRollingProblem::builder(&bodies, &ball, friction, press)
+///     .build()?
+///     .into_solver()?;
+/// let mut rolling = solver.new_solution();
+/// for force in [0.1, 0.2, 0.3] {
+///     solver.set_control([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
+///     let before = rolling.rolling().creepage()[0];
+///     solver.solve_into(&mut rolling)?;
+///     assert!((rolling.rolling().force()[0] - force).abs() < 1e-8);
+///     assert!(rolling.rolling().creepage()[0] > before);
+/// }
+/// # Ok::<(), Error>(())
+/// ```
+pub struct CoupledRollingSolver {
+    pub(super) problem: CoupledRollingProblem,
+    pub(super) normal: NormalSolver,
+    /// The solver of the last pass; none before the first.
+    pub(super) rolling: Option<RollingSolver>,
+    /// Operator of the lift on the whole grid; `None` of bodies that are not coupled.
+    pub(super) lifting: Option<Lifting>,
+    /// A bound of the coupling between the energy norms, times the root of the largest tangential eigenvalue.
+    reach: f64,
+    /// Tractions whose lift the gap contains.
+    traction: [Vec<f64>; 2],
+    lift: Vec<f64>,
+    spin: f64,
+    is_warm: bool,
+    /// The normal half of the last solution, of bodies that are coupled.
+    pub(super) last: Option<NormalSolution>,
+    report: CoupledRollingReport,
+}
+
+shown!(CoupledRollingSolver: problem);
+
+/// A pass that has been solved.
+struct Pass {
+    /// Ending of a half that did not reach its tolerance.
+    failure: Option<Status>,
+    /// Whether a force was reduced that friction does not hold.
+    held: Option<Error>,
+}
+
+impl CoupledRollingSolver {
+    pub(super) fn new(problem: CoupledRollingProblem) -> Result<Self> {
+        let bodies = &problem.bodies;
+        let (cells, size) = (bodies.grid().cells(), bodies.grid().size());
+        let normal = NormalProblem::builder(bodies, problem.gap.clone(), problem.normal)
+            .settings(problem.settings)
+            .build()?
+            .into_solver()?;
+        let (mut lifting, mut reach) = (None, 0.0);
+        if bodies.pair().is_coupled() {
+            let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+            let coupling = bodies.compliance([z, x, y], size)?.operator.coupling();
+            let plane = bodies.compliance([x, y], size)?.operator.upper_bound();
+            lifting = Some(Lifting::new(bodies, size)?);
+            reach = coupling * plane.sqrt();
+        }
+        Ok(Self {
+            normal,
+            rolling: None,
+            lifting,
+            reach,
+            traction: fallible::vector(cells)?,
+            lift: fallible::zeros(cells)?,
+            spin: 0.0,
+            is_warm: false,
+            last: None,
+            report: CoupledRollingReport::unsolved(),
+            problem,
+        })
+    }
+
+    solver_settings!(problem.settings, problem.bodies, |_, settings| {
+        TangentialModel::Vector.check(settings)
+    });
+
+    /// Sets the loads or creepages along x and y, and the spin or moment, of the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::NotFinite`] or [`Error::NotModelled`]; all is then unchanged.
+    pub fn set_control(
+        &mut self,
+        controls: [RollingControl; 2],
+        spin: impl Into<SpinControl>,
+    ) -> Result<()> {
+        let spin = spin.into();
+        self.problem.check(self.problem.normal, controls, spin)?;
+        (self.problem.controls, self.problem.spin) = (controls, spin);
+        Ok(())
+    }
+
+    /// Sets the normal load of the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::Negative`], [`Error::NotFinite`], [`Error::NothingToHold`] or [`Error::ApproachBeyondMeanGap`]; the load
+    ///   is then unchanged.
+    pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
+        let CoupledRollingProblem { controls, spin, .. } = self.problem;
+        self.problem.check(normal, controls, spin)?;
+        self.problem.normal = normal;
+        Ok(())
+    }
+
+    /// Sets the gap before loading of the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too
+    ///   much for the gap; [`Error::Memory`]. The gap is then unchanged.
+    pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
+        let bodies = &self.problem.bodies;
+        gap.check("gap", bodies.grid())?;
+        self.problem.normal.check(bodies, gap, None)?;
+        field::replace(&mut self.problem.gap, gap)
+    }
+
+    /// Sets the friction of the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] or [`Error::Memory`]; the friction is then unchanged.
+    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
+        friction.check(self.problem.bodies.grid())?;
+        self.problem.friction.try_clone_from(friction)
+    }
+
+    /// Forgets the last solution: the next solve starts as the first did.
+    pub fn reset(&mut self) {
+        self.normal.reset();
+        self.rolling = None;
+        for part in &mut self.traction {
+            part.fill(0.0);
+        }
+        self.spin = 0.0;
+        self.is_warm = false;
+        self.last = None;
+    }
+
+    /// Returns an empty solution of the right size for [`Self::solve_into`].
+    #[must_use]
+    pub fn new_solution(&self) -> CoupledRollingSolution {
+        or_abort(self.try_new_solution())
+    }
+
+    /// Returns [`Self::new_solution`] where memory may run out.
+    ///
+    /// # Errors
+    /// - [`Error::Memory`] if memory runs out.
+    pub fn try_new_solution(&self) -> Result<CoupledRollingSolution> {
+        Ok(CoupledRollingSolution {
+            normal: self.normal.try_new_solution()?,
+            rolling: RollingSolution::empty(self.problem.bodies.grid())?,
+            report: CoupledRollingReport::unsolved(),
+        })
+    }
+
+    /// Solves into `solution`, whose last content does not matter.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] if the solution has a different grid; nothing is then changed.
+    /// - [`Error::NotConverged`] with the report; the last iterate is then in `solution`.
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction does not hold the loads.
+    /// - [`Error::Memory`] if memory runs out.
+    pub fn solve_into(&mut self, solution: &mut CoupledRollingSolution) -> Result<()> {
+        self.solve_observed(solution, |_| ControlFlow::Continue(()))
+    }
+
+    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel.
+    ///
+    /// # Errors
+    /// As [`Self::solve_into`]; [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has cancelled.
+    pub fn solve_observed(
+        &mut self,
+        solution: &mut CoupledRollingSolution,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<()> {
+        let grid = self.problem.bodies.grid();
+        grid.expect("solution", solution.normal.grid())?;
+        grid.expect("solution", solution.rolling.grid())?;
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(&mut observer);
+        let settings = self.problem.settings;
+        let mut conditions = Conditions::new(&settings, &mut observer);
+        let outcome = self.solve_passes(solution, &mut conditions);
+        let outcome = cancellation.applied(&self.problem.bodies, outcome, || {
+            self.report.work.cancelled()
+        });
+        self.finish(solution, &outcome);
+        outcome
+    }
+
+    /// Returns the report of the last solve.
+    #[must_use]
+    pub fn report(&self) -> &CoupledRollingReport {
+        &self.report
+    }
+
+    /// Repeats passes until both halves belong to one another.
+    fn solve_passes(
+        &mut self,
+        solution: &mut CoupledRollingSolution,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<()> {
+        self.report.clear();
+        let tolerance = conditions.settings.tolerance;
+        let floor = if self.lifting.is_some() {
+            HALVES * tolerance
+        } else {
+            tolerance
+        };
+        let mut inner = if self.lifting.is_some() {
+            START.max(floor)
+        } else {
+            tolerance
+        };
+        let (mut best, mut without) = (f64::INFINITY, 0);
+        let mut before = fallible::zeros(self.lift.len())?;
+        loop {
+            let pass = self.solve_pass(inner, solution, conditions)?;
+            self.report.passes += 1;
+            self.report.work.time = conditions.start.elapsed();
+            let error = self.examine(&mut before, solution)?;
+            if let Some(status) = pass.failure {
+                return self.report.end(status);
+            }
+            let is_sharp = inner <= floor;
+            if is_sharp && self.report.merit() <= tolerance {
+                if let Some(error) = pass.held {
+                    return Err(error);
+                }
+                return self.report.end(Status::Converged);
+            }
+            if self.lifting.is_none() {
+                return self.report.end(Status::Stalled);
+            }
+            if error < 0.5 * best {
+                (best, without) = (error, 0);
+            } else {
+                without += 1;
+            }
+            let is_stuck = without >= PATIENCE || self.report.passes >= MOST_PASSES;
+            if is_stuck || error.is_nan() {
+                return self.report.end(Status::Stalled);
+            }
+            conditions.check_iterations_left(&mut self.report.work)?;
+            for (kept, found) in self.traction.iter_mut().zip(solution.rolling.traction()) {
+                kept.copy_from_slice(found.as_slice());
+            }
+            inner = (SHARPER * error).clamp(floor, START.max(floor));
+        }
+    }
+
+    /// Tractions found, minus those whose lift the gap contains.
+    fn residual_of(&self, rolling: &RollingSolution) -> Result<[Vec<f64>; 2]> {
+        fallible::try_each(|axis| {
+            let found = rolling.traction()[axis].as_slice();
+            let pairs = found.iter().zip(&self.traction[axis]);
+            fallible::collected(found.len(), pairs.map(|(found, known)| found - known))
+        })
+    }
+
+    /// Solves the pressure over the lifted gap, then the tractions under this pressure.
+    fn solve_pass(
+        &mut self,
+        tolerance: f64,
+        solution: &mut CoupledRollingSolution,
+        conditions: &mut Conditions<'_, '_>,
+    ) -> Result<Pass> {
+        let mut pass = Pass {
+            failure: None,
+            held: None,
+        };
+        self.lift_gap()?;
+        let settings = conditions.left(&self.report.work).tolerance(tolerance);
+        self.normal.set_settings(settings)?;
+        let mut observer = with_counts_of(&self.report.work, &mut *conditions.observer);
+        let outcome = self
+            .normal
+            .solve_observed(&mut solution.normal, &mut observer);
+        drop(observer);
+        pass.failure = ended(outcome, conditions.settings.tolerance)?;
+        let report = solution.normal.report();
+        self.report.normal.add_pass(report);
+        add_counts(&mut self.report.work, report);
+        if pass.failure.is_some() {
+            return Ok(pass);
+        }
+        // A half that stalled within the tolerance serves as one that has converged.
+        let (.., report) = solution.normal.parts_mut();
+        report.status = Status::Converged;
+        let settings = conditions.left(&self.report.work).tolerance(tolerance);
+        let mut posed = self.pose(&solution.normal, settings, &mut pass)?;
+        if self.lifting.is_some() {
+            posed.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
+        }
+        let mut solver = RollingSolver::new(posed)?;
+        // Nothing is neglected here.
+        solver.lifting = None;
+        if self.report.passes > 0 {
+            solver.take_start(solution.rolling.traction().map(Field::as_slice), self.spin);
+        } else if self.is_warm {
+            solver.take_start(self.traction.each_ref().map(Vec::as_slice), self.spin);
+        }
+        let allowed = conditions.settings.tolerance;
+        for is_last in [false, true] {
+            let mut observer = with_counts_of(&self.report.work, &mut *conditions.observer);
+            let outcome = solver.solve_observed(&mut solution.rolling, &mut observer);
+            drop(observer);
+            pass.failure = ended(outcome, allowed)?;
+            let report = solution.rolling.report();
+            self.report.rolling.add_pass(report);
+            add_counts(&mut self.report.work, report);
+            // A start that leads nowhere may be the reason.
+            if is_last || pass.failure != Some(Status::Stalled) {
+                break;
+            }
+            solver.reset();
+        }
+        self.spin = solution.rolling.spin();
+        self.is_warm = true;
+        self.rolling = Some(solver);
+        Ok(pass)
+    }
+
+    /// Gives the normal half the gap with the lift by the tractions.
+    fn lift_gap(&mut self) -> Result<()> {
+        self.normal.set_load(self.problem.normal)?;
+        let Some(lifting) = &mut self.lifting else {
+            return self.normal.set_gap(&self.problem.gap);
+        };
+        lifting.lift(self.traction.each_ref().map(Vec::as_slice), &mut self.lift);
+        let mut gap = self.problem.gap.try_clone()?;
+        for (gap, lift) in gap.as_mut_slice().iter_mut().zip(&self.lift) {
+            *gap += lift;
+        }
+        self.normal.set_gap(&gap)
+    }
+
+    /// Poses the rolling under a pressure. A force that friction does not hold under it is reduced, since the pressure of
+    /// a later pass may hold it.
+    fn pose(
+        &self,
+        normal: &NormalSolution,
+        settings: Settings,
+        pass: &mut Pass,
+    ) -> Result<RollingProblem> {
+        let of = &self.problem;
+        let posed = |controls: [RollingControl; 2]| {
+            let builder = RollingProblem::builder(&of.bodies, normal, of.friction.try_clone()?);
+            builder
+                .leading_edge(of.edge)
+                .step(of.cells)
+                .control(Axis::X, controls[0])
+                .control(Axis::Y, controls[1])
+                .spin(of.spin)
+                .touch_rule(of.touch_rule)
+                .settings(settings)
+                .build()
+        };
+        match posed(of.controls) {
+            Err(error @ Error::BeyondFrictionCapacity { force, limit, .. })
+                if self.lifting.is_some() && limit > 0.0 =>
+            {
+                pass.held = Some(error);
+                posed(of.controls.map(|control| match control {
+                    RollingControl::Force(part) => {
+                        RollingControl::Force(HELD * limit / force * part)
+                    }
+                    creepage => creepage,
+                }))
+            }
+            posed => posed,
+        }
+    }
+
+    /// Measures each half for the present other half; returns the error of their coupling.
+    fn examine(&mut self, before: &mut [f64], solution: &CoupledRollingSolution) -> Result<f64> {
+        let (normal, rolling) = (&solution.normal, &solution.rolling);
+        let layout = normal.grid().layout();
+        let pressure = normal.pressure().as_slice();
+        let [change, size] = reduce::sum(&layout, |i| {
+            let change = pressure[i] - before[i];
+            [change * change, pressure[i] * pressure[i]]
+        });
+        before.copy_from_slice(pressure);
+        let (coupling, energy) = self.coupling_errors(&layout, solution)?;
+        let report = &mut self.report;
+        // One pass is exact where the tractions lift nothing.
+        report.pressure_change = match self.lifting {
+            None => 0.0,
+            Some(_) => ratio(change.sqrt(), size.sqrt()),
+        };
+        report.coupling_residual = coupling;
+        let (of_normal, of_rolling) = (normal.report(), rolling.report());
+        report.pressure_error_bound = of_normal.energy_error_bound() + energy;
+        report.traction_error_bound = of_rolling.energy_error_bound();
+        let residuals = [of_normal.residual + coupling, of_rolling.residual];
+        let loads = [of_normal.load_error, of_rolling.load_error];
+        report.work.residual = reduce::larger(residuals[0], residuals[1]);
+        report.work.load_error = reduce::larger(loads[0], loads[1]);
+        report.work.eigenvalue_bound = of_normal.eigenvalue_bound.min(of_rolling.eigenvalue_bound);
+        let beta = TYPICAL * self.problem.bodies.pair().coupling_strength().abs();
+        let friction = self
+            .problem
+            .friction
+            .largest_coefficient(&self.problem.bodies);
+        let rest = 1.0 - beta * (beta + friction);
+        let whole = report.pressure_error_bound + beta * report.traction_error_bound;
+        report.error_estimate = (rest > 0.0).then(|| whole / rest);
+        Ok(reduce::larger(coupling, energy))
+    }
+
+    /// Residual of the normal law that the tractions leave whose lift is not in the gap, and a bound of the change of the
+    /// pressure that they cause in the energy norm, over that of the pressure.
+    fn coupling_errors(
+        &mut self,
+        layout: &Layout,
+        solution: &CoupledRollingSolution,
+    ) -> Result<(f64, f64)> {
+        let residual = self.residual_of(&solution.rolling)?;
+        let Some(lifting) = &mut self.lifting else {
+            return Ok((0.0, 0.0));
+        };
+        let normal = &solution.normal;
+        let (pressure, gap) = (normal.pressure().as_slice(), normal.gap().as_slice());
+        let (initial, approach) = (self.problem.gap.as_slice(), normal.approach());
+        let known = &self.lift;
+        let displacement = |i: usize| gap[i] - (initial[i] + known[i] - approach);
+        let mut lift = fallible::zeros(known.len())?;
+        lifting.lift(residual.each_ref().map(Vec::as_slice), &mut lift);
+        let is_fixed = matches!(self.problem.normal, NormalControl::Approach(_));
+        let is_contact = |i: usize| pressure[i] > 0.0;
+        let coupling = lift_residual(layout, is_contact, |i| lift[i], displacement, is_fixed);
+        let [squares, energy] = reduce::sum(layout, |i| {
+            let [x, y] = [residual[0][i], residual[1][i]];
+            [x * x + y * y, pressure[i] * displacement(i)]
+        });
+        let energy = ratio(self.reach * squares.sqrt(), energy.max(0.0).sqrt());
+        Ok((coupling, energy))
+    }
+
+    /// Writes the report, and marks the halves as those of a coupled contact.
+    fn finish(&mut self, solution: &mut CoupledRollingSolution, outcome: &Result<()>) {
+        if self.lifting.is_some() {
+            self.report.work.duality_gap = f64::INFINITY;
+        }
+        solution.report.clone_from(&self.report);
+        if has_iterate(outcome) && self.lifting.is_some() {
+            let CoupledRollingProblem { bodies, gap, .. } = &self.problem;
+            let normal = &mut solution.normal;
+            normal.measure_scale(bodies, gap);
+            normal.set_coupled(true);
+            normal.parts_mut().3.clone_from(&self.report.work);
+            solution.rolling.set_report(&self.report.work);
+        }
+        // The next solve starts from the tractions found.
+        for (kept, found) in self.traction.iter_mut().zip(solution.rolling.traction()) {
+            kept.copy_from_slice(found.as_slice());
+        }
+        if self.lifting.is_some() {
+            self.last = solution.normal.try_clone().ok();
+        }
+        if !has_iterate(outcome) || !self.report.work.residual.is_finite() {
+            self.reset();
+        }
+    }
+}
+
+/// Adds the counts of a half to those of the whole.
+fn add_counts(work: &mut Report, half: &Report) {
+    let whole = (work.status, work.residual, work.duality_gap);
+    work.add_pass(half);
+    (work.status, work.residual, work.duality_gap) = whole;
+}
+
+/// The status of a half that neither reached its tolerance nor stalled within `allowed`.
+fn ended(outcome: Result<()>, allowed: f64) -> Result<Option<Status>> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(Error::NotConverged(report)) => {
+            let serves = report.status == Status::Stalled && report.is_within(allowed);
+            Ok((!serves).then_some(report.status))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn ratio(part: f64, whole: f64) -> f64 {
+    if part == 0.0 { 0.0 } else { part / whole }
+}
+
+impl RollingProblem {
+    /// Returns the norm of rolling over the energy norm, of the smoothest tractions. The tolerance of the tractions is
+    /// smaller by this factor, since the lift follows the energy norm.
+    fn noise(&self) -> f64 {
+        let angle = std::f64::consts::PI / (self.chain as f64 + 1.0);
+        std::f64::consts::SQRT_2 * (0.5 * angle).sin()
+    }
+}
+
+impl RollingSolver {
+    /// Takes tractions of the grid, and a spin, as the start of the next solve.
+    fn take_start(&mut self, traction: [&[f64]; 2], spin: f64) {
+        for (cell, index) in self.problem.pressed.window().indices().enumerate() {
+            for (own, traction) in self.traction.iter_mut().zip(traction) {
+                own[cell] = traction[index] / self.unit;
+            }
+        }
+        self.spin = spin;
+    }
+}

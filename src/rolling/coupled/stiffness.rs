@@ -1,0 +1,375 @@
+//! How forces and moment follow creepages and spin, with the pressure that follows the tractions.
+//!
+//! At fixed zones the equations of both halves are linear. The solver finds the changes of the pressure for given changes
+//! of the tractions, then those of the tractions, and repeats.
+
+use std::ops::ControlFlow;
+
+use crate::bodies::component::{Component, Direction};
+use crate::cgm::{Held, Interval, LinearWorkspace, Linearised, Own, Row};
+use crate::contact::with_counts_of;
+use crate::error::{Error, Result};
+use crate::half_space::{Compliance, ElasticOperator};
+use crate::memory::fallible::{self, TryClone};
+use crate::normal::{NormalControl, NormalSolution};
+use crate::numerics::cell_vector::{at, slices, slices_mut};
+use crate::numerics::small_matrix::Small;
+use crate::observer::{Observer, unwatched};
+use crate::operator::{Operator, Scratch};
+use crate::parallel::layout::Layout;
+use crate::parallel::reduce;
+use crate::report::{Iteration, Report, Status};
+use crate::rolling::RollingSolver;
+use crate::rolling::coupled::CoupledRollingSolver;
+use crate::rolling::entry::entering;
+use crate::rolling::steady::stiffness::Follow;
+use crate::tangential::{Axis, Drawing, Friction, Lifting, OwnCompliance, is_at_limit};
+
+/// Relative residual of each half, and relative change of the tractions at which the repetition ends.
+const TOLERANCE: f64 = 1e-10;
+const CHANGE: f64 = 1e-9;
+/// Passes that a column may take.
+const MOST_PASSES: usize = 200;
+/// Largest relative change of gap or pressure in the central difference of an entry compliance.
+const DIFFERENCE: f64 = 1e-4;
+
+type Side = <Interval as Linearised<1>>::Motion;
+
+/// The normal half at a fixed contact.
+struct NormalHalf {
+    linear: LinearWorkspace<Side, 1>,
+    compliance: Compliance<1>,
+    layout: Layout,
+    right: Vec<[f64; 1]>,
+    unknowns: Vec<[f64; 1]>,
+    /// The pressure by a unit of the approach, if a force is prescribed.
+    by_approach: Option<Vec<f64>>,
+    /// Operator of the whole grid.
+    whole: ElasticOperator<1>,
+    scratch: Scratch,
+}
+
+/// Changes by a unit of a motion.
+struct Change {
+    /// Changes of the tractions and of the pressure, on the window.
+    traction: [Vec<f64>; 2],
+    pressure: Vec<f64>,
+    /// Changes on the whole grid: the tractions, their lift, the pressure, and the gap under load.
+    whole: [Vec<f64>; 2],
+    lift: Vec<f64>,
+    pressed: Vec<f64>,
+    gap: Vec<f64>,
+    /// Displacements of the cells over a step by the changes.
+    moved: [Vec<f64>; 2],
+}
+
+impl CoupledRollingSolver {
+    /// Returns how forces and moment change with creepages and spin about the last solution,
+    ///
+    /// ```math
+    /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
+    /// ```
+    ///
+    /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant; the pressure follows the
+    /// tractions, and with the pressure follow the friction limits and the entry compliance. Zones and contact area are
+    /// fixed. Each column takes as many passes as a solve.
+    ///
+    /// # Errors
+    /// - [`Error::NotConverged`] if there is no solution yet, or if a column is not found.
+    /// - [`Error::Memory`] if memory runs out.
+    pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
+        self.stiffness_observed(unwatched)
+    }
+
+    /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product and may cancel.
+    ///
+    /// # Errors
+    /// As [`stiffness`](Self::stiffness).
+    pub fn stiffness_observed(
+        &mut self,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<[[f64; 3]; 3]> {
+        let unsolved = || Error::NotConverged(Box::new(Report::unsolved()));
+        let mut rolling = self.rolling.take().ok_or_else(unsolved)?;
+        let found = match (&mut self.lifting, &self.last) {
+            (Some(lifting), Some(normal)) => {
+                let friction = &self.problem.friction;
+                let is_force = matches!(self.problem.normal, NormalControl::Force(_));
+                rolling.coupled_stiffness(lifting, (normal, friction, is_force), &mut observer)
+            }
+            _ => rolling.stiffness_observed(&mut observer),
+        };
+        self.rolling = Some(rolling);
+        found
+    }
+}
+
+impl RollingSolver {
+    fn coupled_stiffness(
+        &mut self,
+        lifting: &mut Lifting,
+        (normal, friction, is_force): (&NormalSolution, &Friction, bool),
+        observer: Observer<'_>,
+    ) -> Result<[[f64; 3]; 3]> {
+        let mut follow = self.take_follow()?;
+        let mut work = Report::unsolved();
+        let found = self.hold_zones(&mut follow).and_then(|()| {
+            let mut half = NormalHalf::new(self, is_force, &mut work, &mut *observer)?;
+            let mut loads = [[0.0; 3]; 3];
+            for (motion, loads) in loads.iter_mut().enumerate() {
+                let tools = (&mut *lifting, &mut half, &mut follow);
+                *loads = self.column(motion, (normal, friction), tools, &mut work, observer)?;
+            }
+            Ok(Small(loads).transposed().0)
+        });
+        self.follow = Some(follow);
+        found
+    }
+
+    /// Returns the changes of forces and moment for a unit of a motion.
+    fn column(
+        &self,
+        motion: usize,
+        (normal, friction): (&NormalSolution, &Friction),
+        (lifting, half, follow): (&mut Lifting, &mut NormalHalf, &mut Follow),
+        work: &mut Report,
+        observer: Observer<'_>,
+    ) -> Result<[f64; 3]> {
+        let problem = &self.problem;
+        let window = problem.pressed.window();
+        let (cells, grid) = (self.limits.len(), problem.bodies.grid());
+        let mut drawing = Drawing::new(&problem.bodies, Axis::BOTH, problem.step.size)?;
+        let mut scratch = self.operator.scratch()?;
+        let mut change = Change {
+            traction: fallible::vector(cells)?,
+            pressure: fallible::zeros(cells)?,
+            whole: fallible::vector(grid.cells())?,
+            lift: fallible::zeros(grid.cells())?,
+            pressed: fallible::zeros(grid.cells())?,
+            gap: fallible::zeros(grid.cells())?,
+            moved: fallible::vector(cells)?,
+        };
+        for _ in 0..MOST_PASSES {
+            for (whole, part) in change.whole.iter_mut().zip(&change.traction) {
+                problem.pressed.region.scatter(part, whole);
+            }
+            lifting.lift(slices(&change.whole), &mut change.lift);
+            half.follow(self, &mut change, work, &mut *observer)?;
+            let turned = self.entry_change(normal, &change)?;
+            // Cells at their limits follow the limits.
+            let mut known: [Vec<f64>; 2] = fallible::vector(cells)?;
+            for (cell, index) in window.indices().enumerate() {
+                let q = at(&slices(&self.traction), cell);
+                let size = q[0].hypot(q[1]);
+                let pressure = problem.pressed.pressure[cell];
+                if pressure > 0.0 && size > 0.0 && is_at_limit(size, self.limits[cell]) {
+                    let part = friction.slope(index, pressure) * change.pressure[cell] / size;
+                    (known[0][cell], known[1][cell]) = (part * q[0], part * q[1]);
+                }
+            }
+            self.operator
+                .apply(slices(&known), slices_mut(&mut change.moved), &mut scratch);
+            let moved = &mut change.moved;
+            drawing.displace(change.pressure.iter().copied(), |axis, displacement| {
+                let mut drawn = displacement.to_vec();
+                problem.step.difference(&mut drawn);
+                for (moved, drawn) in moved[axis.index()].iter_mut().zip(&drawn) {
+                    *moved += drawn;
+                }
+            });
+            for (cell, turned) in turned.iter().enumerate() {
+                let own = self
+                    .own()
+                    .added(*turned, 1.0, cell, at(&slices(&known), cell));
+                for axis in 0..2 {
+                    moved[axis][cell] += own[axis];
+                }
+            }
+            let moved = slices(moved);
+            let asked = |cell: usize| {
+                let [x, y] = problem.motions(window.index(cell))[motion];
+                let [known_x, known_y] = at(&moved, cell);
+                [x - known_x, y - known_y]
+            };
+            let mut counted = with_counts_of(work, &mut *observer);
+            self.respond(asked, follow, &mut counted)?;
+            drop(counted);
+            work.add_pass(follow.linear.report());
+            let found = follow.linear.tractions();
+            let (layout, before) = (self.operator.layout(), slices(&change.traction));
+            let [difference, size] = reduce::sum(&layout, |cell| {
+                let (free, known) = (at(&found, cell), at(&slices(&known), cell));
+                let next = [free[0] + known[0], free[1] + known[1]];
+                let [x, y] = at(&before, cell);
+                [
+                    (next[0] - x).powi(2) + (next[1] - y).powi(2),
+                    next[0] * next[0] + next[1] * next[1],
+                ]
+            });
+            for axis in 0..2 {
+                for (cell, own) in change.traction[axis].iter_mut().enumerate() {
+                    *own = found[axis][cell] + known[axis][cell];
+                }
+            }
+            if difference.sqrt() <= CHANGE * size.sqrt() {
+                return Ok(self.loads_of(slices(&change.traction)));
+            }
+        }
+        work.status = Status::Stalled;
+        Err(Error::NotConverged(Box::new(work.clone())))
+    }
+
+    /// Returns the displacements by the change of the entry compliance under the present tractions, by central differences.
+    fn entry_change(&self, normal: &NormalSolution, change: &Change) -> Result<Vec<[f64; 2]>> {
+        let problem = &self.problem;
+        let (pressed, window) = (&problem.pressed, problem.pressed.window());
+        let mut turned = fallible::filled([0.0; 2], change.pressure.len())?;
+        let gap = normal.gap().as_slice();
+        let relative = |cell: usize| {
+            if self.own().mean(cell) <= 0.0 {
+                return 0.0;
+            }
+            let before = problem.step.before(cell).map(|before| window.index(before));
+            let of_gap = before.map_or(0.0, |before| (change.gap[before] / gap[before]).abs());
+            of_gap.max((change.pressure[cell] / pressed.pressure[cell]).abs())
+        };
+        let largest = reduce::max(&self.operator.layout(), relative);
+        if largest <= 0.0 {
+            return Ok(turned);
+        }
+        let part = DIFFERENCE / largest;
+        let entry = |part: f64| -> Result<Vec<OwnCompliance>> {
+            let (mut normal, mut pressed) = (normal.try_clone()?, pressed.try_clone()?);
+            let (_, gap, ..) = normal.parts_mut();
+            for (gap, change) in gap.as_mut_slice().iter_mut().zip(&change.gap) {
+                *gap += part * change;
+            }
+            for (pressure, change) in pressed.pressure.iter_mut().zip(&change.pressure) {
+                *pressure += part * change;
+            }
+            entering(&normal, &pressed, problem.step)
+        };
+        let (more, less) = (entry(part)?, entry(-part)?);
+        for (cell, (more, less)) in more.iter().zip(&less).enumerate() {
+            if self.own().mean(cell) > 0.0 {
+                let [x, y] = at(&slices(&self.traction), cell).map(|q| self.unit * q);
+                let slope = |more: f64, less: f64| (more - less) / (2.0 * part);
+                let [xx, xy, yy] = [
+                    slope(more.xx, less.xx),
+                    slope(more.xy, less.xy),
+                    slope(more.yy, less.yy),
+                ];
+                turned[cell] = [xx * x + xy * y, xy * x + yy * y];
+            }
+        }
+        Ok(turned)
+    }
+}
+
+impl NormalHalf {
+    fn new(
+        of: &RollingSolver,
+        is_force: bool,
+        work: &mut Report,
+        observer: Observer<'_>,
+    ) -> Result<Self> {
+        let problem = &of.problem;
+        let compliance = problem
+            .bodies
+            .compliance([Direction::Z], problem.step.size)?;
+        let whole = problem
+            .bodies
+            .operator_of([[Component::ZZ]], problem.bodies.grid().size())?;
+        let mut half = Self {
+            linear: LinearWorkspace::new(&compliance.operator, &compliance.inverse)?,
+            layout: compliance.operator.layout(),
+            scratch: whole.scratch()?,
+            whole,
+            compliance,
+            right: Vec::new(),
+            unknowns: Vec::new(),
+            by_approach: None,
+        };
+        let pressure = &problem.pressed.pressure;
+        half.linear.hold(|cell| {
+            if pressure[cell] > 0.0 {
+                Side::FREE
+            } else {
+                Side::FIXED
+            }
+        })?;
+        if is_force {
+            half.respond(|_| [1.0], work, observer)?;
+            let [unit] = half.linear.tractions();
+            half.by_approach = Some(fallible::copied(unit)?);
+        }
+        Ok(half)
+    }
+
+    /// Finds the pressures that answer displacements of the cells.
+    fn respond(
+        &mut self,
+        asked: impl Fn(usize) -> [f64; 1] + Sync,
+        work: &mut Report,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        self.linear.restrict(asked, &mut self.right)?;
+        let held = Held {
+            operator: &self.compliance.operator,
+            preconditioner: &self.compliance.inverse,
+            layout: &self.layout,
+            own: Own::default(),
+        };
+        let mut counted = with_counts_of(work, observer);
+        held.respond(
+            &self.right,
+            &mut self.unknowns,
+            &mut self.linear,
+            TOLERANCE,
+            &mut counted,
+        )?;
+        drop(counted);
+        work.add_pass(self.linear.report());
+        if !self.linear.report().is_converged() {
+            return Err(Error::NotConverged(Box::new(self.linear.report().clone())));
+        }
+        Ok(())
+    }
+
+    /// Finds the change of the pressure that keeps the contact closed under a lift, and the change of the gap.
+    fn follow(
+        &mut self,
+        of: &RollingSolver,
+        change: &mut Change,
+        work: &mut Report,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let pressed = &of.problem.pressed;
+        let window = pressed.window();
+        let lift = &change.lift;
+        if reduce::max(&self.layout, |cell| lift[window.index(cell)].abs()) > 0.0 {
+            self.respond(|cell| [-lift[window.index(cell)]], work, observer)?;
+            let [found] = self.linear.tractions();
+            change.pressure.copy_from_slice(found);
+        } else {
+            change.pressure.fill(0.0);
+        }
+        let mut approach = 0.0;
+        if let Some(by_approach) = &self.by_approach {
+            let missing = reduce::total(&self.layout, &change.pressure);
+            approach = -missing / reduce::total(&self.layout, by_approach);
+            for (pressure, unit) in change.pressure.iter_mut().zip(by_approach) {
+                *pressure += approach * unit;
+            }
+        }
+        pressed
+            .region
+            .scatter(&change.pressure, &mut change.pressed);
+        self.whole
+            .apply([&change.pressed], [&mut change.gap], &mut self.scratch);
+        for (gap, lift) in change.gap.iter_mut().zip(lift) {
+            *gap += lift - approach;
+        }
+        Ok(())
+    }
+}

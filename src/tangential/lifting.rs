@@ -1,0 +1,84 @@
+//! The normal displacement by tractions, where materials couple the two.
+
+use crate::bodies::component::{Component, Direction};
+use crate::cgm::reduce;
+use crate::error::Result;
+use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::memory::fallible;
+use crate::operator::{Operator, Scratch};
+use crate::parallel::layout::Layout;
+use crate::tangential::Axis;
+
+/// Operator of the normal displacement that tractions on a window cause.
+#[derive(Debug, Clone)]
+pub(crate) struct Lifting {
+    parts: [Part; 2],
+    displacement: Vec<f64>,
+}
+
+/// Operator of the tractions along one axis.
+#[derive(Debug, Clone)]
+struct Part {
+    operator: ElasticOperator<1>,
+    scratch: Scratch,
+}
+
+impl Lifting {
+    pub(crate) fn new(bodies: &HalfSpace, size: [usize; 2]) -> Result<Self> {
+        let parts = fallible::try_each(|axis| {
+            let component = Component::of(Direction::Z, Axis::BOTH[axis].direction());
+            let operator = bodies.operator_of([[component]], size)?;
+            let scratch = operator.scratch()?;
+            Ok(Part { operator, scratch })
+        })?;
+        Ok(Self {
+            parts,
+            displacement: fallible::zeros(bodies.layout(size).cells())?,
+        })
+    }
+
+    /// Writes the normal displacement that tractions along x and y cause. A component that a model leaves out has no cells.
+    pub(crate) fn lift(&mut self, traction: [&[f64]; 2], lift: &mut [f64]) {
+        lift.fill(0.0);
+        let added = &mut self.displacement;
+        for (part, traction) in self.parts.iter_mut().zip(traction) {
+            if !traction.is_empty() {
+                part.operator
+                    .apply([traction], [&mut *added], &mut part.scratch);
+                for (lift, added) in lift.iter_mut().zip(&*added) {
+                    *lift += *added;
+                }
+            }
+        }
+    }
+}
+
+/// Returns half the range of the lift within the contact, over the largest normal displacement: the residual of the normal
+/// law that the lift leaves, since a uniform lift changes only the approach. Under a prescribed approach
+/// (`is_fixed`) the residual is the largest lift instead.
+pub(crate) fn lift_residual(
+    layout: &Layout,
+    is_contact: impl Fn(usize) -> bool + Sync,
+    lift: impl Fn(usize) -> f64 + Sync,
+    normal_displacement: impl Fn(usize) -> f64 + Sync,
+    is_fixed: bool,
+) -> f64 {
+    let largest = reduce::max(layout, |i| {
+        if is_contact(i) {
+            normal_displacement(i).abs()
+        } else {
+            0.0
+        }
+    });
+    let extreme = |sign: f64| {
+        let found = reduce::least(layout, |i| is_contact(i).then(|| (sign * lift(i), ())));
+        found.map_or(0.0, |(least, ())| least)
+    };
+    let (least, negated_most) = (extreme(1.0), extreme(-1.0));
+    let size = if is_fixed {
+        (-least).max(-negated_most)
+    } else {
+        -0.5 * (least + negated_most)
+    };
+    if size > 0.0 { size / largest } else { 0.0 }
+}
