@@ -10,7 +10,7 @@ use crate::warning::Warning;
 
 /// Operator of the lift on the window of a contact with one-way coupling, and the lift of the last rolled step.
 #[derive(Debug, Clone)]
-pub(super) struct NeglectedLift {
+pub(in crate::history) struct NeglectedLift {
     size: [usize; 2],
     lifting: Lifting,
     lift: Vec<f64>,
@@ -21,7 +21,7 @@ pub(super) struct NeglectedLift {
 impl NeglectedLift {
     /// Measures the lift by the tractions of a step under a pressure that was found over a gap before loading, in the
     /// buffers of `slot` if they have the size of the window.
-    pub(super) fn measure(
+    pub(in crate::history) fn measure(
         slot: &mut Option<Self>,
         bodies: &HalfSpace,
         answer: &Answer<'_>,
