@@ -1,7 +1,5 @@
 //! The law of cells that enter the contact by rolling.
 
-use crate::buffer::filled;
-use crate::error::Result;
 use crate::history::Passage;
 use crate::neighbours::neighbours;
 use crate::normal::NormalSolution;
@@ -37,13 +35,14 @@ pub(crate) fn compliance(
     }
 }
 
-/// The compliance of its own of each cell of a window, under a pressure that does not change.
+/// Writes the own compliance of each cell of a window under a pressure that does not change.
 pub(crate) fn entering(
     normal: &NormalSolution,
     pressed: &Pressed,
     step: Passage,
-) -> Result<Vec<OwnCompliance>> {
-    let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
+    own: &mut [OwnCompliance],
+) {
+    own.fill(OwnCompliance::NONE);
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
     let pressure = normal.pressure().as_slice();
     for (cell, own) in own.iter_mut().enumerate() {
@@ -54,7 +53,6 @@ pub(crate) fn entering(
             *own = compliance(normal, before, gap[before], pressed.pressure[cell]);
         }
     }
-    Ok(own)
 }
 
 /// $`n\,n'`$ by the slopes of the gap around a cell, each weighted by its square: `[xx, xy, yy]` of trace one.

@@ -91,6 +91,7 @@ mod creep;
 mod inverse;
 mod operator;
 mod problem;
+mod reload;
 mod solution;
 mod solver;
 mod spin_search;

@@ -19,6 +19,8 @@ use crate::tangential::{
 pub struct RollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) pressed: Pressed,
+    pub(super) friction: Friction,
+    pub(super) touch_rule: TouchRule,
     pub(super) step: Passage,
     /// Length of a step.
     pub(super) length: f64,
@@ -33,7 +35,9 @@ pub struct RollingProblem {
     pub(super) settings: Settings,
 }
 
-try_clone!(RollingProblem { pressed, own, drawn } { bodies, step, length, chain, controls, spin, settings });
+try_clone!(RollingProblem { pressed, friction, own, drawn } {
+    bodies, touch_rule, step, length, chain, controls, spin, settings,
+});
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
 
@@ -239,16 +243,18 @@ impl RollingProblemBuilder<'_> {
         let step = travel.through(window.size);
         let mut pressed = Pressed::new(bodies, window)?;
         pressed.set(samples, &self.friction);
-        let own = match self.touch_rule {
-            TouchRule::Growth => entering(self.normal, &pressed, step)?,
-            TouchRule::WholeStep => filled(OwnCompliance::NONE, pressed.region.cells())?,
-        };
+        let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
+        if self.touch_rule == TouchRule::Growth {
+            entering(self.normal, &pressed, step, &mut own);
+        }
         let problem = RollingProblem {
             own,
             drawn: drawn(bodies, &pressed, step)?,
             chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
+            friction: self.friction,
+            touch_rule: self.touch_rule,
             step,
             length: travel.length,
             controls: self.controls,
@@ -265,11 +271,21 @@ fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f6
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
     if bodies.pair().is_coupled() {
         let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;
-        drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {
-            let part: &mut Vec<f64> = &mut drawn[axis.index()];
-            part.copy_from_slice(displacement);
-            step.difference(part);
-        });
+        draw(&mut drawing, pressed, step, &mut drawn);
     }
     Ok(drawn)
+}
+
+/// Writes the same with a drawing of the window.
+pub(super) fn draw(
+    drawing: &mut Drawing,
+    pressed: &Pressed,
+    step: Passage,
+    drawn: &mut [Vec<f64>; 2],
+) {
+    drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {
+        let part = &mut drawn[axis.index()];
+        part.copy_from_slice(displacement);
+        step.difference(part);
+    });
 }

@@ -16,11 +16,12 @@ use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::inverse::SteadyInverse;
 use crate::rolling::operator::SteadyOperator;
+use crate::rolling::reload::Press;
 use crate::rolling::spin_search::SpinSearch;
 use crate::rolling::stiffness::Follow;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
-use crate::tangential::{Friction, OwnCompliance, TangentialModel};
+use crate::tangential::{Drawing, Friction, OwnCompliance, Pressed, TangentialModel};
 use crate::watch::Observer;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -49,26 +50,35 @@ const SHARPER: f64 = 0.1;
 /// }
 /// # Ok::<(), Error>(())
 /// ```
+#[derive(Clone)]
 pub struct RollingSolver {
     pub(super) problem: RollingProblem,
+    /// Pressure and limits under examination, not yet in force.
+    pub(super) candidate: Pressed,
+    /// How the pressure of bodies of different materials displaces them, once it has changed.
+    pub(super) drawing: Option<Drawing>,
+    /// Finds the pressure of a load, if the caller has given it.
+    pub(super) press: Option<Box<Press>>,
     pub(super) operator: Arc<SteadyOperator>,
     pub(super) inverse: Arc<SteadyInverse>,
     pub(super) workspace: Workspace<Disc, 2>,
     /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
     /// of numbers.
-    unit: f64,
+    pub(super) unit: f64,
     pub(super) limits: Vec<f64>,
     pub(super) traction: [Vec<f64>; 2],
     /// What a solve asks of each cell.
     pub(super) linear: [Vec<f64>; 2],
     /// The compliance B that cells that carry traction have of their own.
-    own_mean: Vec<f64>,
-    own_deviator: Vec<[f64; 2]>,
+    pub(super) own_mean: Vec<f64>,
+    pub(super) own_deviator: Vec<[f64; 2]>,
     /// The spin of the last solve, from which the search for that of a moment starts.
-    spin: f64,
-    report: Report,
+    pub(super) spin: f64,
+    pub(super) report: Report,
     /// Whether there is a last answer.
-    is_warm: bool,
+    pub(super) is_warm: bool,
+    /// Whether the pressure has changed since that answer.
+    pub(super) has_new_pressure: bool,
     pub(super) follow: Option<Follow>,
 }
 
@@ -99,6 +109,10 @@ impl RollingSolver {
             spin: 0.0,
             report: Report::with_room(),
             is_warm: false,
+            has_new_pressure: false,
+            candidate: problem.pressed.try_clone()?,
+            drawing: None,
+            press: None,
             follow: None,
             operator,
             inverse,
@@ -109,7 +123,7 @@ impl RollingSolver {
     }
 
     /// Takes the limits of the problem, and what follows from them.
-    fn take_limits(&mut self) {
+    pub(super) fn take_limits(&mut self) {
         let limits = &self.problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
         let ratio = self.unit / unit;
@@ -122,7 +136,14 @@ impl RollingSolver {
             };
         }
         self.unit = unit;
+        let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
+            let before = ratio * self.limits[cell];
+            if follows && before > 0.0 {
+                for traction in &mut self.traction {
+                    traction[cell] *= limit / unit / before;
+                }
+            }
             let carries = *limit > 0.0;
             let own = if carries {
                 self.problem.own[cell]
@@ -161,18 +182,30 @@ impl RollingSolver {
     /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if
     /// the limits overflow; [`Error::Memory`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.problem.bodies.grid())?;
-        let mut pressed = self.problem.pressed.try_clone()?;
-        pressed.set_friction(friction);
-        std::mem::swap(&mut self.problem.pressed, &mut pressed);
-        let RollingProblem { controls, spin, .. } = self.problem;
-        let checked = self.problem.check(controls, spin);
-        if checked.is_err() {
-            self.problem.pressed = pressed;
+        let problem = &mut self.problem;
+        friction.check(problem.bodies.grid())?;
+        let pressure = &problem.pressed.pressure;
+        self.candidate.pressure.copy_from_slice(pressure);
+        self.candidate.set_friction(friction);
+        self.take_candidate(|problem| problem.friction.try_clone_from(friction))
+    }
+
+    /// Puts pressure and limits under examination in force, if the present loads can be prescribed with them and `work`
+    /// succeeds.
+    pub(super) fn take_candidate(
+        &mut self,
+        work: impl FnOnce(&mut RollingProblem) -> Result<()>,
+    ) -> Result<()> {
+        let problem = &mut self.problem;
+        std::mem::swap(&mut problem.pressed, &mut self.candidate);
+        let checked = problem.check(problem.controls, problem.spin);
+        let taken = checked.and_then(|()| work(problem));
+        if taken.is_err() {
+            std::mem::swap(&mut problem.pressed, &mut self.candidate);
         } else if !self.is_warm {
             self.take_limits();
         }
-        checked
+        taken
     }
 
     /// Forgets the last answer: the next solve starts as the first did, and [`stiffness`](Self::stiffness) is that of a

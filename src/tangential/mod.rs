@@ -70,7 +70,7 @@ pub(crate) use limits::{Pressed, SLIDING, is_at_limit};
 pub(crate) use motion::{Motion, centre};
 pub(crate) use nested::{handed_down, reserve};
 pub use pressure::PressureSource;
-pub(crate) use pressure::contact_window;
+pub(crate) use pressure::{check_bodies, contact_window};
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use relative::RelativeDisplacement;
 pub use solution::TangentialSolution;
