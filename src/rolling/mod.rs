@@ -97,6 +97,7 @@ mod solver;
 mod spin_search;
 mod step;
 mod stiffness;
+mod trend;
 
 pub use crate::history::LeadingEdge;
 pub use control::{RollingControl, SpinControl};

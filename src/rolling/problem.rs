@@ -167,6 +167,12 @@ impl RollingProblem {
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
+    /// Half the diagonal of the window, at which a spin moves the particles by about as much as a creepage.
+    pub(super) fn lever(&self) -> f64 {
+        let (grid, [columns, rows]) = (self.bodies.grid(), self.pressed.window().size);
+        0.5 * (columns as f64 * grid.dx()).hypot(rows as f64 * grid.dy())
+    }
+
     /// From where a particle is to the middle of its way.
     pub(super) fn halfway(&self) -> [f64; 2] {
         let (edge, mut way) = (self.step.edge, [0.0; 2]);

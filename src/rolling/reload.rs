@@ -114,7 +114,9 @@ impl RollingSolver {
             });
         };
         let before = press.solver.load();
-        let outcome = press.solve(load).and_then(|()| self.set_pressure(&press.candidate));
+        let outcome = press
+            .solve(load)
+            .and_then(|()| self.set_pressure(&press.candidate));
         match &outcome {
             Ok(()) => std::mem::swap(&mut press.normal, &mut press.candidate),
             Err(_) => press.solver.restore_load(before),

