@@ -9,7 +9,7 @@ use crate::array::{Array, copy, view, zones};
 use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
-use crate::report::{Report, ending};
+use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of its
@@ -107,6 +107,12 @@ impl RollingSolution {
         Report::of(self.0.report())
     }
 
+    /// Remarks on a result that may mislead; empty if there are none.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.0.warnings())
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "RollingSolution(creepage={}, spin={}, force={}, stick_ratio={}, {})",
@@ -114,7 +120,7 @@ impl RollingSolution {
             short(self.0.spin()),
             tuple(&self.0.force()),
             short(self.0.stick_ratio()),
-            ending(self.0.report(), &[])
+            ending(self.0.report(), &self.0.warnings())
         )
     }
 }
