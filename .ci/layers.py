@@ -81,7 +81,7 @@ LAYERS = [
     ("what is told of all of these", {
         "edges": {"boundary", "buffer", "cell_value", "error", "field", "grid", "history", "layers", "neighbours", "normal", "parallel", "shown", "spots", "tangential"},
         "spots": FOUNDATION | {"contact_map", "half_space", "normal", "tangential", "history"},
-        "rolling": ENGINE | {"contact", "normal", "tangential", "history"},
+        "rolling": ENGINE | {"contact", "contact_map", "normal", "tangential", "history"},
         "subsurface": FOUNDATION | {"influence", "fft", "half_space", "io", "normal", "tangential", "coupled", "history"},
     }),
 ]

@@ -90,7 +90,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut found = Vec::new();
     for wheel in &wheels {
         let start = Instant::now();
-        found.push(fastsim.force(wheel)?);
+        found.push(fastsim.force(wheel));
         times.push(1e3 * start.elapsed().as_secs_f64());
     }
     Times(times).show("FASTSIM");
@@ -117,7 +117,7 @@ fn steel() -> stickslip::Result<ElasticPair> {
     ElasticPair::new(steel, steel)
 }
 
-/// A rolling solver on a square of so many cells a side, which takes new loads.
+/// A rolling solver on `cells` x `cells` cells, which takes new loads.
 fn solver(cells: usize, tolerance: f64) -> stickslip::Result<RollingSolver> {
     let pair = steel()?;
     let largest = HertzEllipse::new(&pair, RADII[0], RADII[1], 1.35 * LOAD)?;
@@ -194,7 +194,7 @@ impl Fastsim {
         })
     }
 
-    fn force(&self, wheel: &Wheel) -> stickslip::Result<[f64; 2]> {
+    fn force(&self, wheel: &Wheel) -> [f64; 2] {
         let (g, kalker) = (self.shear_modulus, &self.coefficients);
         let [a, b] = self.axes.map(|axis| axis * (wheel.load / LOAD).cbrt());
         // Flexibilities of the springs for each creepage and for spin.
@@ -225,6 +225,6 @@ impl Fastsim {
                 }
             }
         }
-        Ok(force)
+        force
     }
 }

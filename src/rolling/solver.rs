@@ -31,7 +31,8 @@ const SPINS: usize = 60;
 /// Their tolerance over that of the moment.
 const SHARPER: f64 = 0.1;
 
-/// Solves for one creepage, force or spin after the other, each from the answer of the last.
+/// Solves for one creepage, force or spin after the other, each from the answer of the last. The normal load may change
+/// between solves.
 ///
 /// ```
 /// use stickslip::rolling::{RollingControl, RollingProblem};

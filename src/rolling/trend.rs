@@ -10,7 +10,7 @@ const FARTHEST: f64 = 1.5;
 /// The change of the tractions in the last solve, and the change of the motion that caused it.
 ///
 /// In a time loop, creepages and spin change in a step by about as much as in the step before. On 24 x 24 cells of a wheel
-/// with steps of 1 ms, the extrapolation saves a fourth of the products.
+/// with steps of 1 ms, the extrapolation saves a fifth of the products.
 #[derive(Debug, Clone)]
 pub(super) struct Trend {
     /// During a solve the tractions at its start, without extrapolation.

@@ -11,8 +11,8 @@ use stickslip::{
 
 const FRICTION: f64 = 0.3;
 
-fn bodies(cells: usize, pair: ElasticPair) -> HalfSpace {
-    HalfSpace::new(Grid::square(cells, 3.0).unwrap(), pair).unwrap()
+fn bodies(cells: usize, pair: &ElasticPair) -> HalfSpace {
+    HalfSpace::new(Grid::square(cells, 3.0).unwrap(), *pair).unwrap()
 }
 
 fn alike() -> ElasticPair {
@@ -90,7 +90,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
             TouchRule::Growth,
         ),
     ] {
-        let bodies = bodies(24, pair);
+        let bodies = bodies(24, &pair);
         let mut solver = rolling(&bodies, &pressed(&bodies, 0.4), (edge, rule));
         let creepages = [0.03, -0.02].map(RollingControl::Creepage);
         let drag = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
@@ -114,7 +114,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
 
 #[test]
 fn rolling_solver_finds_the_pressure_of_a_new_load() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
     let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
     let refused = solver.set_load(NormalControl::Force(0.7)).unwrap_err();
@@ -144,7 +144,7 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
 /// A pressure without a gap cannot have the law of entering cells.
 #[test]
 fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let [first, normal] = [0.6, 1.0].map(|load| pressed(&bodies, load));
     let creepages = [0.03, -0.02].map(RollingControl::Creepage);
     let of = |rule| {
@@ -167,7 +167,7 @@ fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
 
 #[test]
 fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let mut solver = rolling(
         &bodies,
         &pressed(&bodies, 1.0),
@@ -181,9 +181,9 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
     let mut rolling = solved(&mut solver);
     let stiffness = solver.stiffness().unwrap();
 
-    let other = self::bodies(25, alike());
+    let other = self::bodies(25, &alike());
     let harder = Material::from_shear_modulus(2.0, 0.25).unwrap();
-    let harder = self::bodies(24, ElasticPair::new(harder, harder).unwrap());
+    let harder = self::bodies(24, &ElasticPair::new(harder, harder).unwrap());
     let untouched = solver.clone();
     let grid = bodies.grid();
     let is_refused = [
@@ -238,7 +238,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
 /// The stiffness is about the last solution until the next solve, whatever window the new contact needs.
 #[test]
 fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
     let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
     let mut solver = rolling(&bodies, &light, by_default);
@@ -268,7 +268,7 @@ fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
 /// A time loop of a vehicle: a solve starts from scaled and extrapolated tractions.
 #[test]
 fn time_loop_of_a_vehicle_takes_few_products() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let press = problem(&bodies, 1.0);
     let normal = press.solve().unwrap();
     let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
@@ -302,7 +302,7 @@ fn time_loop_of_a_vehicle_takes_few_products() {
 
 #[test]
 fn rolling_solution_warns_of_a_contact_at_the_edge() {
-    let bodies = bodies(24, alike());
+    let bodies = bodies(24, &alike());
     let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
     let fine = solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
     assert_eq!(fine.warnings(), []);
