@@ -70,6 +70,18 @@ impl<S: Admissible<N>, const N: usize> Workspace<S, N> {
         &mut self.linear.operator
     }
 
+    /// Takes an iterate and multipliers as those of the last solve.
+    pub(crate) fn set_solution(
+        &mut self,
+        operator: &dyn Operator<N>,
+        x: [&[f64]; N],
+        multiplier: [f64; N],
+    ) {
+        let product = self.product.each_mut().map(Vec::as_mut_slice);
+        operator.apply(x, product, &mut self.linear.operator);
+        self.multiplier = multiplier;
+    }
+
     /// Measures the product of the last solve in another unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
         for value in self.product.iter_mut().flatten() {

@@ -57,6 +57,11 @@ impl NormalSolver {
         })
     }
 
+    /// Returns the load of the next solve.
+    pub(crate) fn load(&self) -> NormalControl {
+        self.problem.load
+    }
+
     /// Changes the load of the next solve.
     ///
     /// # Errors
@@ -72,6 +77,11 @@ impl NormalSolver {
         load.check(bodies, gap, hardness.as_ref())?;
         self.problem.load = load;
         Ok(())
+    }
+
+    /// Puts back a load that was set before.
+    pub(crate) fn restore_load(&mut self, load: NormalControl) {
+        self.problem.load = load;
     }
 
     /// Changes the gap of the next solve, as wear does; copies it without allocating, unless others hold the gap there was.

@@ -1,8 +1,6 @@
 //! The law of cells that enter the contact by rolling.
 
-use crate::error::Result;
 use crate::grid::neighbours::neighbours;
-use crate::memory::fallible::filled;
 use crate::normal::NormalSolution;
 use crate::rolling::Passage;
 use crate::tangential::{OwnCompliance, Pressed, own_compliance, ratios_of_compliances};
@@ -37,13 +35,14 @@ pub(crate) fn compliance(
     }
 }
 
-/// The compliance of its own of each cell of a window, under a pressure that does not change.
+/// Writes the own compliance of each cell of a window under a pressure that does not change.
 pub(crate) fn entering(
     normal: &NormalSolution,
     pressed: &Pressed,
     step: Passage,
-) -> Result<Vec<OwnCompliance>> {
-    let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
+    own: &mut [OwnCompliance],
+) {
+    own.fill(OwnCompliance::NONE);
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
     let pressure = normal.pressure().as_slice();
     for (cell, own) in own.iter_mut().enumerate() {
@@ -54,7 +53,6 @@ pub(crate) fn entering(
             *own = compliance(normal, before, gap[before], pressed.pressure[cell]);
         }
     }
-    Ok(own)
 }
 
 /// $`n\,n'`$ by the slopes of the gap around a cell, each weighted by its square: `[xx, xy, yy]` of trace one.

@@ -28,7 +28,8 @@
 //!
 //! # Loads
 //!
-//! [`RollingSolver::stiffness`] has the derivatives of forces and moment by creepages and spin,
+//! [`RollingSolver::set_load`] and [`RollingSolver::set_pressure`] take new normal contacts, as in the [time loop of a
+//! vehicle](crate::guide::rolling#vehicle-dynamics). [`RollingSolver::stiffness`] has the derivatives of forces and moment by creepages and spin,
 //! [`RollingSolver::creep_forces`] creep curves and surfaces as numbers for a table, [`SpinControl::Moment`] prescribes a
 //! moment in place of the spin: the spin is then found by several solves.
 //!

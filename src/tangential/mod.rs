@@ -73,7 +73,7 @@ pub(crate) use load::Demand;
 pub use load::{TangentialControl, TangentialLoad};
 pub(crate) use one_way::Drawing;
 pub use pressure_source::PressureSource;
-pub(crate) use pressure_source::contact_window;
+pub(crate) use pressure_source::{check_bodies, contact_window};
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use relative_displacement::RelativeDisplacement;
 pub(crate) use rigid_motion::{Motion, centre};

@@ -53,12 +53,7 @@ impl<'a> PressureSource<'a> {
     pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {
             Self::Solved(normal) => {
-                let quantity = "normal solution";
-                bodies.check_host(quantity, normal.grid(), normal.boundary())?;
-                bodies.check_values(quantity, normal.cell_value())?;
-                if normal.pair() != bodies.pair() {
-                    return Err(Error::MaterialMismatch { quantity });
-                }
+                check_bodies(normal, bodies)?;
                 if !normal.report().is_converged() {
                     return Err(Error::NotConverged(Box::new(normal.report().clone())));
                 }
@@ -71,6 +66,17 @@ impl<'a> PressureSource<'a> {
             }
         }
     }
+}
+
+/// `Ok` if a normal solution, solved or not, belongs to these bodies.
+pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Result<()> {
+    let quantity = "normal solution";
+    bodies.check_host(quantity, normal.grid(), normal.boundary())?;
+    bodies.check_values(quantity, normal.cell_value())?;
+    if normal.pair() != bodies.pair() {
+        return Err(Error::MaterialMismatch { quantity });
+    }
+    Ok(())
 }
 
 /// The smallest window around all pressure; all of the grid along an axis that repeats.

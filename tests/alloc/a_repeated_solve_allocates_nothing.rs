@@ -182,3 +182,43 @@ fn of_bodies_that_roll() {
     cycle();
     assert_eq!(allocations(&mut cycle), 0);
 }
+
+/// A time loop of a vehicle: load, creepages, spin and friction change, and the window of the largest load serves all.
+#[test]
+fn of_bodies_that_roll_under_changing_loads() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let frictions = [0.3, 0.25].map(|coefficient| Friction::coulomb(coefficient).unwrap());
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let (soft, hard) = (
+        Material::new(1.0, 0.3).unwrap(),
+        Material::new(9.0, 0.3).unwrap(),
+    );
+    for other in [soft, hard] {
+        let bodies = HalfSpace::new(grid, ElasticPair::new(soft, other).unwrap()).unwrap();
+        let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.3));
+        let press = press.build().unwrap();
+        let normal = press.solve().unwrap();
+        let problem = RollingProblem::builder(&bodies, &normal, frictions[0].clone());
+        let mut solver = problem.build().unwrap().into_solver().unwrap();
+        solver
+            .set_normal_solver(press.into_solver().unwrap())
+            .unwrap();
+        let mut rolling = solver.new_solution();
+        let mut cycle = || {
+            for (load, part) in [(0.3, 0.2), (0.5, 0.9), (0.4, 0.5), (0.3, -0.4)] {
+                solver.set_load(NormalControl::Force(load)).unwrap();
+                let creepages = [0.2 * part, -0.1 * part].map(RollingControl::Creepage);
+                for friction in &frictions {
+                    solver.set_friction(friction).unwrap();
+                    solver.set_control(creepages, 0.1 * part).unwrap();
+                    solver.solve_into(&mut rolling).unwrap();
+                }
+            }
+        };
+        // The widest window and the longest bases are there after some.
+        for _ in 0..3 {
+            cycle();
+        }
+        assert_eq!(allocations(&mut cycle), 0);
+    }
+}

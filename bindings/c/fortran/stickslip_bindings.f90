@@ -130,6 +130,11 @@ module stickslip_bindings
     public :: stickslip_rolling_solver_free
     public :: stickslip_rolling_solver_set_load
     public :: stickslip_rolling_solver_set_friction
+    public :: stickslip_rolling_solver_set_normal
+    public :: stickslip_rolling_solver_set_pressure
+    public :: stickslip_rolling_solver_set_normal_solver
+    public :: stickslip_rolling_solver_set_normal_load
+    public :: stickslip_rolling_solver_friction_capacity
     public :: stickslip_rolling_solver_reset
     public :: stickslip_rolling_solver_set_settings
     public :: stickslip_rolling_solver_solve
@@ -144,6 +149,7 @@ module stickslip_bindings
     public :: stickslip_rolling_solution_dissipation
     public :: stickslip_rolling_solution_result
     public :: stickslip_rolling_solution_report
+    public :: stickslip_rolling_solution_warnings
     public :: stickslip_self_affine_default
     public :: stickslip_surface_self_affine
     public :: stickslip_surface_self_affine_observed
@@ -2635,6 +2641,50 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_friction
 
+        ! Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
+        ! window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+        function stickslip_rolling_solver_set_normal(solver, normal) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_normal_solution), value :: normal
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_normal
+
+        ! Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
+        ! STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+        function stickslip_rolling_solver_set_pressure(solver, pressure, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            real(c_double), intent(in) :: pressure(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_pressure
+
+        ! Sets the solver that finds the pressure of a new normal load; copied, with its gap, hardness and settings.
+        function stickslip_rolling_solver_set_normal_solver(solver, normal) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_normal_solver), value :: normal
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_normal_solver
+
+        ! Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+        ! stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+        function stickslip_rolling_solver_set_normal_load(solver, load) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            type(stickslip_normal_load), intent(in), optional :: load
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_set_normal_load
+
+        ! The largest tangential force that friction holds.
+        function stickslip_rolling_solver_friction_capacity(solver, capacity) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solver), value :: solver
+            real(c_double), intent(out), optional :: capacity
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solver_friction_capacity
+
         ! Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
         function stickslip_rolling_solver_reset(solver) result(answer) bind(c)
             import
@@ -2765,6 +2815,16 @@ module stickslip_bindings
             type(stickslip_report), intent(out), optional :: report
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solution_report
+
+        ! Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+        function stickslip_rolling_solution_warnings(solution, buffer, capacity, count) result(answer) bind(c)
+            import
+            type(stickslip_rolling_solution), value :: solution
+            type(stickslip_warning), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t), intent(out), optional :: count
+            integer(c_int32_t) :: answer
+        end function stickslip_rolling_solution_warnings
 
         ! The options of a self-affine surface by default; height or slope is to be given.
         function stickslip_self_affine_default() result(answer) bind(c)

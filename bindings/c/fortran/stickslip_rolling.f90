@@ -3,7 +3,7 @@ module stickslip_rolling
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
     use stickslip_objects
-    use stickslip_normal, only: normal_solution
+    use stickslip_normal, only: normal_solution, normal_solver
     implicit none
     private
 
@@ -17,6 +17,11 @@ module stickslip_rolling
         procedure :: new => rolling_solver_new
         procedure :: set_load => rolling_solver_set_load
         procedure :: set_friction => rolling_solver_set_friction
+        procedure :: set_normal => rolling_solver_set_normal
+        procedure :: set_pressure => rolling_solver_set_pressure
+        procedure :: set_normal_solver => rolling_solver_set_normal_solver
+        procedure :: set_normal_load => rolling_solver_set_normal_load
+        procedure :: friction_capacity => rolling_solver_friction_capacity
         procedure :: set_settings => rolling_solver_set_settings
         procedure :: reset => rolling_solver_reset
         procedure :: solve => rolling_solver_solve
@@ -37,6 +42,7 @@ module stickslip_rolling
         procedure :: dissipation => rolling_solution_dissipation
         procedure :: result => rolling_solution_result
         procedure :: report => rolling_solution_report
+        procedure :: warnings => rolling_solution_warnings
         procedure :: address => rolling_solution_address
         procedure :: free => rolling_solution_free
         final :: rolling_solution_final
@@ -112,6 +118,45 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call report_status(stickslip_rolling_solver_set_friction(this%handle, friction), status)
     end subroutine rolling_solver_set_friction
+
+    subroutine rolling_solver_set_normal(this, normal, status)
+        class(rolling_solver), intent(in) :: this
+        class(normal_solution), intent(in) :: normal
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_normal(this%handle, normal%handle), status)
+    end subroutine rolling_solver_set_normal
+
+    ! Without the law of entering cells only.
+    subroutine rolling_solver_set_pressure(this, pressure, status)
+        class(rolling_solver), intent(in) :: this
+        real(c_double), intent(in), contiguous :: pressure(:, :)
+        integer(c_int32_t), intent(out), optional :: status
+        if (.not. fits('pressure', shape(pressure), this%grid, status)) return
+        call report_status(stickslip_rolling_solver_set_pressure(this%handle, pressure, size(pressure, kind=c_size_t)), status)
+    end subroutine rolling_solver_set_pressure
+
+    ! Copies the solver that finds the pressure of a new normal load.
+    subroutine rolling_solver_set_normal_solver(this, normal, status)
+        class(rolling_solver), intent(in) :: this
+        class(normal_solver), intent(in) :: normal
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_normal_solver(this%handle, normal%handle), status)
+    end subroutine rolling_solver_set_normal_solver
+
+    ! Solves for the pressure of a normal load; needs a normal solver.
+    subroutine rolling_solver_set_normal_load(this, load, status)
+        class(rolling_solver), intent(in) :: this
+        type(stickslip_normal_load), intent(in) :: load
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_rolling_solver_set_normal_load(this%handle, load), status)
+    end subroutine rolling_solver_set_normal_load
+
+    function rolling_solver_friction_capacity(this, status) result(capacity)
+        class(rolling_solver), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        real(c_double) :: capacity
+        call report_status(stickslip_rolling_solver_friction_capacity(this%handle, capacity), status)
+    end function rolling_solver_friction_capacity
 
     ! Forgets the last answer.
     subroutine rolling_solver_reset(this, status)
@@ -208,6 +253,21 @@ contains
         type(stickslip_report) :: report
         call report_status(stickslip_rolling_solution_report(this%handle, report), status)
     end function rolling_solution_report
+
+    ! Diagnostics that may mislead; warning_text has the message of each.
+    subroutine rolling_solution_warnings(this, warnings, status)
+        class(rolling_solution), intent(in) :: this
+        type(stickslip_warning), allocatable, intent(out) :: warnings(:)
+        integer(c_int32_t), intent(out), optional :: status
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: code
+        code = stickslip_rolling_solution_warnings(this%handle, capacity=0_c_size_t, count=count)
+        if (code == STICKSLIP_OK) then
+            allocate (warnings(count))
+            code = stickslip_rolling_solution_warnings(this%handle, warnings, size(warnings, kind=c_size_t), count)
+        end if
+        call report_status(code, status)
+    end subroutine rolling_solution_warnings
 
     function rolling_solver_address(this) result(address)
         class(rolling_solver), intent(in) :: this

@@ -2083,6 +2083,29 @@ stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *sol
 stickslip_status stickslip_rolling_solver_set_friction(stickslip_rolling_solver *solver,
                                                        const stickslip_friction *friction);
 
+// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
+// window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+stickslip_status stickslip_rolling_solver_set_normal(stickslip_rolling_solver *solver,
+                                                     const stickslip_normal_solution *normal);
+
+// Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
+// STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver *solver,
+                                                       const double *pressure,
+                                                       size_t count);
+
+// Sets the solver that finds the pressure of a new normal load; copied, with its gap, hardness and settings.
+stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_solver *solver,
+                                                            const stickslip_normal_solver *normal);
+
+// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+// stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solver *solver,
+                                                          const stickslip_normal_load *load);
+
+// The largest tangential force that friction holds.
+stickslip_status stickslip_rolling_solver_friction_capacity(const stickslip_rolling_solver *solver, double *capacity);
+
 // Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
 stickslip_status stickslip_rolling_solver_reset(stickslip_rolling_solver *solver);
 
@@ -2155,6 +2178,12 @@ stickslip_status stickslip_rolling_solution_result(const stickslip_rolling_solut
 // How it was solved.
 stickslip_status stickslip_rolling_solution_report(const stickslip_rolling_solution *solution,
                                                    stickslip_report *report);
+
+// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+stickslip_status stickslip_rolling_solution_warnings(const stickslip_rolling_solution *solution,
+                                                     stickslip_warning *buffer,
+                                                     size_t capacity,
+                                                     size_t *count);
 
 // The options of a self-affine surface by default; height or slope is to be given.
 stickslip_self_affine stickslip_self_affine_default(void);

@@ -13,13 +13,13 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::{STICKSLIP_GROWTH, touch_rule};
 use crate::inputs::{stickslip_friction, stickslip_settings, stickslip_settings_default};
-use crate::loads::STICKSLIP_FORCE;
-use crate::normal::stickslip_normal_solution;
+use crate::loads::{STICKSLIP_FORCE, stickslip_normal_load};
+use crate::normal::{stickslip_normal_solution, stickslip_normal_solver};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, collected, entries, entries_mut, input, optional};
-use crate::reading::{show, tell};
+use crate::reading::{show, tell, warn};
 use crate::reserved::known;
-use crate::results::stickslip_report;
+use crate::results::{stickslip_report, stickslip_warning};
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 
@@ -203,6 +203,77 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     unsafe { solver::set_friction(solver, friction, RollingSolver::set_friction) }
+}
+
+/// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
+/// window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
+    solver: *mut stickslip_rolling_solver,
+    normal: *const stickslip_normal_solution,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let (mut solver, normal) = (changing(solver)?, reading(normal)?);
+        Ok(solver.own.set_pressure(&*normal)?)
+    })
+}
+
+/// Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
+/// STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
+    solver: *mut stickslip_rolling_solver,
+    pressure: *const f64,
+    count: usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        solver::change_cells(solver, ("pressure", pressure, count), |own, field| {
+            own.set_pressure(field)
+        })
+    }
+}
+
+/// Sets the solver that finds the pressure of a new normal load; copied, with its gap, hardness and settings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
+    solver: *mut stickslip_rolling_solver,
+    normal: *const stickslip_normal_solver,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    call_on(solver, || unsafe {
+        let (mut solver, normal) = (changing(solver)?, reading(normal)?);
+        Ok(solver.own.set_normal_solver(normal.own.clone())?)
+    })
+}
+
+/// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+/// stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
+    solver: *mut stickslip_rolling_solver,
+    load: *const stickslip_normal_load,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        let check = stickslip_normal_load::checked;
+        solver::change(solver, ("load", load), check, RollingSolver::set_load)
+    }
+}
+
+/// The largest tangential force that friction holds.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solver_friction_capacity(
+    solver: *const stickslip_rolling_solver,
+    capacity: *mut f64,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe {
+        tell(solver, ("capacity", capacity), |of| {
+            Ok(of.own.friction_capacity())
+        })
+    }
 }
 
 /// Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
@@ -479,4 +550,16 @@ pub unsafe extern "C" fn stickslip_rolling_solution_report(
 ) -> stickslip_status {
     // SAFETY: the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
+}
+
+/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_rolling_solution_warnings(
+    solution: *const stickslip_rolling_solution,
+    buffer: *mut stickslip_warning,
+    capacity: usize,
+    count: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the rule for pointers.
+    unsafe { warn(solution, (buffer, capacity, count), |of| Ok(of.warnings())) }
 }

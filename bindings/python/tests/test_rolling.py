@@ -278,3 +278,23 @@ def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
         Rolling(1, creepage=(0.1, 0.0), creepage_x=0.1)
     with pytest.raises(TypeError, match="a load or its keywords"):
         history.step(ss.LoadStep(force_x=0.1), roll=Rolling(1))
+
+
+def test_a_solver_takes_new_loads(ball):
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    solver = ball.problem(creepage_x=0.02).solver()
+    with pytest.raises(ss.errors.NotModelled, match="set_normal_solver"):
+        solver.set_load(force=0.5)
+    solver.set_normal_solver(ss.NormalSolver(ball.bodies, gap, force=1.0))
+    solver.set_load(force=0.5)
+    assert solver.friction_capacity == pytest.approx(0.5 * FRICTION)
+    light = ss.NormalProblem(ball.bodies, gap, force=0.5).solve()
+    expected = RollingProblem(ball.bodies, light, FRICTION, creepage_x=0.02).solve()
+    assert solver.solve().force == pytest.approx(expected.force, abs=1e-6)
+    assert expected.warnings == []
+    solver.set_pressure(ball.normal)
+    assert solver.solve().force == pytest.approx(ball.problem(creepage_x=0.02).solve().force, abs=1e-6)
+    with pytest.raises(ss.errors.NotModelled, match="gap"):
+        solver.set_pressure(ball.normal.pressure)
+    with pytest.raises(ss.errors.EmptyContact):
+        solver.set_load(force=0.0)

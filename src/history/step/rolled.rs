@@ -57,7 +57,8 @@ pub struct Rolling {
 }
 
 impl Rolling {
-    /// Rolling by so many cells, one or more: particles of both surfaces move by as many through the contact.
+    /// Rolling by so many cells, one or more: particles of both surfaces move by as many through the contact. The guide has
+    /// the [remedies for parts of a cell](crate::guide::rolling#steps-of-whole-cells).
     #[must_use]
     pub fn new(cells: usize) -> Self {
         Self {

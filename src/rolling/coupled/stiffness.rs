@@ -247,7 +247,9 @@ impl RollingSolver {
             for (pressure, change) in pressed.pressure.iter_mut().zip(&change.pressure) {
                 *pressure += part * change;
             }
-            entering(&normal, &pressed, problem.step)
+            let mut own = fallible::filled(OwnCompliance::NONE, change.pressure.len())?;
+            entering(&normal, &pressed, problem.step, &mut own);
+            Ok(own)
         };
         let (more, less) = (entry(part)?, entry(-part)?);
         for (cell, (more, less)) in more.iter().zip(&less).enumerate() {

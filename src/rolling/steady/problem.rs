@@ -22,6 +22,8 @@ use crate::tangential::{
 pub struct RollingProblem {
     pub(in crate::rolling) bodies: HalfSpace,
     pub(in crate::rolling) pressed: Pressed,
+    pub(in crate::rolling) friction: Friction,
+    pub(in crate::rolling) touch_rule: TouchRule,
     pub(in crate::rolling) step: Passage,
     /// Length of a step.
     pub(in crate::rolling) length: f64,
@@ -38,7 +40,9 @@ pub struct RollingProblem {
     pub(in crate::rolling) settings: Settings,
 }
 
-try_clone!(RollingProblem { pressed, own, drawn, pressed_in } { bodies, step, length, chain, controls, spin, settings });
+try_clone!(RollingProblem { pressed, friction, own, drawn, pressed_in } {
+    bodies, touch_rule, step, length, chain, controls, spin, settings,
+});
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
 
@@ -145,6 +149,12 @@ impl RollingProblem {
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
+    /// Half the diagonal of the window, at which a spin moves the particles by about as much as a creepage.
+    pub(in crate::rolling) fn lever(&self) -> f64 {
+        let (grid, [columns, rows]) = (self.bodies.grid(), self.pressed.window().size);
+        0.5 * (columns as f64 * grid.dx()).hypot(rows as f64 * grid.dy())
+    }
+
     /// From where a particle is to the middle of its way.
     pub(in crate::rolling) fn halfway(&self) -> [f64; 2] {
         let (edge, mut way) = (self.step.edge, [0.0; 2]);
@@ -221,10 +231,10 @@ impl RollingProblemBuilder<'_> {
         let step = travel.through(window.size);
         let mut pressed = Pressed::new(bodies, window)?;
         pressed.set(samples, &self.friction);
-        let own = match self.touch_rule {
-            TouchRule::Growth => entering(self.normal, &pressed, step)?,
-            TouchRule::WholeStep => filled(OwnCompliance::NONE, pressed.region.cells())?,
-        };
+        let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
+        if self.touch_rule == TouchRule::Growth {
+            entering(self.normal, &pressed, step, &mut own);
+        }
         let problem = RollingProblem {
             own,
             drawn: drawn(bodies, &pressed, step)?,
@@ -232,6 +242,8 @@ impl RollingProblemBuilder<'_> {
             chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
+            friction: self.friction,
+            touch_rule: self.touch_rule,
             step,
             length: travel.length,
             controls: self.controls,
@@ -287,17 +299,27 @@ fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f6
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
     if bodies.pair().is_coupled() {
         let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;
-        drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {
-            let part: &mut Vec<f64> = &mut drawn[axis.index()];
-            part.copy_from_slice(displacement);
-            step.difference(part);
-        });
+        draw(&mut drawing, pressed, step, &mut drawn);
     }
     Ok(drawn)
 }
 
+/// Writes the same with a drawing of the window.
+pub(in crate::rolling) fn draw(
+    drawing: &mut Drawing,
+    pressed: &Pressed,
+    step: Passage,
+    drawn: &mut [Vec<f64>; 2],
+) {
+    drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {
+        let part = &mut drawn[axis.index()];
+        part.copy_from_slice(displacement);
+        step.difference(part);
+    });
+}
+
 /// Returns the normal displacement by the pressure of bodies of different materials; of no cells for others.
-fn pressed_in(bodies: &HalfSpace, pressed: &Pressed) -> Result<Vec<f64>> {
+pub(in crate::rolling) fn pressed_in(bodies: &HalfSpace, pressed: &Pressed) -> Result<Vec<f64>> {
     if !bodies.pair().is_coupled() {
         return Ok(Vec::new());
     }

@@ -11,6 +11,8 @@ use crate::rolling::Passage;
 pub(in crate::rolling) struct SteadyOperator {
     compliance: ElasticOperator<2>,
     step: Passage,
+    /// Lower bound of the eigenvalues of C.
+    bound: f64,
     lower_bound: f64,
     eigenvalue_bound: EigenvalueBound,
     self_compliance: f64,
@@ -25,19 +27,29 @@ impl SteadyOperator {
         chain: usize,
         self_compliance: f64,
     ) -> Self {
-        let angle = std::f64::consts::PI / (chain as f64 + 1.0);
-        // 1 - cos, without cancellation.
-        let least = 2.0 * (0.5 * angle).sin().powi(2);
         // The difference over a step leaves nothing of a datum, and so of the mean.
         let (bound, eigenvalue_bound) = compliance.bound_without_mean();
         Self {
-            lower_bound: least * bound,
+            bound,
+            lower_bound: least(chain) * bound,
             eigenvalue_bound,
             compliance,
             step,
             self_compliance,
         }
     }
+
+    /// Bounds the eigenvalues for tractions in cells of which `chain` at most lie one behind the other, a step apart.
+    pub(in crate::rolling) fn set_chain(&mut self, chain: usize) {
+        self.lower_bound = least(chain) * self.bound;
+    }
+}
+
+/// Returns the least eigenvalue of the symmetric part of `1 - T` on so many cells one behind the other.
+fn least(chain: usize) -> f64 {
+    let angle = std::f64::consts::PI / (chain as f64 + 1.0);
+    // 1 - cos, without cancellation.
+    2.0 * (0.5 * angle).sin().powi(2)
 }
 
 impl Operator<2> for SteadyOperator {

@@ -1,9 +1,11 @@
 //! The answer to steady rolling.
 
+use crate::contact::map::ContactMap;
 use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
 use crate::grid::Grid;
+use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::memory::fallible::{filled, try_clone, try_each};
 use crate::parallel::reduce;
@@ -26,12 +28,13 @@ pub struct RollingSolution {
     spin: f64,
     /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement, if it needs a warning.
     neglected_lift: Option<usize>,
+    boundary: Boundary,
     report: Report,
 }
 
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
 
-try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, neglected_lift, report });
+try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, neglected_lift, boundary, report });
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -44,6 +47,8 @@ struct Unchecked {
     spin: f64,
     #[serde(default)]
     neglected_lift: Option<usize>,
+    #[serde(default)]
+    boundary: Boundary,
     report: Report,
 }
 
@@ -72,6 +77,7 @@ impl RollingSolution {
             creepage: [0.0; 2],
             spin: 0.0,
             neglected_lift: None,
+            boundary: Boundary::default(),
             report: Report::with_room(),
         })
     }
@@ -87,6 +93,7 @@ impl RollingSolution {
             field.as_mut_slice().fill(0.0);
         }
         self.zones.fill(Zone::Separated);
+        self.boundary = problem.bodies.boundary();
         let pressed = &problem.pressed;
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
@@ -219,12 +226,15 @@ impl RollingSolution {
         stick as f64 / (stick + slip).max(1) as f64
     }
 
-    /// Returns [`Warning::NeglectedLift`] if tractions of dissimilar bodies change the pressure by more than the tolerance.
+    /// Returns warnings that the contact may mislead, and [`Warning::NeglectedLift`] if tractions of dissimilar bodies change
+    /// the pressure by more than the tolerance; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
+        let contains = |cell: usize| self.zones[cell] != Zone::Separated;
+        let mut warnings = ContactMap::of(self.grid(), self.boundary, contains, None).warnings();
         let lift = self.neglected_lift;
-        let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
-        lift.into_iter().collect()
+        warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
+        warnings
     }
 
     /// How the solve ended, and its certified error.

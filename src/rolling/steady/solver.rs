@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use crate::bodies::component::Direction;
 use crate::cgm::{
-    self, Disc, Magnitude, Own, Problem, Settings, Total, Workspace, solver_settings,
+    Disc, Known, Magnitude, Own, Problem, Settings, Total, Workspace, minimise_from,
+    solver_settings,
 };
 use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
@@ -16,12 +17,16 @@ use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::Passage;
 use crate::rolling::steady::inverse::SteadyInverse;
+use crate::rolling::steady::reload::Press;
 use crate::rolling::steady::slip_operator::SteadyOperator;
 use crate::rolling::steady::spin_search::SpinSearch;
 use crate::rolling::steady::stiffness::Follow;
+use crate::rolling::steady::trend::Trend;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::support::debug::shown;
-use crate::tangential::{Friction, Lifting, OwnCompliance, TangentialModel, lift_residual};
+use crate::tangential::{
+    Drawing, Friction, Lifting, OwnCompliance, Pressed, TangentialModel, lift_residual,
+};
 use crate::warning::Warning;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -29,7 +34,8 @@ const SPINS: usize = 60;
 /// Their tolerance over that of the moment.
 const SHARPER: f64 = 0.1;
 
-/// Solves for one creepage, force or spin after the other, each from the answer of the last.
+/// Solves for one creepage, force or spin after the other, each from the answer of the last. The normal load may change
+/// between solves.
 ///
 /// ```
 /// use stickslip::rolling::{RollingControl, RollingProblem};
@@ -50,8 +56,15 @@ const SHARPER: f64 = 0.1;
 /// }
 /// # Ok::<(), Error>(())
 /// ```
+#[derive(Clone)]
 pub struct RollingSolver {
     pub(in crate::rolling) problem: RollingProblem,
+    /// Pressure and limits under examination, not yet in force.
+    pub(in crate::rolling) candidate: Pressed,
+    /// How the pressure of bodies of different materials displaces them, once it has changed.
+    pub(in crate::rolling) drawing: Option<Drawing>,
+    /// Finds the pressure of a load, if the caller has given it.
+    pub(in crate::rolling) press: Option<Box<Press>>,
     pub(in crate::rolling) operator: Arc<SteadyOperator>,
     pub(in crate::rolling) inverse: Arc<SteadyInverse>,
     pub(in crate::rolling) workspace: Workspace<Disc, 2>,
@@ -63,13 +76,18 @@ pub struct RollingSolver {
     /// What a solve asks of each cell.
     pub(in crate::rolling) linear: [Vec<f64>; 2],
     /// The compliance B that cells that carry traction have of their own.
-    own_mean: Vec<f64>,
-    own_deviator: Vec<[f64; 2]>,
+    pub(in crate::rolling) own_mean: Vec<f64>,
+    pub(in crate::rolling) own_deviator: Vec<[f64; 2]>,
     /// The spin of the last solve, from which the search for that of a moment starts.
     pub(in crate::rolling) spin: f64,
-    report: Report,
+    pub(in crate::rolling) report: Report,
     /// Whether there is a last answer.
-    is_warm: bool,
+    pub(in crate::rolling) is_warm: bool,
+    pub(in crate::rolling) trend: Trend,
+    /// Knowledge about the start of the next solve.
+    known: Known<2>,
+    /// Whether the pressure has changed since that answer.
+    pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<Follow>,
     /// What the tractions lift, of bodies of different materials whose pressure ignores the lift, and the lift.
     pub(in crate::rolling) lifting: Option<(Lifting, Vec<f64>)>,
@@ -105,6 +123,12 @@ impl RollingSolver {
             spin: 0.0,
             report: Report::with_room(),
             is_warm: false,
+            has_new_pressure: false,
+            trend: Trend::new(cells)?,
+            known: Known::Nothing,
+            candidate: problem.pressed.try_clone()?,
+            drawing: None,
+            press: None,
             follow: None,
             operator,
             inverse,
@@ -115,11 +139,12 @@ impl RollingSolver {
     }
 
     /// Takes the limits of the problem, and what follows from them.
-    fn take_limits(&mut self) {
+    pub(in crate::rolling) fn take_limits(&mut self) {
         let limits = &self.problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
         let ratio = self.unit / unit;
-        for traction in self.traction.iter_mut().flatten() {
+        let scaled = self.traction.iter_mut().chain(&mut self.trend.change);
+        for traction in scaled.flatten() {
             // Beside limits so much smaller the old tractions tell nothing.
             *traction = if ratio.is_finite() {
                 ratio * *traction
@@ -128,7 +153,15 @@ impl RollingSolver {
             };
         }
         self.unit = unit;
+        let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
+            let before = ratio * self.limits[cell];
+            // Tractions that follow the pressure are near the next ones: 30.4 products become 19.4 in a wheel's time loop.
+            if follows && before > 0.0 {
+                for traction in self.traction.iter_mut().chain(&mut self.trend.change) {
+                    traction[cell] *= limit / unit / before;
+                }
+            }
             let carries = *limit > 0.0;
             let own = if carries {
                 self.problem.own[cell]
@@ -167,18 +200,30 @@ impl RollingSolver {
     /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if
     /// the limits overflow; [`Error::Memory`]; the friction is then as it was.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.problem.bodies.grid())?;
-        let mut pressed = self.problem.pressed.try_clone()?;
-        pressed.set_friction(friction);
-        std::mem::swap(&mut self.problem.pressed, &mut pressed);
-        let RollingProblem { controls, spin, .. } = self.problem;
-        let checked = self.problem.check(controls, spin);
-        if checked.is_err() {
-            self.problem.pressed = pressed;
+        let problem = &mut self.problem;
+        friction.check(problem.bodies.grid())?;
+        let pressure = &problem.pressed.pressure;
+        self.candidate.pressure.copy_from_slice(pressure);
+        self.candidate.set_friction(friction);
+        self.take_candidate(|problem| problem.friction.try_clone_from(friction))
+    }
+
+    /// Puts pressure and limits under examination in force, if the present loads can be prescribed with them and `work`
+    /// succeeds.
+    pub(in crate::rolling) fn take_candidate(
+        &mut self,
+        work: impl FnOnce(&mut RollingProblem) -> Result<()>,
+    ) -> Result<()> {
+        let problem = &mut self.problem;
+        std::mem::swap(&mut problem.pressed, &mut self.candidate);
+        let checked = problem.check(problem.controls, problem.spin);
+        let taken = checked.and_then(|()| work(problem));
+        if taken.is_err() {
+            std::mem::swap(&mut problem.pressed, &mut self.candidate);
         } else if !self.is_warm {
             self.take_limits();
         }
-        checked
+        taken
     }
 
     /// Forgets the last answer: the next solve starts as the first did, and [`stiffness`](Self::stiffness) is that of a
@@ -189,6 +234,7 @@ impl RollingSolver {
         }
         self.spin = 0.0;
         self.is_warm = false;
+        self.trend.forget();
         self.take_limits();
     }
 
@@ -232,7 +278,7 @@ impl RollingSolver {
             .grid()
             .expect("solution", solution.grid())?;
         self.take_limits();
-        self.is_warm = true;
+        self.extrapolate();
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(&mut observer);
         let outcome = match self.problem.spin {
@@ -245,11 +291,33 @@ impl RollingSolver {
             }
             SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
         };
+        self.trend.finish(&self.traction);
+        if outcome.is_err() {
+            self.trend.forget();
+        }
         cancellation.applied(&self.problem.bodies, outcome, || {
             let report = self.report.cancelled();
             solution.set_report(&report);
             report
         })
+    }
+
+    /// Moves the last tractions on along their trend, if creepages and spin change as they did in the last solve.
+    fn extrapolate(&mut self) {
+        let problem = &self.problem;
+        let [x, y] = problem.controls.map(|control| match control {
+            RollingControl::Creepage(creepage) => creepage,
+            RollingControl::Force(_) => 0.0,
+        });
+        let turn = match problem.spin {
+            SpinControl::Spin(spin) => spin * problem.lever(),
+            SpinControl::Moment(_) => 0.0,
+        };
+        let is_near = self.trend.start([x, y, turn], &mut self.traction);
+        if !std::mem::replace(&mut self.is_warm, true) {
+            self.trend.forget();
+        }
+        self.known = if is_near { Known::Near } else { Known::Nothing };
     }
 
     /// Solves at the spin as it is.
@@ -268,7 +336,9 @@ impl RollingSolver {
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
         let workspace = &mut self.workspace;
-        let outcome = cgm::minimise_with(&task, settings, traction, workspace, observer);
+        let known = std::mem::replace(&mut self.known, Known::Nothing);
+        let posed = task.posed();
+        let outcome = minimise_from(&posed, settings, traction, known, workspace, observer);
         if has_iterate(&outcome) {
             let unit = self.unit;
             let multiplier = self.workspace.multiplier().map(|shift| shift * unit);

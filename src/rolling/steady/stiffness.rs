@@ -22,6 +22,7 @@ use crate::tangential::centre;
 const TOLERANCE: f64 = 1e-10;
 
 /// The linear problem of a step at fixed zones, and its unknowns.
+#[derive(Clone)]
 pub(in crate::rolling) struct Follow {
     pub(in crate::rolling) linear: LinearWorkspace<<Disc as Linearised<2>>::Motion, 2>,
     layout: Layout,

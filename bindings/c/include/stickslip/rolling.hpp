@@ -50,6 +50,11 @@ class RollingSolution {
     Report report() const {
         return detail::asked<Report>([&](auto *out) { return stickslip_rolling_solution_report(get(), out); });
     }
+    std::vector<stickslip_warning> warnings() const {
+        return detail::listed([&](stickslip_warning *to, std::size_t capacity, std::size_t *count) {
+            return stickslip_rolling_solution_warnings(get(), to, capacity, count);
+        });
+    }
     stickslip_rolling_solution *get() const { return own_.get(); }
 
   private:
@@ -76,6 +81,23 @@ class RollingSolver {
 
     void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
     void set_friction(const stickslip_friction &friction) { check(stickslip_rolling_solver_set_friction(get(), &friction)); }
+    void set_pressure(const NormalSolution &normal) { check(stickslip_rolling_solver_set_normal(get(), normal.get())); }
+    /// Without the law of entering cells only.
+    void set_pressure(Field pressure) {
+        check(stickslip_rolling_solver_set_pressure(get(), pressure.data(), pressure.size()));
+    }
+    /// Copies the solver that finds the pressure of a new normal load.
+    void set_normal_solver(const NormalSolver &normal) {
+        check(stickslip_rolling_solver_set_normal_solver(get(), normal.get()));
+    }
+    /// Solves for the pressure of a normal load; needs a normal solver.
+    void set_normal_load(const stickslip_normal_load &load) {
+        check(stickslip_rolling_solver_set_normal_load(get(), &load));
+    }
+    double friction_capacity() const {
+        return detail::asked<double>(
+            [&](double *out) { return stickslip_rolling_solver_friction_capacity(get(), out); });
+    }
     void set_settings(const Settings &settings) { check(stickslip_rolling_solver_set_settings(get(), &settings)); }
     void reset() { check(stickslip_rolling_solver_reset(get())); }
 

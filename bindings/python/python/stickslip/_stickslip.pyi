@@ -4883,6 +4883,11 @@ class RollingSolver:
             At the first point that fails, which stays prescribed.
         """
     @property
+    def friction_capacity(self, /) -> float:
+        """
+        Largest tangential force that friction holds: the integral of the friction limit.
+        """
+    @property
     def report(self, /) -> Report:
         """
         How the last solve ended.
@@ -4894,6 +4899,37 @@ class RollingSolver:
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
         Changes the friction of the next solve.
+        """
+    def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
+        """
+        Sets the normal load of the next solve, and solves for its pressure from the last one. Needs
+        :meth:`set_normal_solver`.
+
+        Parameters
+        ----------
+        force, approach : float, optional
+            One of the two, as of :class:`NormalProblem`.
+
+        Raises
+        ------
+        NotModelled
+            Without a normal solver.
+        Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+            The solver is then as it was.
+        """
+    def set_normal_solver(self, /, solver: NormalSolver) -> None:
+        """
+        Sets the solver that finds the pressure of a new load; copied, with its gap, hardness and settings.
+        """
+    def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
+        """
+        Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``touch_rule="whole_step"``.
+
+        Raises
+        ------
+        NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
+        GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
+            The pressure is then as it was.
         """
     @property
     def settings(self, /) -> Settings:

@@ -87,6 +87,11 @@ impl NormalSolver {
         Ok(Self(solver, Mutex::new(Given { load, gap })))
     }
 
+    /// A copy of the solver of the crate.
+    pub(crate) fn copied(&self) -> PyResult<stickslip::NormalSolver> {
+        self.0.with(|solver| solver.clone())
+    }
+
     fn gap(
         &self,
         py: Python<'_>,

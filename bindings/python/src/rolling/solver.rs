@@ -6,11 +6,14 @@ use stickslip::rolling;
 use crate::due;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
+use crate::load;
+use crate::normal::NormalSolver;
 use crate::real::Real;
 use crate::report::Report;
 use crate::rolling::control::Keywords;
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solver::{Reused, solver};
+use crate::tangential::pressure::Pressure;
 
 /// Solves for one creepage, force or spin after the other, each from the last answer; made by
 /// :meth:`RollingProblem.solver`.
@@ -87,6 +90,56 @@ impl RollingSolver {
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.0.grid())?;
         self.0.change(py, |solver| solver.set_friction(&friction))
+    }
+
+    /// Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``touch_rule="whole_step"``.
+    ///
+    /// Raises
+    /// ------
+    /// NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
+    /// GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
+    ///     The pressure is then as it was.
+    fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
+        let pressure = pressure.given(py, self.0.grid())?;
+        self.0
+            .change(py, |solver| solver.set_pressure(pressure.source()))
+    }
+
+    /// Sets the solver that finds the pressure of a new load; copied, with its gap, hardness and settings.
+    fn set_normal_solver(&self, py: Python<'_>, solver: &NormalSolver) -> PyResult<()> {
+        let normal = solver.copied()?;
+        self.0.change(py, |solver| solver.set_normal_solver(normal))
+    }
+
+    /// Sets the normal load of the next solve, and solves for its pressure from the last one. Needs
+    /// :meth:`set_normal_solver`.
+    ///
+    /// Parameters
+    /// ----------
+    /// force, approach : float, optional
+    ///     One of the two, as of :class:`NormalProblem`.
+    ///
+    /// Raises
+    /// ------
+    /// NotModelled
+    ///     Without a normal solver.
+    /// Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+    ///     The solver is then as it was.
+    #[pyo3(signature = (*, force=None, approach=None))]
+    fn set_load(
+        &self,
+        py: Python<'_>,
+        force: Option<Real>,
+        approach: Option<Real>,
+    ) -> PyResult<()> {
+        let load = load::needed(force, approach)?;
+        self.0.change(py, |solver| solver.set_load(load))
+    }
+
+    /// Largest tangential force that friction holds: the integral of the friction limit.
+    #[getter]
+    fn friction_capacity(&self) -> PyResult<f64> {
+        self.0.with(|solver| solver.friction_capacity())
     }
 
     /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the

@@ -1,6 +1,6 @@
 //! Tangential contact under a given pressure.
 
-mod pressure;
+pub(crate) mod pressure;
 mod problem;
 mod relative;
 mod solution;

@@ -15,20 +15,20 @@ argument! {
 }
 
 /// The pressure on the grid of the bodies, with what owns it.
-pub(super) enum Given<'a> {
+pub(crate) enum Given<'a> {
     Solved(&'a stickslip::NormalSolution),
     Field(Arc<stickslip::Field>),
 }
 
 /// A pressure on its way to Python.
 #[derive(IntoPyObject)]
-pub(super) enum AsObject<'py> {
+pub(crate) enum AsObject<'py> {
     Solved(Bound<'py, PyAny>),
     Field(Field),
 }
 
 impl Given<'_> {
-    pub(super) fn source(&self) -> PressureSource<'_> {
+    pub(crate) fn source(&self) -> PressureSource<'_> {
         match self {
             Self::Solved(solution) => PressureSource::Solved(solution),
             Self::Field(field) => PressureSource::Prescribed(field),
@@ -36,7 +36,7 @@ impl Given<'_> {
     }
 
     /// As an object that nobody changes, by which it is given again.
-    pub(super) fn object<'py>(&self, given: &Pressure<'py>) -> AsObject<'py> {
+    pub(crate) fn object<'py>(&self, given: &Pressure<'py>) -> AsObject<'py> {
         match self {
             Self::Solved(_) => AsObject::Solved(given.0.clone()),
             Self::Field(field) => AsObject::Field(Arc::clone(field).into()),
@@ -45,7 +45,7 @@ impl Given<'_> {
 }
 
 impl Pressure<'_> {
-    pub(super) fn given(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Given<'_>> {
+    pub(crate) fn given(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Given<'_>> {
         if let Ok(solution) = self.0.cast::<NormalSolution>() {
             return Ok(Given::Solved(solution.get().get()));
         }

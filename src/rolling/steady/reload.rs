@@ -1,0 +1,250 @@
+//! New loads, and new pressures, of bodies that roll.
+
+use std::sync::Arc;
+
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::grid::window::Window;
+use crate::memory::fallible::{filled, try_each, zeros};
+use crate::normal::{NormalControl, NormalSolution, NormalSolver};
+use crate::numerics::cell_vector::slices;
+use crate::rolling::Travel;
+use crate::rolling::entry::entering;
+use crate::rolling::steady::problem::{draw, pressed_in};
+use crate::rolling::{RollingProblem, RollingSolver};
+use crate::tangential::TouchRule;
+use crate::tangential::{
+    Axis, Drawing, OwnCompliance, Pressed, PressureSource, check_bodies, contact_window,
+};
+
+/// Cells on each side of a wider window for the loads that follow.
+const ROOM: [usize; 2] = [2; 2];
+
+/// A normal solver, and its solutions.
+#[derive(Clone)]
+pub(in crate::rolling) struct Press {
+    solver: NormalSolver,
+    normal: NormalSolution,
+    /// A solution that the rolling contact has not accepted yet.
+    candidate: NormalSolution,
+}
+
+impl RollingSolver {
+    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The law of
+    /// entering cells needs the gap ahead of the contact, which a field does not have: a field requires
+    /// [`TouchRule::WholeStep`].
+    ///
+    /// The next solve starts from the last tractions, scaled with the friction limit of each cell.
+    /// [`stiffness`](Self::stiffness) is about the last solution until then. A contact within the largest window so far
+    /// allocates nothing.
+    ///
+    /// # Errors
+    /// - [`Error::NotModelled`] for a field, if the law of entering cells is on.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
+    /// - [`Error::NotConverged`] if the normal contact has not converged.
+    /// - [`Error::Sample`] if a pressure is negative or not finite.
+    /// - [`Error::EmptyContact`] if no cell carries pressure, as after a wheel has lifted off.
+    /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
+    /// - [`Error::NotFinite`] if the friction limits overflow.
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction no longer holds the prescribed
+    ///   forces or moment. Change them first.
+    /// - [`Error::Memory`] if a wider window does not fit; other errors of [`HalfSpace::operator`].
+    ///
+    /// The solver is unchanged after an error.
+    ///
+    /// [`HalfSpace::operator`]: crate::HalfSpace::operator
+    pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
+        let (source, problem) = (pressure.into(), &self.problem);
+        let bodies = &problem.bodies;
+        let samples = source.checked(bodies)?;
+        let normal = match source {
+            PressureSource::Solved(normal) => Some(normal),
+            PressureSource::Prescribed(field) => {
+                problem.check_needs_no_gap(field)?;
+                None
+            }
+        };
+        let contact = contact_window(bodies, samples)?;
+        let reach = contact.union(problem.travel().ahead(contact)?);
+        if problem.pressed.window().covers(reach) {
+            return self.press(samples, normal, contact);
+        }
+        let mut wider = self.widened(reach)?;
+        wider.press(samples, normal, contact)?;
+        wider.press = self.press.take();
+        *self = wider;
+        Ok(())
+    }
+
+    /// Sets the solver that finds the pressure of a new load, with its gap, hardness and settings.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    ///   [`Error::MaterialMismatch`] if it belongs to other bodies.
+    /// - [`Error::Memory`] if its solutions do not fit.
+    pub fn set_normal_solver(&mut self, solver: NormalSolver) -> Result<()> {
+        let [normal, candidate] = try_each(|_| solver.try_new_solution())?;
+        check_bodies(&normal, &self.problem.bodies)?;
+        self.press = Some(Box::new(Press {
+            solver,
+            normal,
+            candidate,
+        }));
+        Ok(())
+    }
+
+    /// Sets the normal load of the next solve, and solves for its pressure from the last one. Needs a
+    /// [normal solver](Self::set_normal_solver). Once the window is as large as the largest contact, nothing is allocated.
+    ///
+    /// # Errors
+    /// - [`Error::NotModelled`] without a normal solver.
+    /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
+    ///
+    /// The solver is unchanged after an error; the next pressure may be found from a different start.
+    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
+        let Some(mut press) = self.press.take() else {
+            return Err(Error::NotModelled {
+                model: "a rolling solver without a normal solver",
+                quantity: "a new normal load",
+                value: match load {
+                    NormalControl::Force(load) | NormalControl::Approach(load) => load,
+                    NormalControl::Hold => 0.0,
+                },
+                remedy: "give it one by set_normal_solver, or a solved pressure by set_pressure",
+            });
+        };
+        let before = press.solver.load();
+        let outcome = press
+            .solve(load)
+            .and_then(|()| self.set_pressure(&press.candidate));
+        match &outcome {
+            Ok(()) => std::mem::swap(&mut press.normal, &mut press.candidate),
+            Err(_) => press.solver.restore_load(before),
+        }
+        self.press = Some(press);
+        outcome
+    }
+
+    /// Returns the normal contact that [`set_load`](Self::set_load) has found; `None` before the first load.
+    #[must_use]
+    pub fn normal(&self) -> Option<&NormalSolution> {
+        let press = self.press.as_deref()?;
+        let normal = &press.normal;
+        normal.report().is_converged().then_some(normal)
+    }
+
+    /// Returns the largest tangential force that friction holds, the integral of the friction limit.
+    #[must_use]
+    pub fn friction_capacity(&self) -> f64 {
+        self.problem.pressed.limits.sum * self.problem.bodies.grid().cell_area()
+    }
+
+    /// Takes a pressure of the whole grid, whose contact lies in the window.
+    fn press(
+        &mut self,
+        samples: &[f64],
+        normal: Option<&NormalSolution>,
+        contact: Window,
+    ) -> Result<()> {
+        let problem = &self.problem;
+        let (bodies, size) = (&problem.bodies, problem.step.size);
+        if bodies.pair().is_coupled() && self.drawing.is_none() {
+            self.drawing = Some(Drawing::new(bodies, Axis::BOTH, size)?);
+        }
+        self.candidate.set(samples, &problem.friction);
+        let mut drawing = self.drawing.take();
+        let taken = self.take_candidate(|problem| {
+            problem.pressed_in = pressed_in(&problem.bodies, &problem.pressed)?;
+            problem.follow_pressure(normal, contact, drawing.as_mut());
+            Ok(())
+        });
+        self.drawing = drawing;
+        taken?;
+        Arc::make_mut(&mut self.operator).set_chain(self.problem.chain);
+        self.has_new_pressure = self.is_warm;
+        Ok(())
+    }
+
+    /// Returns a solver on a window around this one and the part of the grid that a new contact reaches. It has the last
+    /// solution, and no pressure.
+    fn widened(&self, reach: Window) -> Result<Self> {
+        let problem = &self.problem;
+        let (bodies, inner) = (&problem.bodies, problem.pressed.window());
+        let window = inner.union(reach.with_margins(bodies.grid(), ROOM));
+        let window = bodies.confined(window);
+        let pressed = Pressed::new(bodies, window)?;
+        let cells = pressed.region.cells();
+        let mut wider = Self::new(RollingProblem {
+            bodies: bodies.clone(),
+            step: problem.travel().through(window.size),
+            own: filled(OwnCompliance::NONE, cells)?,
+            drawn: try_each(|_| zeros(cells))?,
+            pressed_in: Vec::new(),
+            friction: problem.friction.clone(),
+            pressed,
+            ..*problem
+        })?;
+        let places = || inner.indices().filter_map(|index| window.place(index));
+        for (cell, place) in places().enumerate() {
+            wider.limits[place] = self.limits[cell];
+            wider.own_mean[place] = self.own_mean[cell];
+            wider.own_deviator[place] = self.own_deviator[cell];
+            for axis in 0..2 {
+                wider.traction[axis][place] = self.traction[axis][cell];
+                wider.linear[axis][place] = self.linear[axis][cell];
+            }
+        }
+        let multiplier = self.workspace.multiplier();
+        let traction = slices(&wider.traction);
+        (wider.workspace).set_solution(&*wider.operator, traction, multiplier);
+        wider.report.clone_from(&self.report);
+        (wider.unit, wider.spin, wider.is_warm) = (self.unit, self.spin, self.is_warm);
+        Ok(wider)
+    }
+}
+
+impl Press {
+    /// Solves for the pressure of a load.
+    fn solve(&mut self, load: NormalControl) -> Result<()> {
+        self.solver.set_load(load)?;
+        self.solver.solve_into(&mut self.candidate)
+    }
+}
+
+impl RollingProblem {
+    /// How far and where to the bodies roll in a step.
+    fn travel(&self) -> Travel {
+        Travel::new(self.bodies.grid(), self.step.edge, self.step.cells)
+    }
+
+    /// `Ok` if the law of entering cells, which needs a gap, is off.
+    fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
+        if self.touch_rule == TouchRule::WholeStep {
+            return Ok(());
+        }
+        Err(Error::NotModelled {
+            model: "the law of entering cells",
+            quantity: "a pressure without a gap, largest pressure",
+            value: pressure.max(),
+            remedy: "give a solved normal contact, or build with TouchRule::WholeStep",
+        })
+    }
+
+    /// Takes what follows from the pressure.
+    fn follow_pressure(
+        &mut self,
+        normal: Option<&NormalSolution>,
+        contact: Window,
+        drawing: Option<&mut Drawing>,
+    ) {
+        let (pressed, step) = (&self.pressed, self.step);
+        if let Some(normal) = normal.filter(|_| self.touch_rule == TouchRule::Growth) {
+            entering(normal, pressed, step, &mut self.own);
+        }
+        if let Some(drawing) = drawing {
+            draw(drawing, pressed, step, &mut self.drawn);
+        }
+        self.chain = step.chain(contact.size[step.edge.axis().index()]);
+    }
+}

@@ -1,0 +1,68 @@
+//! The trend of the tractions, by which the start of a solve is extrapolated.
+
+use crate::error::Result;
+use crate::memory::fallible::{try_each, zeros};
+use crate::numerics::cell_vector::dot;
+
+/// Most changes of the last solve by which a start is extrapolated.
+const FARTHEST: f64 = 1.5;
+
+/// The change of the tractions in the last solve, and the change of the motion that caused it.
+///
+/// In a time loop, creepages and spin change in a step by about as much as in the step before. On 24 x 24 cells of a wheel
+/// with steps of 1 ms, the extrapolation saves a fifth of the products.
+#[derive(Debug, Clone)]
+pub(in crate::rolling) struct Trend {
+    /// During a solve the tractions at its start, without extrapolation.
+    pub(in crate::rolling) change: [Vec<f64>; 2],
+    /// Creepages, and spin times a length, of the last solve.
+    motion: [f64; 3],
+    /// Their change in that solve; zero if the trend is unknown.
+    by: [f64; 3],
+}
+
+impl Trend {
+    pub(in crate::rolling) fn new(cells: usize) -> Result<Self> {
+        Ok(Self {
+            change: try_each(|_| zeros(cells))?,
+            motion: [0.0; 3],
+            by: [0.0; 3],
+        })
+    }
+
+    /// Forgets the change.
+    pub(in crate::rolling) fn forget(&mut self) {
+        self.by = [0.0; 3];
+    }
+
+    /// Extrapolates the last tractions to a motion. Returns whether they changed.
+    pub(in crate::rolling) fn start(
+        &mut self,
+        motion: [f64; 3],
+        traction: &mut [Vec<f64>; 2],
+    ) -> bool {
+        let step: [f64; 3] = std::array::from_fn(|i| motion[i] - self.motion[i]);
+        let parts = (dot(step, self.by) / dot(self.by, self.by)).clamp(0.0, FARTHEST);
+        let is_extrapolated = parts > 0.0;
+        for (traction, change) in traction.iter_mut().zip(&mut self.change) {
+            for (traction, change) in traction.iter_mut().zip(change) {
+                let start = *traction;
+                if is_extrapolated {
+                    *traction += parts * *change;
+                }
+                *change = start;
+            }
+        }
+        (self.motion, self.by) = (motion, step);
+        is_extrapolated
+    }
+
+    /// Takes the tractions that a solve has found.
+    pub(in crate::rolling) fn finish(&mut self, traction: &[Vec<f64>; 2]) {
+        for (traction, change) in traction.iter().zip(&mut self.change) {
+            for (traction, change) in traction.iter().zip(change) {
+                *change = traction - *change;
+            }
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! A rolling solver takes new loads and pressures, with the results of new problems.
+
+use stickslip::history::TouchRule;
+use stickslip::rolling::{
+    LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl,
+};
+use stickslip::{
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    NormalSolution, Warning, surface,
+};
+
+const FRICTION: f64 = 0.3;
+
+fn bodies(cells: usize, pair: &ElasticPair) -> HalfSpace {
+    HalfSpace::new(Grid::square(cells, 3.0).unwrap(), *pair).unwrap()
+}
+
+fn alike() -> ElasticPair {
+    let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
+    ElasticPair::new(body, body).unwrap()
+}
+
+fn problem(bodies: &HalfSpace, load: f64) -> NormalProblem {
+    let ball = surface::sphere(bodies.grid(), 1.0).unwrap();
+    NormalProblem::builder(bodies, &ball, NormalControl::Force(load))
+        .tolerance(1e-11)
+        .build()
+        .unwrap()
+}
+
+fn pressed(bodies: &HalfSpace, load: f64) -> NormalSolution {
+    problem(bodies, load).solve().unwrap()
+}
+
+fn rolling(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    (edge, rule): (LeadingEdge, TouchRule),
+) -> RollingSolver {
+    RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
+        .leading_edge(edge)
+        .touch_rule(rule)
+        .tolerance(1e-10)
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap()
+}
+
+fn solved(solver: &mut RollingSolver) -> RollingSolution {
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    solution
+}
+
+/// Checks that all tractions and motions agree to a part of the largest traction.
+fn check_alike(found: &RollingSolution, expected: &RollingSolution, part: f64) {
+    let fields = found.traction().into_iter().zip(expected.traction());
+    let (mut largest, mut missed) = (0.0_f64, 0.0_f64);
+    for (found, expected) in fields {
+        for (found, expected) in found.as_slice().iter().zip(expected.as_slice()) {
+            largest = largest.max(expected.abs());
+            missed = missed.max((found - expected).abs());
+        }
+    }
+    assert!(missed <= part * largest, "{missed} of {largest}");
+    for axis in 0..2 {
+        let missed = found.creepage()[axis] - expected.creepage()[axis];
+        assert!(missed.abs() <= part, "creepage {missed}");
+    }
+    assert!((found.spin() - expected.spin()).abs() <= part);
+    let bounds = [found, expected].map(|rolling| rolling.report().duality_gap);
+    assert!(bounds.iter().all(|bound| *bound <= 1e-10), "{bounds:?}");
+}
+
+/// The contact grows beyond its first window, returns, and grows again.
+#[test]
+fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
+    let rubber_on_glass = ElasticPair::new(
+        Material::new(1.0, 0.3).unwrap(),
+        Material::new(50.0, 0.2).unwrap(),
+    );
+    for (pair, edge, rule) in [
+        (alike(), LeadingEdge::PlusX, TouchRule::Growth),
+        (alike(), LeadingEdge::MinusY, TouchRule::Growth),
+        (alike(), LeadingEdge::PlusX, TouchRule::WholeStep),
+        (
+            rubber_on_glass.unwrap(),
+            LeadingEdge::MinusX,
+            TouchRule::Growth,
+        ),
+    ] {
+        let bodies = bodies(24, &pair);
+        let mut solver = rolling(&bodies, &pressed(&bodies, 0.4), (edge, rule));
+        let creepages = [0.03, -0.02].map(RollingControl::Creepage);
+        let drag = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
+        for (load, controls, spin) in [
+            (0.4, creepages, SpinControl::Spin(0.02)),
+            (1.0, creepages, SpinControl::Spin(0.03)),
+            (0.5, drag, SpinControl::Spin(0.03)),
+            (0.9, drag, SpinControl::Moment(0.01)),
+            (1.1, creepages, SpinControl::Spin(-0.05)),
+        ] {
+            let normal = pressed(&bodies, load);
+            solver.set_pressure(&normal).unwrap();
+            solver.set_control(controls, spin).unwrap();
+            let mut new = rolling(&bodies, &normal, (edge, rule));
+            new.set_control(controls, spin).unwrap();
+            check_alike(&solved(&mut solver), &solved(&mut new), 1e-6);
+            assert!((solver.friction_capacity() - FRICTION * load).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn rolling_solver_finds_the_pressure_of_a_new_load() {
+    let bodies = bodies(24, &alike());
+    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
+    let refused = solver.set_load(NormalControl::Force(0.7)).unwrap_err();
+    assert!(
+        refused.to_string().contains("set_normal_solver"),
+        "{refused}"
+    );
+    let press = problem(&bodies, 1.0).into_solver().unwrap();
+    solver.set_normal_solver(press).unwrap();
+    assert!(solver.normal().is_none());
+    for (load, creepage) in [(0.7, 0.02), (1.2, 0.03), (0.6, 0.05)] {
+        let controls = [creepage, 0.01].map(RollingControl::Creepage);
+        solver.set_load(NormalControl::Force(load)).unwrap();
+        solver.set_control(controls, 0.02).unwrap();
+        assert!((solver.normal().unwrap().force() - load).abs() < 1e-9);
+        let mut new = rolling(&bodies, &pressed(&bodies, load), by_default);
+        new.set_control(controls, 0.02).unwrap();
+        let expected = solved(&mut new);
+        // A copy continues as the solver does.
+        let mut copy = solver.clone();
+        let found = [solved(&mut solver), solved(&mut copy)];
+        check_alike(&found[0], &expected, 1e-6);
+        assert_eq!(found[0].traction(), found[1].traction());
+    }
+}
+
+/// A pressure without a gap cannot have the law of entering cells.
+#[test]
+fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
+    let bodies = bodies(24, &alike());
+    let [first, normal] = [0.6, 1.0].map(|load| pressed(&bodies, load));
+    let creepages = [0.03, -0.02].map(RollingControl::Creepage);
+    let of = |rule| {
+        let mut solver = rolling(&bodies, &first, (LeadingEdge::PlusX, rule));
+        solver.set_control(creepages, 0.02).unwrap();
+        solver
+    };
+    let mut by_field = of(TouchRule::WholeStep);
+    let mut by_solution = by_field.clone();
+    by_field.set_pressure(normal.pressure()).unwrap();
+    by_solution.set_pressure(&normal).unwrap();
+    let found = solved(&mut by_field);
+    assert_eq!(found.traction(), solved(&mut by_solution).traction());
+    let refused = of(TouchRule::Growth).set_pressure(normal.pressure());
+    assert!(
+        matches!(refused, Err(Error::NotModelled { .. })),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
+    let bodies = bodies(24, &alike());
+    let mut solver = rolling(
+        &bodies,
+        &pressed(&bodies, 1.0),
+        (LeadingEdge::PlusX, TouchRule::Growth),
+    );
+    let press = problem(&bodies, 1.0).into_solver().unwrap();
+    solver.set_normal_solver(press).unwrap();
+    let drag = [RollingControl::Force(0.2), RollingControl::Creepage(0.01)];
+    solver.set_control(drag, 0.02).unwrap();
+    solver.set_load(NormalControl::Force(0.9)).unwrap();
+    let mut rolling = solved(&mut solver);
+    let stiffness = solver.stiffness().unwrap();
+
+    let other = self::bodies(25, &alike());
+    let harder = Material::from_shear_modulus(2.0, 0.25).unwrap();
+    let harder = self::bodies(24, &ElasticPair::new(harder, harder).unwrap());
+    let untouched = solver.clone();
+    let grid = bodies.grid();
+    let is_refused = [
+        matches!(
+            solver.set_pressure(&pressed(&other, 1.0)),
+            Err(Error::GridMismatch { .. })
+        ),
+        matches!(
+            solver.set_pressure(&pressed(&harder, 1.0)),
+            Err(Error::MaterialMismatch { .. })
+        ),
+        matches!(
+            solver.set_pressure(&Field::zeros(grid)),
+            Err(Error::NotModelled { .. })
+        ),
+        matches!(
+            solver.set_normal_solver(problem(&other, 1.0).into_solver().unwrap()),
+            Err(Error::GridMismatch { .. })
+        ),
+        // A load that friction holds no drag under, none at all, and one whose contact leaves no room ahead.
+        matches!(
+            solver.set_load(NormalControl::Force(0.5)),
+            Err(Error::BeyondFrictionCapacity { .. })
+        ),
+        matches!(
+            solver.set_load(NormalControl::Force(0.0)),
+            Err(Error::EmptyContact)
+        ),
+        matches!(
+            solver.set_load(NormalControl::Force(20.0)),
+            Err(Error::GridTooShort { .. })
+        ),
+        matches!(
+            solver.set_load(NormalControl::Force(-1.0)),
+            Err(Error::Negative { .. })
+        ),
+        matches!(
+            solver.set_load(NormalControl::Hold),
+            Err(Error::NothingToHold)
+        ),
+    ];
+    assert_eq!(is_refused, [true; 9]);
+    assert_eq!(solver.normal(), untouched.normal());
+    assert_eq!(solver.stiffness().unwrap(), stiffness);
+    let again = solved(&mut solver);
+    assert_eq!(again.traction(), solved(&mut untouched.clone()).traction());
+    solver.set_load(NormalControl::Force(1.0)).unwrap();
+    solver.solve_into(&mut rolling).unwrap();
+    assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
+}
+
+/// The stiffness is about the last solution until the next solve, whatever window the new contact needs.
+#[test]
+fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
+    let bodies = bodies(24, &alike());
+    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
+    let mut solver = rolling(&bodies, &light, by_default);
+    // Before the first solve it is that of a contact that sticks.
+    solver.set_pressure(&heavy).unwrap();
+    let expected = rolling(&bodies, &heavy, by_default).stiffness().unwrap();
+    let check = |found: [[f64; 3]; 3], expected: [[f64; 3]; 3]| {
+        for (found, expected) in found.as_flattened().iter().zip(expected.as_flattened()) {
+            let missed = (found - expected).abs();
+            assert!(
+                missed < 1e-7 * expected.abs().max(0.1),
+                "{found} {expected}"
+            );
+        }
+    };
+    check(solver.stiffness().unwrap(), expected);
+
+    let mut solver = rolling(&bodies, &light, by_default);
+    let controls = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
+    solver.set_control(controls, 0.03).unwrap();
+    solved(&mut solver);
+    let before = solver.stiffness().unwrap();
+    solver.set_pressure(&heavy).unwrap();
+    check(solver.stiffness().unwrap(), before);
+}
+
+/// A time loop of a vehicle: a solve starts from scaled and extrapolated tractions.
+#[test]
+fn time_loop_of_a_vehicle_takes_few_products() {
+    let bodies = bodies(24, &alike());
+    let press = problem(&bodies, 1.0);
+    let normal = press.solve().unwrap();
+    let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+    let problem = problem.tolerance(1e-3).build().unwrap();
+    let products = |is_reset: bool| {
+        let mut solver = problem.clone().into_solver().unwrap();
+        solver
+            .set_normal_solver(press.clone().into_solver().unwrap())
+            .unwrap();
+        let mut rolling = solver.new_solution();
+        let mut products = 0;
+        for step in 0..100 {
+            let phase = 0.03 * f64::from(step);
+            let load = NormalControl::Force(1.0 + 0.25 * (1.7 * phase).sin());
+            let creepages = [0.1 * phase.sin(), 0.05 * phase.cos()];
+            if is_reset {
+                solver.reset();
+            }
+            solver.set_load(load).unwrap();
+            let controls = creepages.map(RollingControl::Creepage);
+            solver.set_control(controls, 0.03 * phase.sin()).unwrap();
+            solver.solve_into(&mut rolling).unwrap();
+            let report = rolling.report();
+            products += report.single_precision_products + report.double_precision_products;
+        }
+        products
+    };
+    let [warm, cold] = [false, true].map(products);
+    assert!(3 * warm < 2 * cold, "{warm} products, {cold} from rest");
+}
+
+#[test]
+fn rolling_solution_warns_of_a_contact_at_the_edge() {
+    let bodies = bodies(24, &alike());
+    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let fine = solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
+    assert_eq!(fine.warnings(), []);
+    let coarse = solved(&mut rolling(&bodies, &pressed(&bodies, 0.02), by_default));
+    assert!(matches!(
+        coarse.warnings()[..],
+        [Warning::CoarseContact { .. }]
+    ));
+    // Elliptic, and long across: it leaves the grid at its sides.
+    let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
+    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+    let normal = press.build().unwrap().solve().unwrap();
+    let wide = solved(&mut rolling(&bodies, &normal, by_default)).warnings();
+    assert!(
+        wide.iter()
+            .any(|warning| matches!(warning, Warning::ContactAtEdge { .. })),
+        "{wide:?}"
+    );
+}
