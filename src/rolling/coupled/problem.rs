@@ -56,11 +56,12 @@ pub struct CoupledRollingProblem {
     pub(super) controls: [RollingControl; 2],
     pub(super) spin: SpinControl,
     pub(super) touch_rule: TouchRule,
+    pub(super) slip_corrections: usize,
     pub(super) settings: Settings,
 }
 
 try_clone!(CoupledRollingProblem { friction } {
-    bodies, gap, normal, edge, cells, controls, spin, touch_rule, settings,
+    bodies, gap, normal, edge, cells, controls, spin, touch_rule, slip_corrections, settings,
 });
 
 shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, touch_rule, settings);
@@ -94,6 +95,7 @@ impl CoupledRollingProblem {
                 controls: [RollingControl::Creepage(0.0); 2],
                 spin: SpinControl::Spin(0.0),
                 touch_rule: TouchRule::default(),
+                slip_corrections: 0,
                 settings: Settings::default(),
             },
             settings: Settings::default(),
@@ -167,6 +169,13 @@ impl CoupledRollingProblemBuilder {
     /// Sets the [spin](SpinControl::Spin) (one over a length, default zero), or the moment that causes it.
     pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
         self.problem.spin = spin.into();
+        self
+    }
+
+    /// Sets the number of corrections of the direction of slip (default 0).
+    /// See [`RollingProblemBuilder::slip_corrections`](crate::rolling::RollingProblemBuilder::slip_corrections).
+    pub fn slip_corrections(mut self, corrections: usize) -> Self {
+        self.problem.slip_corrections = corrections;
         self
     }
 

@@ -401,6 +401,7 @@ impl CoupledRollingSolver {
                 .control(Axis::Y, controls[1])
                 .spin(of.spin)
                 .touch_rule(of.touch_rule)
+                .slip_corrections(of.slip_corrections)
                 .settings(settings)
                 .build()
         };

@@ -1,12 +1,10 @@
 //! The scene of steady rolling, checked once.
 
-use crate::bodies::component::Direction;
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
-use crate::operator::Operator;
 use crate::rolling::entry::entering;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::rolling::{Passage, Travel};
@@ -24,6 +22,8 @@ pub struct RollingProblem {
     pub(in crate::rolling) pressed: Pressed,
     pub(in crate::rolling) friction: Friction,
     pub(in crate::rolling) touch_rule: TouchRule,
+    /// Solves that correct the direction of slip.
+    pub(in crate::rolling) slip_corrections: usize,
     pub(in crate::rolling) step: Passage,
     /// Length of a step.
     pub(in crate::rolling) length: f64,
@@ -33,15 +33,13 @@ pub struct RollingProblem {
     pub(in crate::rolling) chain: usize,
     /// What the pressure adds to the slip of each cell.
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
-    /// Normal displacement by the pressure, of bodies of different materials; else of no cells.
-    pub(in crate::rolling) pressed_in: Vec<f64>,
     pub(in crate::rolling) controls: [RollingControl; 2],
     pub(in crate::rolling) spin: SpinControl,
     pub(in crate::rolling) settings: Settings,
 }
 
-try_clone!(RollingProblem { pressed, friction, own, drawn, pressed_in } {
-    bodies, touch_rule, step, length, chain, controls, spin, settings,
+try_clone!(RollingProblem { pressed, friction, own, drawn } {
+    bodies, touch_rule, slip_corrections, step, length, chain, controls, spin, settings,
 });
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
@@ -58,6 +56,7 @@ pub struct RollingProblemBuilder<'a> {
     controls: [RollingControl; 2],
     spin: SpinControl,
     touch_rule: TouchRule,
+    slip_corrections: usize,
     settings: Settings,
 }
 
@@ -78,6 +77,7 @@ impl RollingProblem {
             controls: [RollingControl::Creepage(0.0); 2],
             spin: SpinControl::Spin(0.0),
             touch_rule: TouchRule::default(),
+            slip_corrections: 0,
             settings: Settings::default(),
         }
     }
@@ -196,6 +196,16 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
+    /// Sets the number of corrections of the direction of slip (default 0).
+    ///
+    /// Where the slip turns on the way through the contact, as by spin or oblique creepage, the forces converge with first
+    /// order in the step. Two corrections give an order of 1.5 to 2, as measured on the page of the
+    /// [module](crate::rolling#slip-that-turns), at the cost of two more solves from the last tractions.
+    pub fn slip_corrections(mut self, corrections: usize) -> Self {
+        self.slip_corrections = corrections;
+        self
+    }
+
     /// How cells that enter the contact follow the motion (default [`TouchRule::Growth`]).
     pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
         self.touch_rule = touch_rule;
@@ -238,12 +248,12 @@ impl RollingProblemBuilder<'_> {
         let problem = RollingProblem {
             own,
             drawn: drawn(bodies, &pressed, step)?,
-            pressed_in: pressed_in(bodies, &pressed)?,
             chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
             friction: self.friction,
             touch_rule: self.touch_rule,
+            slip_corrections: self.slip_corrections,
             step,
             length: travel.length,
             controls: self.controls,
@@ -316,21 +326,4 @@ pub(in crate::rolling) fn draw(
         part.copy_from_slice(displacement);
         step.difference(part);
     });
-}
-
-/// Returns the normal displacement by the pressure of bodies of different materials; of no cells for others.
-pub(in crate::rolling) fn pressed_in(bodies: &HalfSpace, pressed: &Pressed) -> Result<Vec<f64>> {
-    if !bodies.pair().is_coupled() {
-        return Ok(Vec::new());
-    }
-    let operator = bodies
-        .compliance([Direction::Z], pressed.window().size)?
-        .operator;
-    let mut displacement = zeros(pressed.region.cells())?;
-    operator.apply(
-        [&pressed.pressure],
-        [&mut displacement],
-        &mut operator.scratch()?,
-    );
-    Ok(displacement)
 }

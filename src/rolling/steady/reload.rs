@@ -10,7 +10,7 @@ use crate::normal::{NormalControl, NormalSolution, NormalSolver};
 use crate::numerics::cell_vector::slices;
 use crate::rolling::Travel;
 use crate::rolling::entry::entering;
-use crate::rolling::steady::problem::{draw, pressed_in};
+use crate::rolling::steady::problem::draw;
 use crate::rolling::{RollingProblem, RollingSolver};
 use crate::tangential::TouchRule;
 use crate::tangential::{
@@ -155,12 +155,14 @@ impl RollingSolver {
         self.candidate.set(samples, &problem.friction);
         let mut drawing = self.drawing.take();
         let taken = self.take_candidate(|problem| {
-            problem.pressed_in = pressed_in(&problem.bodies, &problem.pressed)?;
             problem.follow_pressure(normal, contact, drawing.as_mut());
             Ok(())
         });
         self.drawing = drawing;
         taken?;
+        if let Some(lift) = &mut self.lifting {
+            lift.press(&self.problem.pressed);
+        }
         Arc::make_mut(&mut self.operator).set_chain(self.problem.chain);
         self.has_new_pressure = self.is_warm;
         Ok(())
@@ -180,7 +182,6 @@ impl RollingSolver {
             step: problem.travel().through(window.size),
             own: filled(OwnCompliance::NONE, cells)?,
             drawn: try_each(|_| zeros(cells))?,
-            pressed_in: Vec::new(),
             friction: problem.friction.clone(),
             pressed,
             ..*problem

@@ -17,6 +17,7 @@ use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::Passage;
 use crate::rolling::steady::inverse::SteadyInverse;
+use crate::rolling::steady::neglected_lift::NeglectedLift;
 use crate::rolling::steady::reload::Press;
 use crate::rolling::steady::slip_operator::SteadyOperator;
 use crate::rolling::steady::spin_search::SpinSearch;
@@ -24,9 +25,7 @@ use crate::rolling::steady::stiffness::Follow;
 use crate::rolling::steady::trend::Trend;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::support::debug::shown;
-use crate::tangential::{
-    Drawing, Friction, Lifting, OwnCompliance, Pressed, TangentialModel, lift_residual,
-};
+use crate::tangential::{Drawing, Friction, OwnCompliance, Pressed, TangentialModel};
 use crate::warning::Warning;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -81,6 +80,10 @@ pub struct RollingSolver {
     /// The spin of the last solve, from which the search for that of a moment starts.
     pub(in crate::rolling) spin: f64,
     pub(in crate::rolling) report: Report,
+    /// The report of the last solve at one spin.
+    pub(in crate::rolling) passes: Report,
+    /// Part of `linear` that corrects the direction of slip; of no cells without correction.
+    pub(in crate::rolling) lag: [Vec<f64>; 2],
     /// Whether there is a last answer.
     pub(in crate::rolling) is_warm: bool,
     pub(in crate::rolling) trend: Trend,
@@ -90,7 +93,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<Follow>,
     /// What the tractions lift, of bodies of different materials whose pressure ignores the lift, and the lift.
-    pub(in crate::rolling) lifting: Option<(Lifting, Vec<f64>)>,
+    pub(in crate::rolling) lifting: Option<NeglectedLift>,
 }
 
 shown!(RollingSolver: problem);
@@ -107,8 +110,7 @@ impl RollingSolver {
         let inverse = SteadyInverse::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
-        let lifting = || Ok::<_, Error>((Lifting::new(bodies, step.size)?, zeros(cells)?));
-        let lifting = bodies.pair().is_coupled().then(lifting).transpose()?;
+        let lifting = NeglectedLift::new(bodies, &problem.pressed)?;
         let mut solver = Self {
             lifting,
             limits: zeros(cells)?,
@@ -122,6 +124,8 @@ impl RollingSolver {
             own_deviator: filled([0.0; 2], cells)?,
             spin: 0.0,
             report: Report::with_room(),
+            passes: Report::with_room(),
+            lag: [const { Vec::new() }; 2],
             is_warm: false,
             has_new_pressure: false,
             trend: Trend::new(cells)?,
@@ -286,7 +290,7 @@ impl RollingSolver {
                 self.spin = spin;
                 let settings = self.problem.settings;
                 let outcome = self.solve_at_spin(&settings, solution, &mut observer);
-                self.report.clone_from(self.workspace.report());
+                self.report.clone_from(&self.passes);
                 outcome
             }
             SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
@@ -320,8 +324,8 @@ impl RollingSolver {
         self.known = if is_near { Known::Near } else { Known::Nothing };
     }
 
-    /// Solves at the spin as it is.
-    fn solve_at_spin(
+    /// Solves at the present spin for the directions of slip as last corrected.
+    pub(in crate::rolling) fn solve_pass(
         &mut self,
         settings: &Settings,
         solution: &mut RollingSolution,
@@ -346,42 +350,24 @@ impl RollingSolver {
                 RollingControl::Creepage(creepage) => creepage,
                 RollingControl::Force(_) => multiplier[axis] / problem.length,
             });
-            let slip = |cell: usize| self.slip(cell).map(|slip| unit * slip);
+            let slip = |cell: usize| self.slip_of_step(cell).map(|slip| unit * slip);
             let traction = |cell: usize| at(&slices(&self.traction), cell).map(|q| unit * q);
             let answer = solution.of(problem, traction, slip);
             answer.set_motion(creepage, self.spin, self.workspace.report());
-            let lift = self.neglected_lift();
+            let (pressed, traction) = (&self.problem.pressed, slices(&self.traction));
+            let lift = self.lifting.as_mut();
+            let lift = lift.map_or(0.0, |lift| lift.residual(pressed, traction, self.unit));
             let tolerance = self.problem.settings.tolerance;
             solution.set_neglected_lift(Warning::lift_beyond(lift, tolerance));
         }
         outcome
     }
 
-    /// Returns the lift by the tractions of the last solve that the pressure ignores, over the normal displacement.
-    fn neglected_lift(&mut self) -> f64 {
-        let Some((lifting, lift)) = &mut self.lifting else {
-            return 0.0;
-        };
-        let RollingProblem {
-            pressed,
-            pressed_in,
-            ..
-        } = &self.problem;
-        lifting.lift(slices(&self.traction), lift);
-        lift_residual(
-            pressed.region.layout(),
-            |i| pressed.pressure[i] > 0.0,
-            |i| self.unit * lift[i],
-            |i| pressed_in[i],
-            false,
-        )
-    }
-
     pub(in crate::rolling) fn own(&self) -> Own<'_> {
         Own::new(&self.own_mean, &self.own_deviator)
     }
 
-    /// Slip of a cell over a step in the last answer.
+    /// Slip that the traction of a cell opposes in the last answer: over the step, or at its end if directions are corrected.
     pub(in crate::rolling) fn slip(&self, cell: usize) -> [f64; 2] {
         let product = self.workspace.product();
         let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));
@@ -426,13 +412,13 @@ impl RollingSolver {
             if !has_iterate(&outcome) {
                 return outcome;
             }
-            self.report.add_pass(self.workspace.report());
+            self.report.add_pass(&self.passes);
             self.report.time = conditions.start.elapsed();
             let missing = moment - solution.moment();
             let error = (missing / capacity).abs();
             self.report.load_error = self.report.load_error.max(error);
             // Near round-off a sharper solve stalls although it is sharp enough.
-            let pass = self.workspace.report();
+            let pass = &self.passes;
             let is_cancelled = pass.status == Status::Cancelled;
             let is_sound = outcome.is_ok() || !is_cancelled && pass.is_within(tolerance);
             if is_sound {
@@ -485,7 +471,8 @@ impl RollingSolver {
             for axis in 0..2 {
                 let parts = motions.iter().zip(motion);
                 let moved = parts.fold(0.0, |sum, (part, motion)| sum + motion * part[axis]);
-                self.linear[axis][cell] = (problem.drawn[axis][cell] - moved) / self.unit;
+                let lag = self.lag[axis].get(cell).unwrap_or(&0.0);
+                self.linear[axis][cell] = (problem.drawn[axis][cell] - moved) / self.unit + lag;
             }
         }
         let area = problem.bodies.grid().cell_area();

@@ -1,0 +1,59 @@
+//! The lift by tractions that a given pressure of bodies of different materials ignores.
+
+use crate::bodies::component::Direction;
+use crate::error::Result;
+use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::memory::fallible;
+use crate::operator::{Operator, Scratch};
+use crate::tangential::{Lifting, Pressed, lift_residual};
+
+/// Operators of the normal displacement by tractions and by the pressure on a window.
+#[derive(Debug, Clone)]
+pub(in crate::rolling) struct NeglectedLift {
+    lifting: Lifting,
+    lift: Vec<f64>,
+    pressing: ElasticOperator<1>,
+    scratch: Scratch,
+    /// Normal displacement by the pressure.
+    displacement: Vec<f64>,
+}
+
+impl NeglectedLift {
+    /// Creates the operators of coupled bodies; `None` for bodies without coupling.
+    pub(super) fn new(bodies: &HalfSpace, pressed: &Pressed) -> Result<Option<Self>> {
+        if !bodies.pair().is_coupled() {
+            return Ok(None);
+        }
+        let (size, cells) = (pressed.window().size, pressed.region.cells());
+        let pressing = bodies.compliance([Direction::Z], size)?.operator;
+        let mut created = Self {
+            lifting: Lifting::new(bodies, size)?,
+            lift: fallible::zeros(cells)?,
+            scratch: pressing.scratch()?,
+            pressing,
+            displacement: fallible::zeros(cells)?,
+        };
+        created.press(pressed);
+        Ok(Some(created))
+    }
+
+    /// Computes the normal displacement by a new pressure.
+    pub(super) fn press(&mut self, pressed: &Pressed) {
+        let displacement = [&mut self.displacement[..]];
+        self.pressing
+            .apply([&pressed.pressure], displacement, &mut self.scratch);
+    }
+
+    /// Returns the lift by tractions in this unit over the normal displacement.
+    pub(super) fn residual(&mut self, pressed: &Pressed, traction: [&[f64]; 2], unit: f64) -> f64 {
+        self.lifting.lift(traction, &mut self.lift);
+        let (lift, displacement) = (&self.lift, &self.displacement);
+        lift_residual(
+            pressed.region.layout(),
+            |i| pressed.pressure[i] > 0.0,
+            |i| unit * lift[i],
+            |i| displacement[i],
+            false,
+        )
+    }
+}
