@@ -90,7 +90,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
             TouchRule::Growth,
         ),
     ] {
-        let bodies = bodies(24, &pair);
+        let bodies = bodies(16, &pair);
         let mut solver = rolling(&bodies, &pressed(&bodies, 0.4), (edge, rule));
         let creepages = [0.03, -0.02].map(RollingControl::Creepage);
         let drag = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
@@ -280,8 +280,8 @@ fn time_loop_of_a_vehicle_takes_few_products() {
             .unwrap();
         let mut rolling = solver.new_solution();
         let mut products = 0;
-        for step in 0..100 {
-            let phase = 0.03 * f64::from(step);
+        for step in 0..30 {
+            let phase = 0.05 * f64::from(step);
             let load = NormalControl::Force(1.0 + 0.25 * (1.7 * phase).sin());
             let creepages = [0.1 * phase.sin(), 0.05 * phase.cos()];
             if is_reset {

@@ -119,6 +119,7 @@ static void solvers(const stickslip_half_space *bodies) {
     OK(stickslip_rolling_solution_new(roller, &rolled));
     EXPECT(0, stickslip_rolling_solver_set_load(roller, &creepage));
     EXPECT(0, stickslip_rolling_solver_solve(roller, rolled, NULL));
+    EXPECT(0, stickslip_rolling_solver_set_normal(roller, pressed));
     EXPECT(0, stickslip_rolling_solver_reset(roller));
     OK(stickslip_rolling_solver_free(roller));
     OK(stickslip_rolling_solution_free(rolled));

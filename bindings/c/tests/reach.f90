@@ -221,7 +221,8 @@ contains
         type(stickslip_creep_point) :: points(3)
         type(stickslip_creep_force), allocatable :: forces(:)
         type(c_ptr) :: before
-        real(c_double) :: lost(nx, ny), turned(ny, nx), unit
+        type(stickslip_warning), allocatable :: remarks(:)
+        real(c_double) :: lost(nx, ny), turned(ny, nx), unit, capacity
         real(c_double), pointer :: traction(:, :)
         integer(c_int8_t), pointer :: zones(:, :)
         integer(c_int32_t) :: status
@@ -278,6 +279,17 @@ contains
         call roller%set_friction(stickslip_coulomb(0.6d0))
         call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_FORCE, 31)))
         call roller%solve(rolled)
+        call roller%set_normal_solver(presser)
+        call roller%set_normal_load(stickslip_normal_load(STICKSLIP_FORCE, 90))
+        capacity = roller%friction_capacity()
+        call check(abs(capacity - 54) < 1d-6, 'what friction holds of a new load')
+        call roller%solve(rolled)
+        call rolled%warnings(remarks)
+        call check(size(remarks) >= 0, 'the warnings of rolling')
+        traction => pressed%field(STICKSLIP_PRESSURE)
+        call roller%set_pressure(traction, status)
+        call check(status == STICKSLIP_NOT_MODELLED, 'no pressure without a gap')
+        call roller%set_normal(pressed)
         call roller%reset()
         stiffness = roller%stiffness()
         status = stickslip_kalker_coefficients(1d0, steel%poisson_ratio, kalker)

@@ -346,6 +346,43 @@ static void steps_that_cannot_roll_leave_the_history(const stickslip_half_space 
     OK(stickslip_history_free(history));
 }
 
+static void a_solver_takes_new_loads(const stickslip_half_space *bodies, const stickslip_normal_solution *pressed) {
+    stickslip_normal_load load = {STICKSLIP_FORCE, 1.0};
+    stickslip_friction friction = stickslip_coulomb(FRICTION);
+    stickslip_rolling_load creepage = by_creepage(0.02, 0.0, 0.0);
+    stickslip_normal_solver *presser = NULL;
+    stickslip_normal_solution *light = press(bodies, gap, CELLS, 0.8);
+    stickslip_rolling_solver *solver = NULL, *other = NULL;
+    stickslip_rolling_solution *solution = NULL;
+    double capacity = 0.0;
+    size_t warnings = 1;
+    OK(stickslip_normal_solver_new(bodies, gap, CELLS, &load, NULL, NULL, &presser));
+    OK(stickslip_rolling_solver_new(bodies, pressed, &friction, &creepage, NULL, &solver));
+    OK(stickslip_rolling_solver_new(bodies, light, &friction, &creepage, NULL, &other));
+    OK(stickslip_rolling_solution_new(solver, &solution));
+    load.value = 0.8;
+    CHECK(stickslip_rolling_solver_set_normal_load(solver, &load) == STICKSLIP_NOT_MODELLED);
+    OK(stickslip_rolling_solver_set_normal_solver(solver, presser));
+    OK(stickslip_rolling_solver_set_normal_load(solver, &load));
+    OK(stickslip_rolling_solver_friction_capacity(solver, &capacity));
+    CLOSE(capacity, 0.8 * FRICTION, 1e-6);
+    double expected = solve(other, solution).force[0];
+    CLOSE(solve(solver, solution).force[0], expected, 1e-6);
+    OK(stickslip_rolling_solution_warnings(solution, NULL, 0, &warnings));
+    CHECK(warnings == 0);
+    OK(stickslip_rolling_solver_set_normal(other, pressed));
+    load.value = 1.0;
+    OK(stickslip_rolling_solver_set_normal_load(solver, &load));
+    expected = solve(other, solution).force[0];
+    CLOSE(solve(solver, solution).force[0], expected, 1e-6);
+    CHECK(stickslip_rolling_solver_set_pressure(solver, gap, CELLS) == STICKSLIP_NOT_MODELLED);
+    OK(stickslip_rolling_solution_free(solution));
+    OK(stickslip_rolling_solver_free(other));
+    OK(stickslip_rolling_solver_free(solver));
+    OK(stickslip_normal_solver_free(presser));
+    OK(stickslip_normal_solution_free(light));
+}
+
 int main(void) {
     a_cylinder_is_carter();
     stickslip_grid grid = {N, N, 3.0 / N, 3.0 / N};
@@ -367,6 +404,7 @@ int main(void) {
     friction_changes_and_the_last_answer_is_forgotten(solver, solution);
     long_calls_ask_their_observer(solver);
     options_are_chosen(bodies, pressed);
+    a_solver_takes_new_loads(bodies, pressed);
     closed_forms_are_met(bodies, solver);
     histories_that_roll_on_end_in_the_steady_state(bodies, solver, solution);
     steps_that_cannot_roll_leave_the_history(bodies);

@@ -82,6 +82,9 @@ class Scene:
         rolling = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-3)
         pressed = {"normal_force": 100.0, "creepage_x": 1e-3}
         coupled_rolling = ss.rolling.CoupledRollingProblem(self.dissimilar, ball, 0.5, **pressed)
+        presser = ss.NormalSolver(bodies, ball, force=100.0)
+        roller = rolling.solver()
+        roller.set_normal_solver(presser)
         creep_forces = rolling.solver().creep_forces([(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)])
         adaptive = ss.history.AdaptiveSteps(history, 0.05)
         contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
@@ -116,7 +119,7 @@ class Scene:
             "CoupledRollingSolution": coupled_rolling.solve(),
             "CoupledRollingReport": coupled_rolling.solve().report,
             "RollingProblem": rolling,
-            "RollingSolver": rolling.solver(),
+            "RollingSolver": roller,
             "RollingSolution": rolling.solve(),
             "CreepForce": creep_forces[0],
             "CreepForces": creep_forces,
@@ -232,6 +235,8 @@ class Scene:
             "CoupledRollingSolver.solve": {"creepage_x": 1e-3},
             "RollingProblem": {"creepage_x": 1e-3},
             "RollingSolver.creep_forces": {"points": [(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)]},
+            "RollingSolver.set_load": {"force": 100.0},
+            "RollingSolver.set_normal_solver": {"solver": presser},
             "RollingSolver.solve": {"creepage_x": 1e-3},
             "RoundedPunch": {"radius": 3.5e-3},
             "SelfAffine": {"rms_height": 1e-7},

@@ -128,7 +128,7 @@ METHODS = {
     "io::xyz::Options": {"parse": "io.xyz.parse", "read": "io.xyz.read"},
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
     "rolling::CoupledRollingSolver": {"set_control": "solve(creepage=)"},
-    "rolling::RollingSolver": {"set_control": "solve(creepage=)"},
+    "rolling::RollingSolver": {"normal": "NormalSolver.solve", "set_control": "solve(creepage=)"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
     "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},

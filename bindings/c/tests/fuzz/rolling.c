@@ -21,7 +21,7 @@ void roll(struct run *run) {
     stickslip_rolling_solver *solver = GET(stickslip_rolling_solver, rolling);
     stickslip_rolling_solution *solution = GET(stickslip_rolling_solution, rolled);
     void *made = NULL;
-    switch (below(run, 12)) {
+    switch (below(run, 15)) {
     case 0:
     case 1: {
         stickslip_rolling_options options = stickslip_rolling_options_default();
@@ -75,6 +75,24 @@ void roll(struct run *run) {
     case 9:
         SEEN(stickslip_rolling_solver_reset(solver));
         break;
+    case 10:
+        SEEN(stickslip_rolling_solver_set_normal(solver, GET(stickslip_normal_solution, pick(run, PRESSED))));
+        SEEN(stickslip_rolling_solver_set_pressure(solver, maybe(run, numbers), count));
+        break;
+    case 11: {
+        stickslip_normal_load pressing = {option(run, 3), number(run, 1.0)};
+        SEEN(stickslip_rolling_solver_set_normal_solver(solver, GET(stickslip_normal_solver, pick(run, NORMAL))));
+        SEEN(stickslip_rolling_solver_set_normal_load(solver, maybe(run, &pressing)));
+        break;
+    }
+    case 12: {
+        stickslip_warning warnings[POINTS];
+        double capacity;
+        size_t found;
+        SEEN(stickslip_rolling_solver_friction_capacity(solver, maybe_out(run, &capacity)));
+        SEEN(stickslip_rolling_solution_warnings(solution, warnings, below(run, POINTS + 1), maybe_out(run, &found)));
+        break;
+    }
     default:
         SEEN(stickslip_rolling_solver_solve(solver, solution, below(run, 4) == 0 ? maybe(run, &observer) : NULL));
     }
