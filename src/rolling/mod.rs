@@ -91,6 +91,8 @@ mod creep;
 mod inverse;
 mod operator;
 mod problem;
+mod resting_cell;
+mod sliding_start;
 mod solution;
 mod solver;
 mod spin_search;

@@ -104,6 +104,7 @@ mod rolling_carries_the_memory;
 mod rolling_lines_by_force;
 mod rolling_loads_follow_their_creepages;
 mod rolling_meets_closed_forms;
+mod rolling_moments_are_reached;
 mod rough_contacts_follow_theory;
 mod rough_surfaces_follow_their_law;
 mod same_bits_on_any_threads;
