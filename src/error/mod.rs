@@ -258,15 +258,18 @@ pub enum Error {
         /// The loads that are possible instead, in words.
         remedy: &'static str,
     },
-    /// The moment about the normal exceeds what friction can carry, beside the forces prescribed: no equilibrium exists.
+    /// The moment about the normal is not between the moments that large spins of both signs cause, next to the prescribed
+    /// creepages and forces.
     #[error(
-        "a moment of {moment:?} is not less than the friction limit {limit:?} beside the forces prescribed: prescribe the spin to let the body turn"
+        "a moment of {moment:?} is not less than the friction limit {limit:?} next to the prescribed creepages and forces: give a moment between {:?} and {:?}, or prescribe the spin", .range[0], .range[1]
     )]
     BeyondFrictionMoment {
         /// The moment requested, positive in the direction of the limit.
         moment: f64,
-        /// The moment that a contact sliding as a whole has.
+        /// The moment of a contact that slides as a whole, in the same direction.
         limit: f64,
+        /// The least and the greatest moment of a contact that slides as a whole.
+        range: [f64; 2],
     },
     /// The normal force exceeds what the hardness lets the cells carry.
     #[error("{}", show::beyond_hardness(*force, *capacity))]

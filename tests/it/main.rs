@@ -105,6 +105,7 @@ mod rolling_carries_the_memory;
 mod rolling_lines_by_force;
 mod rolling_loads_follow_their_creepages;
 mod rolling_meets_closed_forms;
+mod rolling_moments_are_reached;
 mod rolling_slip_direction;
 mod rolling_under_changing_loads;
 mod rough_contacts_follow_theory;

@@ -162,7 +162,8 @@ fn moments_that_friction_does_not_hold_are_refused() {
     // Forces leave less to the moment: it is refused before any solve.
     let force = RollingControl::Force(0.6 * scene.limit);
     let far = SpinControl::Moment(0.97 * capacity);
-    let Err(Error::BeyondFrictionMoment { moment, limit }) = solver.set_control([force; 2], far)
+    let Err(Error::BeyondFrictionMoment { moment, limit, .. }) =
+        solver.set_control([force; 2], far)
     else {
         panic!("a moment that no spin has");
     };

@@ -530,3 +530,61 @@ fn bad_rolling_is_refused() {
     let refused = RollingProblem::builder(&waves, &flat, Friction::coulomb(0.3).unwrap()).build();
     assert!(matches!(refused, Err(Error::NotModelled { .. })));
 }
+
+/// Creepages, spin and any step, with and without the law of entering cells: what slip dissipates is less than the work.
+#[test]
+fn dissipation_never_exceeds_work() {
+    let mut random = kit::Random(3);
+    for _ in 0..kit::thorough(60, 2000) {
+        let size = [random.integer(8, 16), random.integer(8, 16)];
+        let grid = Grid::new(size[0], size[1], 0.2, random.pick(&[0.2, 0.15])).unwrap();
+        let bodies = alike(grid, 1.0, random.uniform(0.0, 0.5));
+        let [x0, y0] = [0, 1].map(|_| random.uniform(-0.2, 0.2));
+        let gap = Field::from_fn(grid, |x, y| {
+            let rough = 0.01 * (9.0 * x).cos() * (7.0 * y).cos();
+            0.5 * ((x - x0).powi(2) + (y - y0).powi(2)) + rough
+        });
+        let normal = pressed(&bodies, &gap, random.uniform(0.1, 0.4));
+        let edge = random.pick(&[
+            LeadingEdge::PlusX,
+            LeadingEdge::MinusX,
+            LeadingEdge::PlusY,
+            LeadingEdge::MinusY,
+        ]);
+        let touch_rule = random.pick(&[TouchRule::Growth, TouchRule::WholeStep]);
+        let creepage = [0, 1].map(|_| random.uniform(-0.3, 0.3));
+        let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+            .leading_edge(edge)
+            .step(random.integer(1, 3))
+            .creepage(creepage)
+            .spin(random.uniform(-3.0, 3.0))
+            .touch_rule(touch_rule);
+        // Where the grid ends within a step of the contact there is no problem.
+        let Ok(problem) = problem.build() else {
+            continue;
+        };
+        let rolling = problem.solve().unwrap();
+        let (work, lost) = (rolling.work(), rolling.dissipation().unwrap().integral());
+        assert!(0.0 < lost && lost < work, "{lost} of {work}");
+    }
+}
+
+/// A sphere that spins: a sixteenth of the work on 12 cells across the grid, and half as much on twice as many.
+#[test]
+fn work_and_dissipation_agree_as_cells_shrink() {
+    let deficits = [12, 24, 48].map(|cells| {
+        let grid = Grid::square(cells, 2.4).unwrap();
+        let bodies = alike(grid, 1.0, 0.25);
+        let ball = surface::sphere(grid, 1.0).unwrap();
+        let normal = pressed(&bodies, &ball, 1.0);
+        let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+        let rolling = problem.spin(2.0).build().unwrap().solve().unwrap();
+        let lost = rolling.dissipation().unwrap().integral();
+        1.0 - lost / rolling.work()
+    });
+    for (deficit, finer) in deficits.iter().zip(&deficits[1..]) {
+        let ratio = deficit / finer;
+        assert!(*finer > 0.0 && (1.7..2.3).contains(&ratio), "{deficits:?}");
+    }
+    assert!(deficits[0] < 0.065, "{deficits:?}");
+}

@@ -1,12 +1,12 @@
 //! A converged solution that may mislead says so, and how.
 
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
-use stickslip::history::Cycle;
+use stickslip::history::{Cycle, Rolling};
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
     Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
     LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialProblem, TangentialSolution, Warning, Zone, surface,
+    TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -307,5 +307,34 @@ fn stress_of_the_surface_at_an_edge_is_remarked() {
         );
         let pressed = planes.solve(index, Body::One, &normal).unwrap();
         assert!(pressed.warnings().is_empty());
+    }
+}
+
+/// The slip zone of a step that rolls: the energy by the tractions at the end of the step is half the work below one cell.
+#[test]
+fn narrow_slip_of_a_step_that_rolls_is_below_one_cell() {
+    let grid = Grid::square(20, 2.6).unwrap();
+    let pair = kit::unit_pair(0.3);
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 20.0).unwrap();
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    for (part, is_narrow) in [(0.1, true), (0.6, false), (0.9, false)] {
+        let friction = Friction::coulomb(0.5).unwrap();
+        let builder = History::builder(&bodies, &gap, friction);
+        let mut history = builder.model(TangentialModel::Vector).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(load));
+        history.step(&press).unwrap();
+        let force = LoadStep::force([part * 0.5 * load, 0.0]);
+        let rolled = force.roll(Rolling::new(1));
+        for _ in 0..24 {
+            history.step(&rolled).unwrap();
+        }
+        let step = history.step(&rolled).unwrap();
+        let mut warnings = step.warnings().into_iter();
+        let found = warnings.any(|warning| matches!(warning, Warning::NarrowSlip { .. }));
+        assert_eq!(found, is_narrow, "{part}");
+        let energy = step.energy();
+        let deficit = 1.0 - energy.dissipated_energy / energy.work;
+        assert_eq!(deficit > 0.4, is_narrow, "{part}: {deficit}");
     }
 }

@@ -349,7 +349,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_CONTACT = 8
     ! Too few cells (cells) stick.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_STICK = 9
-    ! The zone that slips is narrower than two cells.
+    ! The zone that slips is narrower than two cells, or than one cell in a step that rolls.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NARROW_SLIP = 10
     ! A coupled problem was pressed in one step.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSED_AT_ONCE = 11

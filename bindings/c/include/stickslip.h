@@ -266,7 +266,7 @@
 // Too few cells (cells) stick.
 #define STICKSLIP_WARNING_COARSE_STICK 9
 
-// The zone that slips is narrower than two cells.
+// The zone that slips is narrower than two cells, or than one cell in a step that rolls.
 #define STICKSLIP_WARNING_NARROW_SLIP 10
 
 // A coupled problem was pressed in one step.

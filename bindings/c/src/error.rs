@@ -190,6 +190,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::BeyondFrictionMoment {
             moment: value,
             limit,
+            ..
         }
         | Error::CycleNotClosed {
             residual: value,

@@ -123,7 +123,7 @@ pub const STICKSLIP_WARNING_STALE_PRESSURE: i32 = 7;
 pub const STICKSLIP_WARNING_COARSE_CONTACT: i32 = 8;
 /// Too few cells (cells) stick.
 pub const STICKSLIP_WARNING_COARSE_STICK: i32 = 9;
-/// The zone that slips is narrower than two cells.
+/// The zone that slips is narrower than two cells, or than one cell in a step that rolls.
 pub const STICKSLIP_WARNING_NARROW_SLIP: i32 = 10;
 /// A coupled problem was pressed in one step.
 pub const STICKSLIP_WARNING_PRESSED_AT_ONCE: i32 = 11;

@@ -144,7 +144,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Bounds { index, lower, upper }
         Total { total, lower, upper }
         BeyondFrictionCapacity { force, limit, remedy }
-        BeyondFrictionMoment { moment, limit }
+        BeyondFrictionMoment { moment, limit, range }
         BeyondHardness { force, capacity }
         Yielded { quantity, cells }
         ObliqueLoad { x, y }

@@ -363,6 +363,9 @@ impl History {
         let zones = [step.stick_cells, step.slip_cells];
         step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
             .with_zones(zones, || state.normal.edge_sides());
+        if travel.is_some() {
+            step.remarks.resolution = step.remarks.resolution.of_rolling();
+        }
         if let (Some(before), None) = (before, travel) {
             let layout = self.bodies.grid_layout();
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);

@@ -1,63 +1,196 @@
-//! The moment that friction holds.
+//! The moments that spins of any size reach.
 
 use std::iter::successors;
 
+use crate::error::{Error, Result, finite};
 use crate::numerics::cell_vector::dot;
-use crate::rolling::RollingProblem;
-use crate::tangential::centre;
+use crate::parallel::reduce;
+use crate::rolling::{RollingControl, RollingProblem};
+use crate::tangential::{SLIDING, centre};
 
 /// Steps of Newton's method, and halvings of each: whatever is reached by then is a bound.
 const STEPS: usize = 60;
 /// Lengths that round the kinks of the bound off, as parts of the mean lever of the limits, one after the other.
-const ROUNDINGS: [f64; 4] = [1e-1, 1e-3, 1e-5, 1e-7];
+const ROUNDINGS: [f64; 6] = [1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
 /// Sum of the tractions, relative to that of the limits, that counts as none.
 const BALANCED: f64 = 1e-13;
 /// Part of the expected decrease that a step has to bring.
 const DECREASE: f64 = 1e-4;
+/// Motion of a path by a turn of one, as a part of the shorter side of a cell, that counts as rest.
+const AT_REST: f64 = 1e-9;
+
+/// Width of the range of moments, over the integral of the limits times their distances, that counts as none: round-off
+/// would fill it.
+const NARROW: f64 = 1e-9;
 
 /// Tractions at their limits m along $`v = t + c`$, the motion by a turn t and by a shift c, whose length is rounded to
 /// $`\sqrt{v^2 + \epsilon^2}`$.
 #[derive(Debug, Default)]
-struct Sliding {
+pub(in crate::rolling) struct Sliding {
     /// The sum of m times the length.
     bound: f64,
     /// Their sums.
-    sums: [f64; 2],
-    /// Derivatives of the sums by c: `[xx, xy, yy]`.
+    pub(in crate::rolling) sums: [f64; 2],
+    /// Derivatives of the sums with respect to c: `[xx, xy, yy]`.
     stiffness: [f64; 3],
 }
 
+/// The motion of a contact that slides as a whole: a turn about the origin, and a shift.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::rolling) struct SlidingMotion {
+    pub(in crate::rolling) turn: f64,
+    pub(in crate::rolling) shift: [f64; 2],
+}
+
+/// The controls of both axes: sums of tractions or creepages.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::rolling) struct Prescribed {
+    /// Sums of the tractions, where a force is prescribed.
+    pub(in crate::rolling) sums: [Option<f64>; 2],
+    /// Creepages, zero where a force is prescribed.
+    pub(in crate::rolling) creepage: [f64; 2],
+}
+
+impl Prescribed {
+    pub(in crate::rolling) fn of(controls: [RollingControl; 2], cell_area: f64) -> Self {
+        Self {
+            sums: controls.map(|control| match control {
+                RollingControl::Force(force) => Some(force / cell_area),
+                RollingControl::Creepage(_) => None,
+            }),
+            creepage: controls.map(|control| match control {
+                RollingControl::Force(_) => 0.0,
+                RollingControl::Creepage(creepage) => creepage,
+            }),
+        }
+    }
+
+    /// Returns the work of the prescribed sums on a shift.
+    fn work(&self, shift: [f64; 2]) -> f64 {
+        dot(shift, self.sums.map(|sum| sum.unwrap_or(0.0)))
+    }
+}
+
 impl RollingProblem {
-    /// The largest moment about the origin of the grid, times the sign, beside prescribed sums of the tractions.
+    /// Returns the moments about the origin of the grid that spins approach as they fall without limit, and as they rise.
+    /// The moment has no jumps, so that each moment between the two belongs to a spin.
     ///
-    /// Of tractions within their limits m whose sums are f along some axes,
-    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along those axes; the least of these bounds is
-    /// the moment of a contact that slides as a whole about another point than the origin.
-    pub(in crate::rolling) fn moment_capacity(&self, sums: [Option<f64>; 2], sign: f64) -> f64 {
+    /// At a large spin the tractions are at their limits m along the motion of the middle of each path, except in a cell
+    /// whose path has its middle at rest. If the sums of tractions within their limits are f along some axes,
+    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along those axes. The least of these bounds is
+    /// the moment about the middles of a contact that slides as a whole.
+    ///
+    /// # Errors
+    /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator), if the middle of a path is at rest.
+    pub(in crate::rolling) fn moment_ends(
+        &self,
+        controls: [RollingControl; 2],
+    ) -> Result<[f64; 2]> {
+        let area = self.bodies.grid().cell_area();
+        let prescribed = Prescribed::of(controls, area);
+        let mut ends = [0.0; 2];
+        for (end, sign) in ends.iter_mut().zip([-1.0, 1.0]) {
+            *end = area * self.moment_of_sliding(&prescribed, sign)?;
+        }
+        Ok(ends)
+    }
+
+    /// `Ok` if a moment lies between those that large spins of both signs cause.
+    pub(in crate::rolling) fn check_moment(
+        &self,
+        controls: [RollingControl; 2],
+        moment: f64,
+    ) -> Result<()> {
+        let ends = self.moment_ends(controls)?;
+        for end in ends {
+            finite("moment that friction holds", end)?;
+        }
+        let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let margin = SLIDING * ends[0].abs().max(ends[1].abs());
+        let is_point = range[1] - range[0] <= NARROW * self.moment_scale();
+        if moment >= range[1] - margin || is_point && moment >= 0.5 * (range[0] + range[1]) {
+            return Err(Error::BeyondFrictionMoment {
+                moment,
+                limit: range[1],
+                range,
+            });
+        }
+        if moment <= range[0] + margin || is_point {
+            return Err(Error::BeyondFrictionMoment {
+                moment: -moment,
+                limit: -range[0],
+                range,
+            });
+        }
+        Ok(())
+    }
+
+    /// Returns the integral of the limits times the distances from the origin and half a path, which bounds moments.
+    fn moment_scale(&self) -> f64 {
+        let (window, limits) = (self.pressed.window(), &self.pressed.limits.cells);
+        let sum = reduce::sum(self.pressed.region.layout(), |cell| {
+            let [x, y] = centre(self.bodies.grid(), window.index(cell));
+            limits[cell] * (x.hypot(y) + 0.5 * self.length)
+        });
+        sum * self.bodies.grid().cell_area()
+    }
+
+    /// Returns the moment over the cell area that large spins of a sign approach.
+    fn moment_of_sliding(&self, prescribed: &Prescribed, sign: f64) -> Result<f64> {
+        let turn = SlidingMotion {
+            turn: sign,
+            shift: [0.0; 2],
+        };
+        let motion = self.shifted(turn, prescribed);
+        let about_middles = self.sliding(motion, 0.0).bound - prescribed.work(motion.shift);
+        let across = self.axis_across();
+        let sum = match prescribed.sums[across] {
+            Some(sum) => sum,
+            None => self.sum_across(prescribed, motion)?,
+        };
+        // The moments about the middles of paths and about the centres of cells differ by this sum alone.
+        let [x, y] = self.halfway();
+        let lever = if across == 1 { x } else { -y };
+        Ok(sign * about_middles - lever * sum)
+    }
+
+    /// Returns the sum of the tractions across the rolling direction, where no force is prescribed.
+    fn sum_across(&self, prescribed: &Prescribed, motion: SlidingMotion) -> Result<f64> {
+        let across = self.axis_across();
+        match self.resting_cell(prescribed, motion) {
+            Some(rest) => {
+                let sum = self.sums_except(rest.cell, rest.motion)[across];
+                Ok(sum + self.traction_at_rest(prescribed, &rest)?[across])
+            }
+            None => Ok(self.sliding(motion, 0.0).sums[across]),
+        }
+    }
+
+    /// Returns a motion shifted along the axes whose sums are prescribed, so that tractions along it have these sums.
+    pub(in crate::rolling) fn shifted(
+        &self,
+        motion: SlidingMotion,
+        prescribed: &Prescribed,
+    ) -> SlidingMotion {
+        if prescribed.sums == [None; 2] {
+            return motion;
+        }
+        let turn = motion.turn;
         let least = |shift: [f64; 2], rounding: f64| {
-            let sliding = self.sliding(shift, sign, rounding);
-            (sliding.bound - dot(shift, prescribed(sums)), sliding)
+            let sliding = self.sliding(SlidingMotion { turn, shift }, rounding);
+            (sliding.bound - prescribed.work(shift), sliding)
         };
-        let total = self.pressed.limits.sum;
-        let mut shift = [0.0; 2];
-        let (mut bound, mut sliding) = least(shift, 0.0);
-        // Beside no prescribed force the contact turns about the origin.
-        let roundings = if sums == [None; 2] {
-            &[][..]
-        } else {
-            &ROUNDINGS
-        };
-        let lever = bound / total;
-        // A length that is rounded is longer: the bound stays one.
-        for rounding in roundings.iter().map(|part| part * lever) {
-            (bound, sliding) = least(shift, rounding);
+        let (mut shift, total) = (motion.shift, self.pressed.limits.sum);
+        let lever = least(shift, 0.0).0 / total;
+        for rounding in ROUNDINGS.map(|part| part * lever) {
+            let (mut bound, mut sliding) = least(shift, rounding);
             for _ in 0..STEPS {
-                let slope =
-                    [0, 1].map(|axis| sums[axis].map_or(0.0, |sum| sliding.sums[axis] - sum));
+                let slope = [0, 1]
+                    .map(|axis| prescribed.sums[axis].map_or(0.0, |sum| sliding.sums[axis] - sum));
                 if slope[0].hypot(slope[1]) <= BALANCED * total {
                     break;
                 }
-                let step = descent(sums, slope, sliding.stiffness);
+                let step = descent(prescribed.sums, slope, sliding.stiffness);
                 let expected = DECREASE * dot(slope, step);
                 let mut parts = successors(Some(1.0), |part| Some(0.5 * part)).take(STEPS);
                 let found = parts.find_map(|part: f64| {
@@ -71,29 +204,46 @@ impl RollingProblem {
                 (shift, bound, sliding) = (next, less, at_next);
             }
         }
-        if !roundings.is_empty() {
-            (bound, sliding) = least(shift, 0.0);
+        let round_off = BALANCED * lever * total;
+        // The rounding misses a kink of the bound, where the middle of a path rests.
+        let motion = SlidingMotion { turn, shift };
+        let snapped = self.slowest_cell(motion).map(|(_, index)| {
+            let moved = self.moved(motion, index);
+            [0, 1].map(|axis| {
+                prescribed.sums[axis].map_or(shift[axis], |_| shift[axis] - moved[axis])
+            })
+        });
+        match snapped {
+            Some(snapped) if least(snapped, 0.0).0 <= least(shift, 0.0).0 + round_off => {
+                SlidingMotion {
+                    turn,
+                    shift: snapped,
+                }
+            }
+            _ => motion,
         }
-        // The bound is about the middle of the way of the particles.
-        let held = [0, 1].map(|axis| sums[axis].unwrap_or(sliding.sums[axis]));
-        let [x, y] = self.halfway();
-        (bound - sign * (x * held[1] - y * held[0])) * self.bodies.grid().cell_area()
     }
 
-    fn sliding(&self, shift: [f64; 2], sign: f64, rounding: f64) -> Sliding {
-        let (grid, [x, y]) = (self.bodies.grid(), self.halfway());
+    /// Returns the cell that can carry traction and whose path moves least at its middle: its places in the window and in
+    /// the grid.
+    pub(in crate::rolling) fn slowest_cell(&self, motion: SlidingMotion) -> Option<(usize, usize)> {
+        let speed = |index: usize| {
+            let [x, y] = self.moved(motion, index);
+            x.hypot(y)
+        };
+        let cells = self.pressed.window().indices().enumerate();
+        cells
+            .filter(|(cell, _)| self.pressed.limits.cells[*cell] > 0.0)
+            .min_by(|(_, a), (_, b)| speed(*a).total_cmp(&speed(*b)))
+    }
+
+    pub(in crate::rolling) fn sliding(&self, motion: SlidingMotion, rounding: f64) -> Sliding {
         let mut sliding = Sliding::default();
-        for (index, limit) in self
-            .pressed
-            .window()
-            .indices()
-            .zip(&self.pressed.limits.cells)
-        {
-            let at = centre(grid, index);
-            let turn = [-sign * (at[1] + y), sign * (at[0] + x)];
-            let moved = [turn[0] + shift[0], turn[1] + shift[1]];
+        let limits = self.pressed.limits.cells.iter();
+        for (index, limit) in self.pressed.window().indices().zip(limits) {
+            let moved = self.moved(motion, index);
             let size = moved[0].hypot(moved[1]).hypot(rounding);
-            if size > 0.0 && *limit > 0.0 {
+            if *limit > 0.0 && size > 0.0 {
                 let [dx, dy] = moved.map(|part| part / size);
                 let stiffness = limit / size;
                 sliding.bound += limit * size;
@@ -108,10 +258,41 @@ impl RollingProblem {
         }
         sliding
     }
-}
 
-fn prescribed(sums: [Option<f64>; 2]) -> [f64; 2] {
-    sums.map(|sum| sum.unwrap_or(0.0))
+    /// Returns the sums of the tractions at their limits, except in a cell of the window.
+    pub(in crate::rolling) fn sums_except(&self, except: usize, motion: SlidingMotion) -> [f64; 2] {
+        let limits = self.pressed.limits.cells.iter();
+        let cells = self.pressed.window().indices().zip(limits).enumerate();
+        let mut sums = [0.0; 2];
+        for (_, (index, limit)) in cells.filter(|(cell, _)| *cell != except) {
+            let moved = self.moved(motion, index);
+            let size = moved[0].hypot(moved[1]);
+            if *limit > 0.0 && size > 0.0 {
+                for (sum, moved) in sums.iter_mut().zip(moved) {
+                    *sum += limit * moved / size;
+                }
+            }
+        }
+        sums
+    }
+
+    /// Returns the motion of the middle of the path of a cell of the grid.
+    pub(in crate::rolling) fn moved(&self, motion: SlidingMotion, index: usize) -> [f64; 2] {
+        let (at, [x, y]) = (centre(self.bodies.grid(), index), self.halfway());
+        let turn = [-motion.turn * (at[1] + y), motion.turn * (at[0] + x)];
+        [turn[0] + motion.shift[0], turn[1] + motion.shift[1]]
+    }
+
+    /// Returns whether a motion by a turn of one counts as rest.
+    pub(in crate::rolling) fn is_at_rest(&self, size: f64) -> bool {
+        let grid = self.bodies.grid();
+        size <= AT_REST * grid.dx().min(grid.dy())
+    }
+
+    /// Returns the axis across the rolling direction.
+    fn axis_across(&self) -> usize {
+        1 - self.step.edge.axis().index()
+    }
 }
 
 /// Newton's step down a slope, along the axes whose sums are prescribed.

@@ -33,8 +33,16 @@ pub enum SpinControl {
     /// positive from x to y), about the origin of the grid.
     Spin(f64),
     /// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y); the spin
-    /// follows. It must be less than a large spin causes beside the prescribed forces; without any that is about the
-    /// integral of $`\mu p`$ times the distance from the origin.
+    /// follows.
+    ///
+    /// It must lie between the moments that large spins of both signs cause next to the prescribed creepages and forces.
+    /// [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) states both. Next to no forces the greatest is
+    /// about the integral of $`\mu p`$ times the distance from the origin.
+    ///
+    /// The moment need not rise with the spin if no force is prescribed across the rolling direction: the spin moves the
+    /// middles of paths, and the moment is about the centres of cells. Some spins then cause a moment outside the range,
+    /// by less than a tenth of the range for contacts of five cells or more. Such moments are rejected, because they have
+    /// no unique spin. A contact of one or two cells can have the same moment at every large spin.
     Moment(f64),
 }
 

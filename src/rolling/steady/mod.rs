@@ -7,6 +7,8 @@ pub(super) mod inverse;
 mod neglected_lift;
 pub(super) mod problem;
 mod reload;
+mod resting_cell;
+mod sliding_start;
 mod slip_direction;
 pub(super) mod slip_operator;
 pub(super) mod solution;

@@ -11,8 +11,8 @@ use crate::rolling::{Passage, Travel};
 use crate::support::debug::shown;
 use crate::tangential::TouchRule;
 use crate::tangential::{
-    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, SLIDING, TangentialModel,
-    centre, contact_window, is_at_limit,
+    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, TangentialModel, centre,
+    contact_window, is_at_limit,
 };
 
 /// Bodies, normal contact, friction, and what is prescribed of their rolling.
@@ -125,18 +125,7 @@ impl RollingProblem {
             }));
         }
         if let SpinControl::Moment(moment) = spin {
-            let sums = controls.map(|control| match control {
-                RollingControl::Force(force) => Some(force / area),
-                RollingControl::Creepage(_) => None,
-            });
-            for sign in [1.0, -1.0] {
-                let capacity = self.moment_capacity(sums, sign);
-                let limit = finite("moment that friction holds", capacity)?;
-                let moment = sign * moment;
-                if moment >= limit - SLIDING * limit.abs() {
-                    return Err(Error::BeyondFrictionMoment { moment, limit });
-                }
-            }
+            self.check_moment(controls, moment)?;
         }
         Ok(())
     }

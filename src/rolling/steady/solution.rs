@@ -29,12 +29,16 @@ pub struct RollingSolution {
     /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement, if it needs a warning.
     neglected_lift: Option<usize>,
     boundary: Boundary,
+    /// From where a particle is after a step to the middle of its path.
+    halfway: [f64; 2],
     report: Report,
 }
 
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
 
-try_clone!(RollingSolution { traction, slip, zones } { creepage, spin, neglected_lift, boundary, report });
+try_clone!(RollingSolution { traction, slip, zones } {
+    creepage, spin, neglected_lift, boundary, halfway, report,
+});
 
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -49,6 +53,7 @@ struct Unchecked {
     neglected_lift: Option<usize>,
     #[serde(default)]
     boundary: Boundary,
+    halfway: [f64; 2],
     report: Report,
 }
 
@@ -63,6 +68,7 @@ impl<'de> serde::Deserialize<'de> for RollingSolution {
             }
             length("zones", grid.cells(), read.zones.len())?;
             all_finite("creepage", &read.creepage)?;
+            all_finite("half of a path", &read.halfway)?;
             finite("spin", read.spin).map(|_| ())
         })
     }
@@ -78,6 +84,7 @@ impl RollingSolution {
             spin: 0.0,
             neglected_lift: None,
             boundary: Boundary::default(),
+            halfway: [0.0; 2],
             report: Report::with_room(),
         })
     }
@@ -94,6 +101,7 @@ impl RollingSolution {
         }
         self.zones.fill(Zone::Separated);
         self.boundary = problem.bodies.boundary();
+        self.halfway = problem.halfway();
         let pressed = &problem.pressed;
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
@@ -177,8 +185,8 @@ impl RollingSolution {
         self.traction.each_ref().map(Field::integral)
     }
 
-    /// Moment about z, at the origin of the grid, of the tractions on body 1 (a force times a length, positive from x to
-    /// y).
+    /// Moment about z, at the origin of the grid, of the tractions on body 1 at the centres of their cells (a force times a
+    /// length, positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         let grid = self.grid();
@@ -191,14 +199,24 @@ impl RollingSolution {
         reduce::sum(&grid.layout(), part) * grid.cell_area()
     }
 
-    /// Work that creepages and spin do for each length rolled, $`\xi F_x + \eta F_y + \varphi M`$ (a force). Between
-    /// bodies of the same material all of it is dissipated, at the trailing edge too: of the
-    /// [dissipation](Self::dissipation) it is the more accurate sum. Between others the pressure does work as well, which
-    /// is not in it: they dissipate without any creepage force.
+    /// Returns the work of creepages and spin for each length rolled (a force),
+    ///
+    /// ```math
+    /// \xi F_x + \eta F_y + \varphi \, (M + h_x F_y - h_y F_x) ,
+    /// ```
+    ///
+    /// with the [moment](Self::moment) M and half a path h of a step, towards the leading edge. The spin moves a
+    /// particle as it moves the middle of the path. The part of h falls with the step.
+    ///
+    /// Between bodies of the same material all of the work is dissipated, at the trailing edge too. The work is more
+    /// accurate than the integral of the [dissipation](Self::dissipation), which is never greater. Between other bodies
+    /// the pressure does work as well, which is not included: they dissipate without any creepage force.
     #[must_use]
     pub fn work(&self) -> f64 {
-        let (force, [xi, eta]) = (self.force(), self.creepage);
-        xi * force[0] + eta * force[1] + self.spin * self.moment()
+        let ([x, y], [xi, eta]) = (self.force(), self.creepage);
+        let [ahead_x, ahead_y] = self.halfway;
+        let about_middles = self.moment() + ahead_x * y - ahead_y * x;
+        xi * x + eta * y + self.spin * about_middles
     }
 
     /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows. It

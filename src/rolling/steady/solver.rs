@@ -32,6 +32,8 @@ use crate::warning::Warning;
 const SPINS: usize = 60;
 /// Their tolerance over that of the moment.
 const SHARPER: f64 = 0.1;
+/// The least of such tolerances, where solves to the first leave too large an error in the moment.
+const SHARPEST: f64 = 2e-4;
 
 /// Solves for one creepage, force or spin after the other, each from the answer of the last. The normal load may change
 /// between solves.
@@ -257,7 +259,8 @@ impl RollingSolver {
     }
 
     /// Solves into `solution`, whose last content does not matter. The spin of a moment is found by several solves, each
-    /// to a tenth of the tolerance; their report adds up the work, and the limits hold for all of them together.
+    /// to a tenth of the tolerance or less; their report adds up the work, and the limits hold for all of them together.
+    /// The load error of a moment is relative to half the range of the moments that spins cause.
     ///
     /// # Errors
     /// [`Error::GridMismatch`], nothing changed; [`Error::NotConverged`] with the last feasible iterate in `solution`, also
@@ -332,6 +335,7 @@ impl RollingSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let totals = self.prescribe();
+        self.start_sliding();
         let problem = &self.problem;
         let linear = self.linear.each_ref().map(Vec::as_slice);
         let task = Problem::new(Arc::clone(&self.operator), linear, Magnitude(&self.limits))
@@ -400,12 +404,14 @@ impl RollingSolver {
         conditions: &mut Conditions<'_, '_>,
     ) -> Result<()> {
         let tolerance = conditions.settings.tolerance;
-        let capacity = self.problem.moment_capacity([None; 2], 1.0);
-        let mut search = SpinSearch::new(self.stride());
+        let ends = self.problem.moment_ends(self.problem.controls)?;
+        let (half_range, stride) = (0.5 * (ends[1] - ends[0]).abs(), self.stride());
+        let start = || SpinSearch::new(stride, ends.map(|end| moment - end));
+        let (mut search, mut sharper) = (start(), SHARPER);
         self.report.clear();
         for _ in 0..SPINS {
             let mut settings = conditions.left(&self.report);
-            settings.tolerance = SHARPER * tolerance;
+            settings.tolerance = sharper * tolerance;
             let mut watch = with_counts_of(&self.report, &mut *conditions.observer);
             let outcome = self.solve_at_spin(&settings, solution, &mut watch);
             drop(watch);
@@ -415,28 +421,38 @@ impl RollingSolver {
             self.report.add_pass(&self.passes);
             self.report.time = conditions.start.elapsed();
             let missing = moment - solution.moment();
-            let error = (missing / capacity).abs();
+            let error = (missing / half_range).abs();
             self.report.load_error = self.report.load_error.max(error);
             // Near round-off a sharper solve stalls although it is sharp enough.
             let pass = &self.passes;
-            let is_cancelled = pass.status == Status::Cancelled;
-            let is_sound = outcome.is_ok() || !is_cancelled && pass.is_within(tolerance);
-            if is_sound {
-                self.report.status = if error <= tolerance {
-                    Status::Converged
-                } else if self.report.iterations < conditions.settings.max_iterations {
-                    Status::Stalled
-                } else {
-                    Status::IterationLimit
-                };
-            }
+            let is_stopped = !matches!(pass.status, Status::Converged | Status::Stalled);
+            let is_sound = outcome.is_ok() || !is_stopped && pass.is_within(tolerance);
+            let is_exhausted = self.report.iterations >= conditions.settings.max_iterations;
+            self.report.status = if is_sound && error <= tolerance {
+                Status::Converged
+            } else if is_stopped {
+                pass.status
+            } else if is_exhausted {
+                Status::IterationLimit
+            } else {
+                Status::Stalled
+            };
             solution.set_report(&self.report);
-            match self.report.status {
-                Status::Converged => return Ok(()),
-                Status::Stalled if is_sound => {}
-                _ => break,
+            if self.report.is_converged() {
+                return Ok(());
             }
-            self.spin = search.next(self.spin, missing);
+            if is_stopped || is_exhausted {
+                break;
+            }
+            if let Some(spin) = search.next(self.spin, missing) {
+                self.spin = spin;
+            } else if sharper > SHARPEST {
+                // The moments of the last spins differ by what the tolerance leaves.
+                sharper *= SHARPER;
+                search = start();
+            } else {
+                break;
+            }
         }
         Err(Error::NotConverged(Box::new(self.report.clone())))
     }
@@ -450,12 +466,16 @@ impl RollingSolver {
             .indices()
             .map(|i| problem.motions(i)[2]);
         let farthest = motions.fold(0.0, |most: f64, [x, y]| most.max(x.hypot(y)));
+        self.largest_slip() / farthest
+    }
+
+    /// Returns about how far tractions at their limits displace a cell on its way through the contact.
+    pub(in crate::rolling) fn largest_slip(&self) -> f64 {
         let limit = self
             .limits
             .iter()
             .fold(0.0, |most: f64, limit| most.max(*limit));
-        let slip = self.operator.self_compliance() * self.unit * limit;
-        problem.chain as f64 * slip / farthest
+        self.problem.chain as f64 * self.operator.self_compliance() * self.unit * limit
     }
 
     /// Writes what each cell is to follow, and returns what is prescribed of the sums.

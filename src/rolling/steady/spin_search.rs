@@ -1,53 +1,99 @@
 //! The search for the spin of a moment.
 
-/// Growth of the steps while the spin is bounded from one side alone.
-const GROWTH: f64 = 4.0;
+/// A position of the search, and the moment that its spin lacks.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    at: f64,
+    missing: f64,
+}
 
-/// Secants through the last two spins, within the spins between which the moment is crossed.
+/// Inverse quadratic interpolation between bounds, or bisection where it is not safe (T. R. Chandrupatla, Advances in
+/// Engineering Software 28 (1997) 145, <https://doi.org/10.1016/S0965-9978(96)00051-8>).
+///
+/// The moment need not rise with the spin. It is known for spins without limit: the search begins with one end of all
+/// spins, and the moment always crosses its target between two points. The positions are $`v = \varphi/(s + |\varphi|)`$, from
+/// minus one to one, with a spin s at which the contact slides in large part.
 #[derive(Debug)]
 pub(in crate::rolling) struct SpinSearch {
-    /// The longest step while there is no bound ahead.
-    stride: f64,
-    /// The last spin, and the moment that it lacked.
-    last: Option<[f64; 2]>,
-    low: f64,
-    high: f64,
+    scale: f64,
+    /// The deficits of the moments at the two ends.
+    ends: [f64; 2],
+    latest: Option<Point>,
+    /// The last point on the other side of the moment.
+    opposite: Point,
+    before: Option<Point>,
 }
 
 impl SpinSearch {
-    pub(in crate::rolling) fn new(stride: f64) -> Self {
+    /// A search of which the spins at the ends lack so much of the moment, with different signs.
+    pub(in crate::rolling) fn new(scale: f64, ends: [f64; 2]) -> Self {
+        let [low, _] = ends;
         Self {
-            stride,
-            last: None,
-            low: f64::NEG_INFINITY,
-            high: f64::INFINITY,
+            scale,
+            ends,
+            latest: None,
+            opposite: Point {
+                at: -1.0,
+                missing: low,
+            },
+            before: None,
         }
     }
 
-    /// The spin to try after one that lacks so much of the moment.
-    pub(in crate::rolling) fn next(&mut self, spin: f64, missing: f64) -> f64 {
-        let first = self.stride.copysign(missing);
-        let step = self.last.map_or(first, |[before, lacked]| {
-            missing * (spin - before) / (lacked - missing)
-        });
-        self.last = Some([spin, missing]);
-        if missing > 0.0 {
-            self.low = self.low.max(spin);
-        } else {
-            self.high = self.high.min(spin);
-        }
-        let next = spin + step;
-        let is_between = self.low < next && next < self.high;
-        if (self.high - self.low).is_finite() {
-            let middle = self.low + 0.5 * (self.high - self.low);
-            return if is_between { next } else { middle };
-        }
-        let next = if is_between && step.abs() < self.stride {
-            next
-        } else {
-            spin + first
+    /// Returns the spin to try after one that lacks so much of the moment; `None` if spins between the bounds differ by
+    /// round-off alone.
+    pub(in crate::rolling) fn next(&mut self, spin: f64, missing: f64) -> Option<f64> {
+        let point = Point {
+            at: spin / (self.scale + spin.abs()),
+            missing,
         };
-        self.stride *= GROWTH;
-        next
+        let is_like = |other: f64| (other > 0.0) == (missing > 0.0);
+        match self.latest {
+            None => {
+                let [low, high] = self.ends;
+                self.opposite = if is_like(low) {
+                    Point {
+                        at: 1.0,
+                        missing: high,
+                    }
+                } else {
+                    Point {
+                        at: -1.0,
+                        missing: low,
+                    }
+                };
+            }
+            Some(latest) if is_like(latest.missing) => self.before = Some(latest),
+            Some(latest) => {
+                self.before = Some(self.opposite);
+                self.opposite = latest;
+            }
+        }
+        self.latest = Some(point);
+        let at = point.at + self.part(point) * (self.opposite.at - point.at);
+        let next = self.scale * at / (1.0 - at.abs());
+        let [low, high] = [
+            point.at.min(self.opposite.at),
+            point.at.max(self.opposite.at),
+        ];
+        (low < at && at < high && next.is_finite()).then_some(next)
+    }
+
+    /// Returns the part of the way to the opposite bound.
+    fn part(&self, latest: Point) -> f64 {
+        let [a, b] = [latest.at, self.opposite.at];
+        let [fa, fb] = [latest.missing, self.opposite.missing];
+        match self.before {
+            None => fa / (fa - fb),
+            Some(Point { at: c, missing: fc }) => {
+                let (place, value) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
+                if value * value < place && (1.0 - value).powi(2) < 1.0 - place {
+                    fa / (fb - fa) * fc / (fb - fc)
+                        + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+                } else {
+                    0.5
+                }
+            }
+        }
     }
 }

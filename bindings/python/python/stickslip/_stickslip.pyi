@@ -4842,8 +4842,9 @@ class RollingSolution:
     @property
     def work(self, /) -> float:
         """
-        Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
-        dissipated; between others the pressure does work as well, which is not in it.
+        Work of creepages and spin for each length rolled (a force). The spin moves particles as the middles of their
+        paths, so that its moment is taken there. Between bodies of the same material all of the work is dissipated.
+        Between others the pressure does work as well, which is not included.
         """
     @property
     def zones(self, /) -> NDArray[uint8]:

@@ -302,12 +302,15 @@ class BeyondFrictionCapacity(StickslipError, ValueError):
 
 
 class BeyondFrictionMoment(StickslipError, ValueError):
-    """The moment about the normal exceeds what friction can carry, beside the forces prescribed: no equilibrium exists."""
+    """The moment about the normal is not between the moments that large spins of both signs cause, next to the
+    prescribed creepages and forces."""
 
     moment: float
     """The moment requested, positive in the direction of the limit."""
     limit: float
-    """The moment that a contact sliding as a whole has."""
+    """The moment of a contact that slides as a whole, in the same direction."""
+    range: list[float]
+    """The least and the greatest moment of a contact that slides as a whole."""
 
 
 class BeyondHardness(StickslipError, ValueError):

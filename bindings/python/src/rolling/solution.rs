@@ -80,8 +80,9 @@ impl RollingSolution {
         self.0.moment()
     }
 
-    /// Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
-    /// dissipated; between others the pressure does work as well, which is not in it.
+    /// Work of creepages and spin for each length rolled (a force). The spin moves particles as the middles of their
+    /// paths, so that its moment is taken there. Between bodies of the same material all of the work is dissipated.
+    /// Between others the pressure does work as well, which is not included.
     #[getter]
     fn work(&self) -> f64 {
         self.0.work()

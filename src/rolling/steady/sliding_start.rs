@@ -1,0 +1,41 @@
+//! The start of a solve whose forces slide the whole contact.
+
+use crate::rolling::RollingSolver;
+use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
+
+/// Slip of every cell, over the largest that tractions cause, from which the contact slides as a whole.
+const SLIDES: f64 = 3.0;
+
+impl RollingSolver {
+    /// Starts from the tractions of a contact that slides as a whole, if spin and forces need such creepages.
+    ///
+    /// Near the friction limit the force hardly changes with the creepage. From other tractions Newton's method then
+    /// takes creepages that grow without limit.
+    pub(in crate::rolling) fn start_sliding(&mut self) {
+        let problem = &self.problem;
+        let prescribed = Prescribed::of(problem.controls, problem.bodies.grid().cell_area());
+        let turn = SlidingMotion {
+            turn: self.spin,
+            shift: prescribed.creepage,
+        };
+        let motion = problem.shifted(turn, &prescribed);
+        let speed = |[x, y]: [f64; 2]| x.hypot(y);
+        let slowest = problem.slowest_cell(motion);
+        let slowest = slowest.map_or(0.0, |(_, index)| speed(problem.moved(motion, index)));
+        let slides = slowest * problem.length > SLIDES * self.largest_slip();
+        if !slides {
+            return;
+        }
+        for (cell, index) in problem.pressed.window().indices().enumerate() {
+            let moved = problem.moved(motion, index);
+            let size = speed(moved);
+            for (part, moved) in self.traction.iter_mut().zip(moved) {
+                part[cell] = if size > 0.0 {
+                    self.limits[cell] * (moved / size)
+                } else {
+                    0.0
+                };
+            }
+        }
+    }
+}
