@@ -104,6 +104,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
                 .leading_edge(leading_edge(options.leading_edge)?)
                 .touch_rule(touch_rule(options.touch_rule)?)
                 .step(options.step)
+                .slip_corrections(options.slip_corrections)
                 .settings(options.settings.checked()?);
         }
         let own = problem.build()?.into_solver()?;

@@ -109,10 +109,13 @@ pub struct stickslip_rolling_options {
     pub touch_rule: i32,
     /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     pub step: usize,
+    /// Number of corrections of the direction of slip (default 0). Two raise the order of the forces by spin from 1 to
+    /// between 1.5 and 2.
+    pub slip_corrections: usize,
     /// Method, tolerance and limits.
     pub settings: stickslip_settings,
     /// Room for members to come: zero.
-    pub reserved: [u64; 8],
+    pub reserved: [u64; 7],
 }
 
 /// The options that rolling solvers have by default.
@@ -122,8 +125,9 @@ pub extern "C" fn stickslip_rolling_options_default() -> stickslip_rolling_optio
         leading_edge: STICKSLIP_PLUS_X,
         touch_rule: STICKSLIP_GROWTH,
         step: 1,
+        slip_corrections: 0,
         settings: stickslip_settings_default(),
-        reserved: [0; 8],
+        reserved: [0; 7],
     }
 }
 
@@ -166,6 +170,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
                 .leading_edge(leading_edge(options.leading_edge)?)
                 .touch_rule(touch_rule(options.touch_rule)?)
                 .step(options.step)
+                .slip_corrections(options.slip_corrections)
                 .settings(options.settings.checked()?);
         }
         let own = problem.build()?.into_solver()?;

@@ -999,7 +999,7 @@ class CoupledRollingProblem:
         positive when they come together).
     creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
         As of :class:`RollingProblem`.
-    leading_edge, step, touch_rule : optional
+    leading_edge, step, touch_rule, slip_corrections : optional
         As of :class:`RollingProblem`.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
@@ -1024,7 +1024,7 @@ class CoupledRollingProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, normal_force: float | None = None, approach: float | None = None, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledRollingProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, normal_force: float | None = None, approach: float | None = None, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledRollingProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
@@ -4740,6 +4740,8 @@ class RollingProblem:
         Cells that a particle passes in a step. Longer steps cost less and are less accurate.
     touch_rule : TouchRule or str, default "growth"
         How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+    slip_corrections : int, default 0
+        Number of corrections of the direction of slip. Two raise the order of the forces by spin from 1 to between 1.5 and 2.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -4764,7 +4766,7 @@ class RollingProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> RollingProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> RollingProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """

@@ -44,7 +44,7 @@ use crate::work::unobserved_on;
 ///     positive when they come together).
 /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
 ///     As of :class:`RollingProblem`.
-/// leading_edge, step, touch_rule : optional
+/// leading_edge, step, touch_rule, slip_corrections : optional
 ///     As of :class:`RollingProblem`.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; those of ``Settings()`` by default.
@@ -75,7 +75,7 @@ impl CoupledRollingProblem {
     #[new]
     #[pyo3(signature = (bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None,
         creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None,
-        touch_rule=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+        touch_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
@@ -94,6 +94,7 @@ impl CoupledRollingProblem {
         leading_edge: Option<Choice<LeadingEdge>>,
         step: Option<usize>,
         touch_rule: Option<Choice<TouchRule>>,
+        slip_corrections: Option<usize>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
@@ -121,6 +122,7 @@ impl CoupledRollingProblem {
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step)?
             .with(py, "touch_rule", touch_rule)?
+            .with(py, "slip_corrections", slip_corrections)?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
         let built = unobserved_on(py, grid, || {
@@ -139,6 +141,9 @@ impl CoupledRollingProblem {
             }
             if let Some(rule) = touch_rule {
                 builder = builder.touch_rule(rule.0);
+            }
+            if let Some(corrections) = slip_corrections {
+                builder = builder.slip_corrections(corrections);
             }
             builder.build()
         })?;

@@ -49,6 +49,8 @@ use crate::work::unobserved_on;
 ///     Cells that a particle passes in a step. Longer steps cost less and are less accurate.
 /// touch_rule : TouchRule or str, default "growth"
 ///     How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+/// slip_corrections : int, default 0
+///     Number of corrections of the direction of slip. Two raise the order of the forces by spin from 1 to between 1.5 and 2.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; those of ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
@@ -78,7 +80,7 @@ pub(crate) struct RollingProblem(rolling::RollingProblem, stickslip::Grid, Recip
 impl RollingProblem {
     #[new]
     #[pyo3(signature = (bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None,
-        force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, touch_rule=None, settings=None,
+        force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, touch_rule=None, slip_corrections=None, settings=None,
         tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
@@ -96,6 +98,7 @@ impl RollingProblem {
         leading_edge: Option<Choice<LeadingEdge>>,
         step: Option<usize>,
         touch_rule: Option<Choice<TouchRule>>,
+        slip_corrections: Option<usize>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
@@ -116,6 +119,7 @@ impl RollingProblem {
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step)?
             .with(py, "touch_rule", touch_rule)?
+            .with(py, "slip_corrections", slip_corrections)?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
         let normal = normal.get().get();
@@ -134,6 +138,9 @@ impl RollingProblem {
             }
             if let Some(rule) = touch_rule {
                 builder = builder.touch_rule(rule.0);
+            }
+            if let Some(corrections) = slip_corrections {
+                builder = builder.slip_corrections(corrections);
             }
             builder.build()
         })?;
