@@ -21,7 +21,7 @@ const AT_REST: f64 = 1e-9;
 
 /// Width of the range of moments, over the integral of the limits times their distances, that counts as none: round-off
 /// would fill it.
-const NARROW: f64 = 1e-9;
+const NARROW: f64 = 1e-8;
 
 /// Tractions at their limits m along $`v = t + c`$, the motion by a turn t and by a shift c, whose length is rounded to
 /// $`\sqrt{v^2 + \epsilon^2}`$.
