@@ -124,7 +124,8 @@ pub struct Report {
     /// bounds of a coupled contact, of a stiffness.
     pub eigenvalue_bound: EigenvalueBound,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
-    /// is prescribed.
+    /// is prescribed. The [duality gap](Self::duality_gap) is that of the total reached. Near sliding the directions of
+    /// tractions change by the root of this error.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub load_error: f64,
     /// Wall time of the solve.

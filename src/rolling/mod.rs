@@ -103,8 +103,8 @@
 //!
 //! # Slip that turns
 //!
-//! The traction at the end of a step opposes the mean slip of the step. By spin, or by oblique creepage and $`\nu > 0`$, the
-//! slip turns on the way through the contact; the direction of the traction then lags by half a step, and forces converge
+//! The traction at the end of a step opposes the mean slip of the step. Under spin, or oblique creepage and $`\nu > 0`$, the
+//! slip turns within the contact; the direction of the traction then lags by half a step, and forces converge
 //! with first order. [`slip_corrections`](RollingProblemBuilder::slip_corrections) extrapolates the slip to the end of the
 //! step, and the order becomes 1.5 to 2. Sphere, R = 1, G = 1, $`\nu = 0`$, W = 1.2, friction 0.3, free of creepage, $`F_y/\mu W`$ by the cells across the
 //! contact:

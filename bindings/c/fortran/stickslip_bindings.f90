@@ -1256,7 +1256,7 @@ module stickslip_bindings
         integer(c_int32_t) :: touch_rule = 0
         ! Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
         integer(c_size_t) :: step = 1
-        ! Number of corrections of the direction of slip (default 0). Two raise the order of the forces by spin from 1 to
+        ! Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
         ! between 1.5 and 2.
         integer(c_size_t) :: slip_corrections = 0
         ! Method, tolerance and limits.

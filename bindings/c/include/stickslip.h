@@ -1232,7 +1232,7 @@ typedef struct {
     int32_t touch_rule;
     // Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     size_t step;
-    // Number of corrections of the direction of slip (default 0). Two raise the order of the forces by spin from 1 to
+    // Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
     // between 1.5 and 2.
     size_t slip_corrections;
     // Method, tolerance and limits.

@@ -109,7 +109,7 @@ pub struct stickslip_rolling_options {
     pub touch_rule: i32,
     /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     pub step: usize,
-    /// Number of corrections of the direction of slip (default 0). Two raise the order of the forces by spin from 1 to
+    /// Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
     /// between 1.5 and 2.
     pub slip_corrections: usize,
     /// Method, tolerance and limits.

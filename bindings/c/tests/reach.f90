@@ -241,7 +241,7 @@ contains
         unit = steel%youngs_modulus / (2 + 2 * steel%poisson_ratio) * hertz%contact_radius**2
         call check(abs(stiffness%slopes(1, 1) / unit / 4.31d0 - 1) < 0.03d0, 'the coefficient C11 of Kalker')
         ! The row of the lateral force and the column of the spin, and the other way round.
-        call check(stiffness%slopes(3, 2) * stiffness%slopes(2, 3) < 0, 'forces by spin')
+        call check(stiffness%slopes(3, 2) * stiffness%slopes(2, 3) < 0, 'forces under spin')
 
         call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3), &
             spin=stickslip_rolling_control(value=1d-3)))

@@ -187,7 +187,7 @@ impl RollingProblemBuilder<'_> {
 
     /// Sets the number of corrections of the direction of slip (default 0).
     ///
-    /// Where the slip turns on the way through the contact, as by spin or oblique creepage, the forces converge with first
+    /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first
     /// order in the step. Two corrections give an order of 1.5 to 2, as measured on the page of the
     /// [module](crate::rolling#slip-that-turns), at the cost of two more solves from the last tractions.
     pub fn slip_corrections(mut self, corrections: usize) -> Self {

@@ -1,4 +1,4 @@
-//! Corrections of the direction of slip where the slip turns on the way through the contact.
+//! Corrections of the direction of slip, for slip that turns within the contact.
 //!
 //! The slip s of a step is a mean over the step, and the traction at the end of the step opposes it: where the slip turns,
 //! the direction of the traction lags by half a step, and forces converge with first order in the step. The slip at the end

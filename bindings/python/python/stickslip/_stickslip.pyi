@@ -4741,7 +4741,7 @@ class RollingProblem:
     touch_rule : TouchRule or str, default "growth"
         How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
     slip_corrections : int, default 0
-        Number of corrections of the direction of slip. Two raise the order of the forces by spin from 1 to between 1.5 and 2.
+        Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
