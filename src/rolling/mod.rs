@@ -24,7 +24,7 @@
 //! the gap g where the particle was, the pressure p of the cell it enters, and $`\kappa`$ from 1 across the edge of the
 //! contact to $`1/(1 - \nu)`$ along it (of bodies of one material). It is the law of
 //! [growing contacts](crate::guide::growing_contacts). With it the error of the force falls with the square of the size of
-//! the cells, without it ([`TouchRule::WholeStep`](crate::history::TouchRule::WholeStep), as CONTACT) in proportion.
+//! the cells, without it ([`TouchRule::WholeStep`], as CONTACT) in proportion.
 //!
 //! # Loads
 //!
