@@ -63,14 +63,15 @@ impl HalfSpace {
     }
 
     /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are known up to a uniform one.
-    /// On a grid that repeats along y it does not depend on the datum. On others it is the inverse of the compliance.
+    /// It does not depend on the datum of a grid that repeats along y. For user-defined operators it is the inverse of the
+    /// compliance.
     pub(crate) fn inverse_up_to_mean<const N: usize>(
         &self,
         Compliance { operator, inverse }: Compliance<N>,
         directions: [Direction; N],
         size: [usize; 2],
     ) -> Result<ElasticPreconditioner<N>> {
-        if self.boundary().repeats() != [false, true] || self.kernel().user_operators().is_some() {
+        if self.kernel().user_operators().is_some() {
             return Ok(inverse);
         }
         let (least, _) = operator.bound_without_mean();

@@ -74,9 +74,9 @@
 //! |---|---|---|---|---|
 //! | $`F/\mu P`$ with the law | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
 //! | $`F/\mu P`$ without | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
-//! | products, cold | 49 | 70 | 93 | 135 |
+//! | products, cold | 46 | 62 | 83 | 114 |
 //!
-//! After one per cent more of the creepage a solve takes 28, 39, 51 and 72 products. The products are of double precision,
+//! After one per cent more of the creepage a solve takes 27, 37, 49 and 64 products. The products are of double precision,
 //! the preconditioner of single precision: together a cold solve takes the time of 71, 130 and 212 products on 32, 64 and
 //! 128 cells.
 //!

@@ -5,7 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::Random;
 use rayon::prelude::*;
 use stickslip::analytical::HertzLine;
-use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
+use stickslip::history::TouchRule;
+use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
     NormalProblem, NormalSolution, surface,
@@ -53,6 +54,32 @@ fn cylinders_under_a_force_converge_to_the_creepage_of_carter_at_any_datum() {
                 let error = (rolling.creepage()[0] / carter - 1.0).abs();
                 assert!(error < 5e-4, "{cells}, {datum}, {part}: {error}");
             }
+        }
+    }
+}
+
+/// Cells that are much longer than the contact is wide give a row on a free grid the large uniform displacement of a line.
+#[test]
+fn rows_of_long_cells_converge_under_any_force_for_bodies_of_any_materials() {
+    let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();
+    let body = |modulus, ratio| Material::from_shear_modulus(modulus, ratio).unwrap();
+    let (aluminium, steel) = (body(23_000.0, 0.31), body(82_000.0, 0.28));
+    let (gap, load) = (Field::from_fn(grid, |x, _| 0.02 * x * x), 8_000.0);
+    for other in [steel, aluminium] {
+        let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, other).unwrap()).unwrap();
+        let normal = pressed(&bodies, &gap, load);
+        for part in [-0.9, -0.5, 0.3, 0.6, 0.75, 0.9] {
+            let rolling =
+                RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+                    .leading_edge(LeadingEdge::MinusX)
+                    .touch_rule(TouchRule::WholeStep)
+                    .control(Axis::X, RollingControl::Force(part * 0.3 * load))
+                    .build()
+                    .unwrap()
+                    .solve()
+                    .unwrap();
+            let products = rolling.report().products();
+            assert!(products <= 100, "{part}: {products}");
         }
     }
 }

@@ -9,10 +9,10 @@ use crate::rolling::Passage;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 ///
-/// The sum assumes that the displacement vanishes ahead of the window. On a grid that repeats along y this displacement
-/// depends on the datum, which the slip does not. The inverse of C is therefore one for displacements that are known up to
-/// a uniform one. With the mean of C a prescribed force spread over the cells with a sum near zero, and the linear problem
-/// did not converge.
+/// The sum assumes that the displacement vanishes ahead of the window. On a grid that repeats along y, and in rows of long
+/// cells, this displacement is large, and the slip does not depend on it. The inverse of C is therefore one for displacements
+/// that are known up to a uniform one. With the mean of C a prescribed force spread over the cells with a sum near zero, and
+/// the linear problem did not converge.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyInverse {
     inverse: ElasticPreconditioner<2>,
