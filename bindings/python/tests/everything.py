@@ -80,8 +80,10 @@ class Scene:
         responses = ss.subsurface.at_points(bodies, "one", normal, points)
         response = responses[0]
         rolling = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-3)
+        # As stiff as steel, so that the contact leaves room ahead.
+        rollers = ss.HalfSpace(grid, (steel, ss.Material(213e9, 0.45)))
         pressed = {"normal_force": 100.0, "creepage_x": 1e-3}
-        coupled_rolling = ss.rolling.CoupledRollingProblem(self.dissimilar, ball, 0.5, **pressed)
+        coupled_rolling = ss.rolling.CoupledRollingProblem(rollers, ball, 0.5, **pressed)
         presser = ss.NormalSolver(bodies, ball, force=100.0)
         roller = rolling.solver()
         roller.set_normal_solver(presser)
