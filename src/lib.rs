@@ -224,10 +224,13 @@
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
-//! | none (`default-features = false`): transforms, solvers, histories, surfaces, plain files | 17 | 50 s | 33 s |
-//! | `parallel` (default) | 23 | 71 s | 42 s |
-//! | `parallel`, `dense` | 64 | 169 s | 120 s |
-//! | all but `mpi` | 72 | 182 s | 127 s |
+//! | none (`default-features = false`): transforms, normal and tangential problems, all bodies, ranks | 17 | 59 s | 30 s |
+//! | `parallel` | 23 | 65 s | 35 s |
+//! | `parallel`, `full` (default) | 23 | 110 s | 48 s |
+//! | `parallel`, `full`, `dense` | 64 | 211 s | 128 s |
+//! | all but `mpi` | 72 | 222 s | 137 s |
+//!
+//! The library alone takes 48 s with `parallel` and 91 s with the defaults.
 //!
 //! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep
 //! their bits. In human-readable formats such as JSON, non-finite numbers are words: `"NaN"` (a missing height),
