@@ -172,7 +172,7 @@ fn forces(solver: &mut RollingSolver, wheels: &[Wheel]) -> stickslip::Result<Run
     Ok(run)
 }
 
-/// Kalker's simplified theory: each cell a spring of its own, swept strip by strip from the leading edge. J. J. Kalker,
+/// Kalker's simplified theory: each cell is a spring. Strips of cells are swept from the leading edge. J. J. Kalker,
 /// Vehicle System Dynamics 11 (1982) 1, <https://doi.org/10.1080/00423118208968684>.
 struct Fastsim {
     cells: usize,

@@ -38,7 +38,7 @@ pub(crate) struct CoupledIncrement {
     pub(super) linear: [Vec<f64>; N],
     /// $`\kappa g`$ of the cells that would enter the contact in this step, if they are to lag.
     pub(super) closing: Vec<f64>,
-    /// What it is beyond the mean of all directions, where the bodies roll; of no cells elsewhere.
+    /// Deviation of $`\kappa g`$ from its mean over the directions, if the bodies roll; otherwise empty.
     pub(super) closing_deviator: Vec<[f64; 2]>,
     pub(super) enters: bool,
     motion: Motion,

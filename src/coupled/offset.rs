@@ -24,8 +24,8 @@ impl CoupledIncrement {
         Ok(())
     }
 
-    /// Lets the cells that would enter the contact by rolling lag behind their motion, by $`\kappa g`$ of each cell of the
-    /// grid; none without it.
+    /// Lets cells that would enter the contact by rolling lag behind their motion, by $`\kappa g`$ of each cell of the grid.
+    /// `None` switches the lag off.
     pub(crate) fn roll_in(
         &mut self,
         closing: Option<impl Fn(usize) -> OwnCompliance>,

@@ -49,7 +49,7 @@ impl Format {
     }
 }
 
-/// An error in what a file says, with its name.
+/// Returns an error in the content of a file with the name of the file.
 pub(crate) fn in_file(path: &Path, mut error: Error) -> Error {
     if let Error::Format { file, .. } = &mut error {
         *file = Some(path.display().to_string());

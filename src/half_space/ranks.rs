@@ -182,8 +182,8 @@ impl HalfSpace {
     }
 }
 
-/// All ranks call these alike, each with its slab, and all get the same number, with the bits of one process. Without
-/// ranks they are [`Field::max`] and the like.
+/// Collective reductions of a field: each rank passes its slab, and all receive the same number, bitwise identical to that
+/// of one process. Without ranks they equal [`Field::max`], [`Field::min`], [`Field::integral`] and [`Field::mean`].
 impl HalfSpace {
     /// Largest sample of a field of the whole grid, in its units; NaN samples are ignored. See [`Field::max`].
     ///

@@ -232,12 +232,12 @@ impl<'a> FrictionWithin<'a> {
         self.window.map_or(cell, |window| window.index(cell))
     }
 
-    /// The limit of a cell under a pressure.
+    /// Returns the limit of a cell under a pressure.
     pub(crate) fn limit(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.limit(self.place(cell), pressure)
     }
 
-    /// The derivative of the limit by the pressure.
+    /// Returns the derivative of the limit with respect to the pressure.
     pub(crate) fn slope(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.slope(self.place(cell), pressure)
     }

@@ -183,7 +183,7 @@ fn of_bodies_that_roll() {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
-/// A time loop of a vehicle: load, creepages, spin and friction change, and the window of the largest load serves all.
+/// Load, creepages, spin and friction change as in the time loop of a vehicle, in the window of the largest load.
 #[test]
 fn of_bodies_that_roll_under_changing_loads() {
     let grid = Grid::square(24, 3.0).unwrap();

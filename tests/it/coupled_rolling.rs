@@ -294,7 +294,7 @@ fn coupled_stiffness_is_the_slope_of_solves() {
                 change = change.max((one_way[row][column] - slope).abs());
             }
         }
-        // The pressure at rest would give other derivatives.
+        // A constant pressure would give different derivatives.
         assert!(change > 3e-3 * most, "{change}");
     }
 }

@@ -80,6 +80,13 @@ fn rows_of_long_cells_converge_under_any_force_for_bodies_of_any_materials() {
                     .unwrap();
             let products = rolling.report().products();
             assert!(products <= 100, "{part}: {products}");
+            if !bodies.pair().is_coupled() {
+                let hertz = HertzLine::new(bodies.pair(), 25.0, load / 1000.0).unwrap();
+                let slid = 1.0 - f64::sqrt(1.0 - f64::abs(part));
+                let carter = (0.3 * hertz.half_width() / 25.0 * slid).copysign(part);
+                let error = (rolling.creepage()[0] / carter - 1.0).abs();
+                assert!(error < 0.01, "{part}: {error}");
+            }
         }
     }
 }

@@ -2,9 +2,14 @@
 
 use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, Result, Zone,
-    analytical, surface,
+    ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, Result,
+    Status, Zone, analytical, surface,
 };
+
+fn pair(poisson: f64) -> Result<ElasticPair> {
+    let body = Material::from_shear_modulus(1.0, poisson)?;
+    ElasticPair::new(body, body)
+}
 
 /// Sphere of radius 1 under the force 1.2, G = 1, with friction 0.3, and this many cells across the contact.
 fn rolled(
@@ -14,8 +19,7 @@ fn rolled(
     spin: f64,
     corrections: usize,
 ) -> Result<RollingSolution> {
-    let (force, body) = (1.2, Material::from_shear_modulus(1.0, poisson)?);
-    let pair = ElasticPair::new(body, body)?;
+    let (force, pair) = (1.2, pair(poisson)?);
     let radius = analytical::HertzSphere::new(&pair, 1.0, force)?.contact_radius();
     let side = 4 * cells / 3;
     let grid = Grid::square(side, 2.0 * radius * side as f64 / cells as f64)?;
@@ -84,5 +88,33 @@ fn corrections_change_nothing_where_slip_does_not_turn() -> Result<()> {
         [0, 2].map(|corrections| Ok(rolled(24, 0.0, [0.1, 0.0], 0.0, corrections)?.force()));
     let [plain, corrected]: [Result<[f64; 2]>; 2] = forces;
     assert!((plain?[0] - corrected?[0]).abs() < 1e-9);
+    Ok(())
+}
+
+#[test]
+fn report_counts_all_passes_and_limits_hold_for_them_together() -> Result<()> {
+    let plain = rolled(24, 0.0, [0.0; 2], 0.3, 0)?;
+    let corrected = rolled(24, 0.0, [0.0; 2], 0.3, 2)?;
+    let (first, all) = (plain.report().iterations, corrected.report().iterations);
+    assert!(all > first, "{all} {first}");
+    let grid = corrected.grid();
+    let bodies = HalfSpace::new(grid, pair(0.0)?)?;
+    let ball = surface::sphere(grid, 1.0)?;
+    let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.2))
+        .build()?
+        .solve()?;
+    let mut solver = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?)
+        .spin(0.3)
+        .slip_corrections(2)
+        .max_iterations(first)
+        .build()?
+        .into_solver()?;
+    let mut solution = solver.new_solution();
+    let Err(Error::NotConverged(report)) = solver.solve_into(&mut solution) else {
+        panic!("the first pass uses all iterations");
+    };
+    assert_eq!(report.status, Status::IterationLimit);
+    assert_eq!(solution.report().status, Status::IterationLimit);
+    assert_eq!(report.iterations, solution.report().iterations);
     Ok(())
 }

@@ -203,7 +203,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
             solver.set_normal_solver(problem(&other, 1.0).into_solver().unwrap()),
             Err(Error::GridMismatch { .. })
         ),
-        // A load that friction holds no drag under, none at all, and one whose contact leaves no room ahead.
+        // A load too small for the drag, no load, and a load whose contact leaves no room ahead.
         matches!(
             solver.set_load(NormalControl::Force(0.5)),
             Err(Error::BeyondFrictionCapacity { .. })

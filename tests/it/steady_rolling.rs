@@ -531,7 +531,7 @@ fn bad_rolling_is_refused() {
     assert!(matches!(refused, Err(Error::NotModelled { .. })));
 }
 
-/// Creepages, spin and any step, with and without the law of entering cells: what slip dissipates is less than the work.
+/// The dissipation is less than the work for any creepages, spin and step, with and without the law of entering cells.
 #[test]
 fn dissipation_never_exceeds_work() {
     let mut random = kit::Random(3);

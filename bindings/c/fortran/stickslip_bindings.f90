@@ -2672,7 +2672,7 @@ module stickslip_bindings
         end function stickslip_rolling_solver_set_normal_solver
 
         ! Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
-        ! stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+        ! stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
         function stickslip_rolling_solver_set_normal_load(solver, load) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver

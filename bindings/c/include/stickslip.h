@@ -2102,7 +2102,7 @@ stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_so
                                                             const stickslip_normal_solver *normal);
 
 // Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
-// stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+// stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
 stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solver *solver,
                                                           const stickslip_normal_load *load);
 

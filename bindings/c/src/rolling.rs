@@ -254,7 +254,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
 }
 
 /// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
-/// stickslip_rolling_solver_set_normal_solver. After a failure the solver is as it was.
+/// stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     solver: *mut stickslip_rolling_solver,

@@ -97,7 +97,7 @@ impl History {
     }
 }
 
-/// Poses a step in which other particles come to the cells, and body 2 has turned by `twist` at its end.
+/// Poses a step that moves other particles into the cells. Body 2 has turned by `twist` at its end.
 fn roll(
     joint: &mut CoupledIncrement,
     state: &State,
@@ -111,7 +111,7 @@ fn roll(
     let Some(gap) = state.closing(bodies, control, true) else {
         return joint.enter(None::<fn(usize) -> f64>);
     };
-    // The compliance under a unit pressure: the pressure of the cell is not known yet.
+    // The compliance under a unit pressure, since the solve has yet to find the pressure of the cell.
     joint.roll_in(Some(|i: usize| {
         let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
         travel.before(i).map_or(OwnCompliance::NONE, entered)

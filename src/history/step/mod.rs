@@ -100,7 +100,7 @@ pub struct History {
     /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
-    /// What the tractions of a rolled step lift where the pressure ignores the lift; none before the first such step.
+    /// Lift by the tractions of rolled steps with one-way coupling; `None` before the first such step.
     pub(super) lifting: Option<NeglectedLift>,
     /// Where the fields of the step are not all zero, if anywhere.
     written: Option<Window>,

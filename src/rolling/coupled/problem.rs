@@ -102,7 +102,7 @@ impl CoupledRollingProblem {
         }
     }
 
-    /// Solves once, with buffers of its own.
+    /// Solves once, with its own buffers.
     ///
     /// # Errors
     /// - [`Error::NotConverged`] with the report. [`CoupledRollingSolver::solve_into`] keeps the last iterate.

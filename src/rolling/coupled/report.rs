@@ -23,7 +23,7 @@ pub struct CoupledRollingReport {
     /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
     pub passes: usize,
     /// Residual of the coupling: half the range of the lift within the contact that the last pass has added, over the
-    /// largest normal displacement. Under a prescribed approach the largest such lift replaces half the range.
+    /// largest normal displacement. If the approach is prescribed, the largest such lift replaces half the range.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub coupling_residual: f64,
     /// Change of the pressure in the last pass, over the pressure (root mean squares). Zero after one pass that is exact.

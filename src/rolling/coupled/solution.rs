@@ -74,7 +74,7 @@ impl CoupledRollingSolution {
         &self.report
     }
 
-    /// Returns the remarks on the normal half that a result may mislead; see [`Warning`].
+    /// Returns the warnings about the normal half; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         or_abort(self.try_warnings())

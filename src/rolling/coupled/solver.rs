@@ -60,7 +60,7 @@ const TYPICAL: f64 = 0.7;
 pub struct CoupledRollingSolver {
     pub(super) problem: CoupledRollingProblem,
     pub(super) normal: NormalSolver,
-    /// The solver of the last pass; none before the first.
+    /// Solver of the last pass; `None` before the first.
     pub(super) rolling: Option<RollingSolver>,
     /// Operator of the lift on the whole grid; `None` of bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,

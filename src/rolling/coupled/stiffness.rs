@@ -97,7 +97,8 @@ impl CoupledRollingSolver {
                 let is_force = matches!(self.problem.normal, NormalControl::Force(_));
                 rolling.coupled_stiffness(lifting, (normal, friction, is_force), &mut observer)
             }
-            _ => rolling.stiffness_observed(&mut observer),
+            (Some(_), None) => Err(unsolved()),
+            (None, _) => rolling.stiffness_observed(&mut observer),
         };
         self.rolling = Some(rolling);
         found

@@ -190,6 +190,7 @@ impl RollingProblemBuilder<'_> {
     /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first
     /// order in the step. Two corrections give an order of 1.5 to 2, as measured on the page of the
     /// [module](crate::rolling#slip-that-turns), at the cost of two more solves from the last tractions.
+    /// The slip of the solution remains the mean over the step, which corrected tractions do not oppose exactly.
     pub fn slip_corrections(mut self, corrections: usize) -> Self {
         self.slip_corrections = corrections;
         self

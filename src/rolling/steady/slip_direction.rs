@@ -1,8 +1,8 @@
 //! Corrections of the direction of slip, for slip that turns within the contact.
 //!
-//! The slip s of a step is a mean over the step, and the traction at the end of the step opposes it: where the slip turns,
-//! the direction of the traction lags by half a step, and forces converge with first order in the step. The slip at the end
-//! of the step is
+//! The slip s of a step is a mean over the step, and the traction at the end of the step opposes it. If the slip turns, the
+//! direction of the traction lags by half a step. Forces then converge with first order in the step. The slip at the end of
+//! the step is
 //!
 //! ```math
 //! s_\text{end} = s + \tfrac12 (s - s') + O(d^2) ,
@@ -13,9 +13,8 @@
 //! each solve, so that each is monotone and has its certificate.
 
 use crate::cgm::Settings;
-use crate::contact::{Conditions, with_counts_of};
-use crate::error::Result;
-use crate::memory::fallible;
+use crate::contact::{Conditions, has_iterate, with_counts_of};
+use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{at, slices};
 use crate::observer::Observer;
 use crate::rolling::{RollingSolution, RollingSolver};
@@ -30,8 +29,10 @@ impl RollingSolver {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
+        for part in &mut self.lag {
+            part.fill(0.0);
+        }
         let corrections = self.problem.slip_corrections;
-        self.lag.iter_mut().for_each(Vec::clear);
         if corrections == 0 {
             let outcome = self.solve_pass(settings, solution, observer);
             self.passes.clone_from(self.workspace.report());
@@ -41,40 +42,55 @@ impl RollingSolver {
         self.passes.clear();
         for pass in 0..=corrections {
             if pass > 0 {
-                conditions.check_iterations_left(&mut self.passes)?;
-                self.correct_direction()?;
+                let left = conditions.check_iterations_left(&mut self.passes);
+                solution.set_report(&self.passes);
+                left?;
+                self.correct_direction();
             }
             let settings = conditions.left(&self.passes);
             let mut watch = with_counts_of(&self.passes, &mut *conditions.observer);
             let outcome = self.solve_pass(&settings, solution, &mut watch);
             drop(watch);
+            if !has_iterate(&outcome) {
+                return outcome;
+            }
             self.passes.add_pass(self.workspace.report());
             self.passes.time = conditions.start.elapsed();
             solution.set_report(&self.passes);
-            outcome?;
+            if outcome.is_err() {
+                return Err(Error::NotConverged(Box::new(self.passes.clone())));
+            }
         }
         Ok(())
     }
 
     /// Takes half the change of the slip since the step before, in cells that slip in both steps.
-    fn correct_direction(&mut self) -> Result<()> {
+    fn correct_direction(&mut self) {
         let (cells, step) = (self.limits.len(), self.problem.step);
-        let mut lag = fallible::vector(cells)?;
-        let slips = |cell: usize| {
-            let [x, y] = at(&slices(&self.traction), cell);
+        let slips = |traction: &[Vec<f64>; 2], cell: usize| {
+            let [x, y] = at(&slices(traction), cell);
             self.limits[cell] > 0.0 && is_at_limit(x.hypot(y), self.limits[cell])
         };
-        for cell in (0..cells).filter(|cell| slips(*cell)) {
-            let Some(before) = step.before(cell).filter(|before| slips(*before)) else {
-                continue;
+        for place in 0..cells {
+            // The order starts at the trailing edge, so that the cell before still has its last correction.
+            let cell = if step.edge.is_positive() {
+                place
+            } else {
+                cells - 1 - place
             };
-            let (now, before) = (self.slip_of_step(cell), self.slip_of_step(before));
-            for axis in 0..2 {
-                lag[axis][cell] = 0.5 * (now[axis] - before[axis]);
+            let before = step.before(cell);
+            let before = before.filter(|before| slips(&self.traction, *before));
+            let lag = match before {
+                Some(before) if slips(&self.traction, cell) => {
+                    let (now, before) = (self.slip_of_step(cell), self.slip_of_step(before));
+                    [0, 1].map(|axis| 0.5 * (now[axis] - before[axis]))
+                }
+                _ => [0.0; 2],
+            };
+            for (part, lag) in self.lag.iter_mut().zip(lag) {
+                part[cell] = lag;
             }
         }
-        self.lag = lag;
-        Ok(())
     }
 
     /// Returns the slip of a cell over a step in the last solution.

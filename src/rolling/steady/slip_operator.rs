@@ -45,7 +45,7 @@ impl SteadyOperator {
     }
 }
 
-/// Returns the least eigenvalue of the symmetric part of `1 - T` on so many cells one behind the other.
+/// Returns the least eigenvalue of the symmetric part of `1 - T` on the given number of consecutive cells.
 fn least(chain: usize) -> f64 {
     let angle = std::f64::consts::PI / (chain as f64 + 1.0);
     // 1 - cos, without cancellation.

@@ -10,7 +10,7 @@ use crate::cgm::{
 };
 use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
-use crate::memory::fallible::{TryClone, filled, or_abort, try_each, zeros};
+use crate::memory::fallible::{TryClone, filled, or_abort, try_each, vector, zeros};
 use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
@@ -60,7 +60,7 @@ const SHARPEST: f64 = 2e-4;
 #[derive(Clone)]
 pub struct RollingSolver {
     pub(in crate::rolling) problem: RollingProblem,
-    /// Pressure and limits under examination, not yet in force.
+    /// Pressure and limits that are checked before the problem takes them.
     pub(in crate::rolling) candidate: Pressed,
     /// How the pressure of bodies of different materials displaces them, once it has changed.
     pub(in crate::rolling) drawing: Option<Drawing>,
@@ -94,7 +94,7 @@ pub struct RollingSolver {
     /// Whether the pressure has changed since that answer.
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<Follow>,
-    /// What the tractions lift, of bodies of different materials whose pressure ignores the lift, and the lift.
+    /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
     pub(in crate::rolling) lifting: Option<NeglectedLift>,
 }
 
@@ -127,7 +127,11 @@ impl RollingSolver {
             spin: 0.0,
             report: Report::with_room(),
             passes: Report::with_room(),
-            lag: [const { Vec::new() }; 2],
+            lag: vector(if problem.slip_corrections == 0 {
+                0
+            } else {
+                cells
+            })?,
             is_warm: false,
             has_new_pressure: false,
             trend: Trend::new(cells)?,
@@ -214,8 +218,7 @@ impl RollingSolver {
         self.take_candidate(|problem| problem.friction.try_clone_from(friction))
     }
 
-    /// Puts pressure and limits under examination in force, if the present loads can be prescribed with them and `work`
-    /// succeeds.
+    /// Takes the candidate pressure and limits, if they allow the present loads and `work` succeeds.
     pub(in crate::rolling) fn take_candidate(
         &mut self,
         work: impl FnOnce(&mut RollingProblem) -> Result<()>,
@@ -447,7 +450,7 @@ impl RollingSolver {
             if let Some(spin) = search.next(self.spin, missing) {
                 self.spin = spin;
             } else if sharper > SHARPEST {
-                // The moments of the last spins differ by what the tolerance leaves.
+                // The moments of the last spins differ by less than the error of the solves.
                 sharper *= SHARPER;
                 search = start();
             } else {

@@ -41,8 +41,8 @@ impl RollingSolver {
     /// length. Cells that stick follow, cells that slip turn with their slip and stay at their limits, whichever of motion
     /// and load is prescribed. Before the first solve all cells stick: these are Kalker's coefficients, times
     /// $`G a b`$ and lengths. The matrix is not symmetric; where the whole contact slides along one direction, a part of
-    /// it is zero. On 64 cells across a sphere the three columns take 120 to 150 products in double precision, about 2.5
-    /// times as many as a solve after one per cent more of the creepage.
+    /// it is zero. On 64 cells across a sphere the three columns take 90 to 140 products in double precision, two to
+    /// three times as many as a solve after one per cent more of the creepage.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};

@@ -4918,7 +4918,7 @@ class RollingSolver:
         NotModelled
             Without a normal solver.
         Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-            The solver is then as it was.
+            The solver is then unchanged.
         """
     def set_normal_solver(self, /, solver: NormalSolver) -> None:
         """
@@ -4932,7 +4932,7 @@ class RollingSolver:
         ------
         NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
         GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
-            The pressure is then as it was.
+            The pressure is then unchanged.
         """
     @property
     def settings(self, /) -> Settings:

@@ -98,7 +98,7 @@ impl RollingSolver {
     /// ------
     /// NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
     /// GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     The pressure is then as it was.
+    ///     The pressure is then unchanged.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
         let pressure = pressure.given(py, self.0.grid())?;
         self.0
@@ -124,7 +124,7 @@ impl RollingSolver {
     /// NotModelled
     ///     Without a normal solver.
     /// Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     The solver is then as it was.
+    ///     The solver is then unchanged.
     #[pyo3(signature = (*, force=None, approach=None))]
     fn set_load(
         &self,
