@@ -2,7 +2,7 @@
 //! spin.
 //!
 //! `cargo run --release -p stickslip-examples --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
-//! with and without the law of entering cells, and writes `target/gallery/creep_curves.csv` and `.svg`.
+//! with and without the entry rule, and writes `target/gallery/creep_curves.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -13,7 +13,7 @@ use std::path::Path;
 
 use plotters::prelude::*;
 use stickslip::analytical::{HertzEllipse, VermeulenJohnson};
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
@@ -42,9 +42,9 @@ const COMBINED: ([f64; 2], f64) = ([6e-4, -4e-4], 1e-4);
 fn main() -> Result<(), Box<dyn Error>> {
     let grids = [1, 2].map(|part: usize| CELLS.map(|cells| cells / part));
     let [fine, coarse] = grids;
-    let whole = creep_curve(fine, TouchRule::WholeStep)?;
-    let law = creep_curve(fine, TouchRule::Growth)?;
-    let half = creep_curve(coarse, TouchRule::Growth)?;
+    let whole = creep_curve(fine, EntryRule::WholeStep)?;
+    let law = creep_curve(fine, EntryRule::SinceTouch)?;
+    let half = creep_curve(coarse, EntryRule::SinceTouch)?;
     let hertz = HertzEllipse::new(&steel()?, RADII[0], RADII[1], LOAD)?;
     let closed_form = |xi: f64| -> stickslip::Result<f64> {
         let curve = VermeulenJohnson::new(hertz, FRICTION, [xi, 0.0])?;
@@ -97,7 +97,7 @@ fn steel() -> stickslip::Result<ElasticPair> {
 }
 
 /// Rolling on a grid of so many cells; the same area of any.
-fn problem(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<RollingProblem> {
+fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<RollingProblem> {
     let [dx, dy] = [0, 1].map(|axis| SIDES[axis] * (CELLS[axis] / cells[axis]) as f64);
     let grid = Grid::new(cells[0], cells[1], dx, dy)?;
     let bodies = HalfSpace::new(grid, steel()?)?;
@@ -106,13 +106,13 @@ fn problem(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<Rollin
         .build()?
         .solve()?;
     RollingProblem::builder(&bodies, &normal, Friction::coulomb(FRICTION)?)
-        .touch_rule(touch_rule)
+        .entry_rule(entry_rule)
         .build()
 }
 
 /// The force over the friction limit at each of CONTACT's creepages.
-fn creep_curve(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<Vec<f64>> {
-    let mut solver = problem(cells, touch_rule)?.into_solver()?;
+fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Vec<f64>> {
+    let mut solver = problem(cells, entry_rule)?.into_solver()?;
     let mut rolling = solver.new_solution();
     let mut force = |(xi, _): (f64, f64)| {
         solver.set_control([xi, 0.0].map(RollingControl::Creepage), 0.0)?;
@@ -124,7 +124,7 @@ fn creep_curve(cells: [usize; 2], touch_rule: TouchRule) -> stickslip::Result<Ve
 
 /// Rolling with both creepages and spin.
 fn combined() -> stickslip::Result<RollingSolution> {
-    let mut solver = problem(CELLS, TouchRule::Growth)?.into_solver()?;
+    let mut solver = problem(CELLS, EntryRule::SinceTouch)?.into_solver()?;
     let mut rolling = solver.new_solution();
     solver.set_control(COMBINED.0.map(RollingControl::Creepage), COMBINED.1)?;
     solver.solve_into(&mut rolling)?;
@@ -176,7 +176,7 @@ fn draw(
     )?;
     support::dots(
         &mut chart,
-        "with the law of entering cells",
+        "with the entry rule",
         (support::BLUE, true),
         ours,
     )?;

@@ -19,7 +19,7 @@ use std::path::Path;
 use plotters::element::PathElement;
 use plotters::prelude::{Color, RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
-use stickslip::history::{FrettingLoop, LoadPath, LoopOutcome, LoopPoint};
+use stickslip::history::{FrettingLoop, FrettingResult, LoadPath, LoopPoint};
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
     Result, TangentialModel, surface,
@@ -121,7 +121,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
 /// A steady loop.
 struct Loop {
     aspect: f64,
-    outcome: LoopOutcome,
+    outcome: FrettingResult,
     /// Traction at its end, where the force is along y.
     traction: [Field; 2],
     /// Energy of a cycle of infinitely many steps, extrapolated from cycles of all steps and of half as many.
@@ -161,7 +161,7 @@ fn steady_loop(
     ball: &Field,
     aspect: f64,
     steps: usize,
-) -> Result<(History, LoopOutcome)> {
+) -> Result<(History, FrettingResult)> {
     let mut history = History::builder(bodies, ball, Friction::coulomb(FRICTION)?)
         .model(TangentialModel::Vector)
         .tolerance(TOLERANCE)

@@ -97,7 +97,7 @@ struct Point {
     exact_shift: f64,
     stick_ratio: f64,
     dissipated_energy: f64,
-    mid_step_dissipated_energy: f64,
+    dissipated_energy_midpoint: f64,
     work: f64,
     products: usize,
 }
@@ -112,7 +112,7 @@ impl Point {
             exact_shift: exact.shift(),
             stick_ratio: step.stick_ratio(),
             dissipated_energy: energy.dissipated_energy,
-            mid_step_dissipated_energy: energy.mid_step_dissipated_energy,
+            dissipated_energy_midpoint: energy.dissipated_energy_midpoint,
             work: energy.work,
             products: step.tangential_report().map_or(0, |report| {
                 report.double_precision_products + report.single_precision_products
@@ -127,7 +127,7 @@ impl Point {
             self.exact_shift * MICRO,
             self.stick_ratio,
             self.dissipated_energy * MICRO,
-            self.mid_step_dissipated_energy * MICRO,
+            self.dissipated_energy_midpoint * MICRO,
             self.work * MICRO,
             self.products as f64,
         ]
@@ -190,7 +190,7 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
         ("energy of a cycle, uJ", of_loop.dissipated_energy),
         (
             "  by mean tractions of a step, uJ",
-            of_loop.mid_step_dissipated_energy,
+            of_loop.dissipated_energy_midpoint,
         ),
         ("  area of the loop, a polygon, uJ", of_loop.work),
     ] {
@@ -198,7 +198,7 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     }
     let rectangle = 4.0 * AMPLITUDE * points[STEPS / 4 - 1].exact_shift;
     print("energy ratio", cycle.energy_ratio(), energy / rectangle);
-    let imbalance = of_loop.mid_step_dissipated_energy / of_loop.work - 1.0;
+    let imbalance = of_loop.dissipated_energy_midpoint / of_loop.work - 1.0;
     println!("\nmean tractions over area of the loop, less one: {imbalance:.1e}");
     println!("the loop closes to {:.1e}", cycle.cyclic_residual());
 

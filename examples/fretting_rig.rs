@@ -93,7 +93,7 @@ fn fret(
         outcome.cycles,
         of_loads,
         energy.work - of_loads,
-        energy.mid_step_dissipated_energy,
+        energy.dissipated_energy_midpoint,
         exact.energy_per_cycle()
     );
     for force in quarter {

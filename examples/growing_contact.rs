@@ -1,4 +1,4 @@
-//! A contact that grows while it is sheared, in few steps and in many: what the law of entering cells is worth.
+//! A contact that grows while it is sheared, in few steps and in many: what the entry rule is worth.
 //!
 //! `cargo run --release -p stickslip-examples --example growing_contact [reference]` prints, for a ball and a rough ball, the
 //! error of the traction field in whole steps and with the law, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
@@ -8,7 +8,7 @@
 
 use std::error::Error;
 
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
     TangentialModel, surface,
@@ -52,9 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(steps) => steps.parse()?,
         None => 64,
     };
-    println!(
-        "error of the traction field in whole steps / with the law of entering cells, in steps a leg"
-    );
+    println!("error of the traction field in whole steps / with the entry rule, in steps a leg");
     println!(
         "{:<32} {:<13} {:>19} {:>19} {:>19}",
         "path", "scene", "1", "4", "8"
@@ -68,11 +66,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (kind, paths) in [("shift", &SHIFTS[..]), ("force", &FORCES[..])] {
             for (path, legs) in paths {
                 let follow = |steps, rule| scene.follow(legs, kind == "force", steps, rule);
-                let exact = follow(reference, TouchRule::Growth)?;
+                let exact = follow(reference, EntryRule::SinceTouch)?;
                 print!("{:<32} {name:<13}", format!("{kind}, {path}"));
                 for steps in [1, 4, 8] {
-                    let without = distance(&follow(steps, TouchRule::WholeStep)?, &exact);
-                    let with = distance(&follow(steps, TouchRule::Growth)?, &exact);
+                    let without = distance(&follow(steps, EntryRule::WholeStep)?, &exact);
+                    let with = distance(&follow(steps, EntryRule::SinceTouch)?, &exact);
                     print!(" {without:>9.1e}/{with:>9.1e}");
                 }
                 println!();
@@ -127,12 +125,12 @@ impl Scene {
         legs: &[Leg],
         is_force: bool,
         steps: u32,
-        rule: TouchRule,
+        rule: EntryRule,
     ) -> Result<History, stickslip::Error> {
         let friction = Friction::coulomb(FRICTION)?;
         let mut history = History::builder(&self.bodies, &self.gap, friction)
             .model(TangentialModel::Vector)
-            .touch_rule(rule)
+            .entry_rule(rule)
             .tolerance(1e-11)
             .build()?;
         let mut last: Leg = (0.0, [0.0; 2]);

@@ -15,6 +15,6 @@ done
 # Those that judge and time the library; a campaign over random scenes lasts as long as one likes.
 for example in hard_cases speed_against_error grid_against_error; do
     printf '\n== %s\n' "$example"
-    cargo run --quiet --release -p stickslip-kit --example "$example"
+    cargo run --quiet --release -p stickslip-testkit --example "$example"
 done
 printf '\nall in %s s, pictures in target/gallery\n' "$SECONDS"

@@ -61,20 +61,20 @@
 //! | press bodies of different materials, in as many steps as a tolerance needs | [`History::press`], the page on [dissimilar bodies](guide::dissimilar_bodies) |
 //! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
 //! | load step by step with memory of slip | [`History`], [`LoadStep`] |
-//! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::growing_contacts) |
+//! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::load_steps) |
 //! | limit the pressure to the hardness | [`normal::Hardness`], in problems and [histories](history::HistoryBuilder::hardness) |
 //! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
 //! | get moments, the centre of pressure, spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), of a history through [`History::normal`]; [`ContactSpots`] |
 //! | get stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
 //! | keep the state of a history, return to it, save it | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
-//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [more than one machine](guide::past_one_machine) |
+//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [more than one machine](guide::distributed) |
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
 //! | begin, with no experience of the crate | the page of [first steps](guide::first_steps) |
 //! | assess the accuracy of a solution | its [`Report`], its [`discretisation_estimate`](NormalSolution::discretisation_estimate) and its [`Warning`]s |
 //! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`], [`History::edges`]; [`edges`] |
-//! | find out why a number looks wrong | the page [why is my answer wrong](guide::why_is_my_answer_wrong) |
+//! | find out why a number looks wrong | the page [why is my answer wrong](guide::troubleshooting) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`GaussianFilter`](surface::GaussianFilter), [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |
@@ -96,7 +96,7 @@
 //! |---|---|---|---|---|---|
 //! | [problems](NormalProblem), [histories](History), wear, cycles | yes | yes | yes | yes | yes |
 //! | grids that repeat along one axis or both, [lines](Grid::line) | yes | yes | yes | yes | yes |
-//! | [cells that enter](guide::growing_contacts) the contact in a step | - | yes | yes | yes | yes |
+//! | [cells that enter](guide::load_steps) the contact in a step | - | yes | yes | yes | yes |
 //! | [hardness](normal::Hardness), permanent set of histories | yes | yes | yes | yes | yes |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
 //! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
@@ -172,7 +172,7 @@
 //! For 1 % of all of these N = 32 does, 11 cells on a contact radius, with values at the centres and edges; uniform cells
 //! without edges need 64 to 128 for it. The slip ring of the traction is then 1.7 cells wide. Narrower rings need more cells: at the
 //! same force and N = 32 a gap r^4 has a [ring of one cell](edges#narrow-slip-rings), and a traction error of 3 %. All of these
-//! are at a tolerance of 1e-3: less brings nothing there, and 1e-2 leaves up to 1 % whatever the grid. The example `grid_against_error` of the package `stickslip-kit` measures this.
+//! are at a tolerance of 1e-3: less brings nothing there, and 1e-2 leaves up to 1 % whatever the grid. The example `grid_against_error` of the package `stickslip-testkit` measures this.
 //!
 //! A tolerance a hundred times
 //! below this error brings no improvement, unless steps are subtracted from one another, as in wear and friction
@@ -192,7 +192,7 @@
 //!
 //! On two shared cores, with 512 x 512 cells and a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms
 //! to 1e-10, and the shear traction 22 and 33 ms; on a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
-//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-kit` measures this on your
+//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-testkit` measures this on your
 //! machine.
 //!
 //! # Features
@@ -366,7 +366,7 @@ pub use memory::fallible::TryClone;
 pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator, Scratch};
 pub use parallel::layout::Layout;
-pub use parallel::{CELLS_ON_ONE_THREAD, avoid_global_pool, ranks};
+pub use parallel::{SERIAL_CELL_LIMIT, disable_global_pool, ranks};
 pub use report::{EigenvalueBound, Iteration, Report, Status};
 #[cfg(feature = "spots")]
 #[cfg_attr(docsrs, doc(cfg(feature = "spots")))]

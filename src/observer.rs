@@ -4,20 +4,20 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
-use crate::parallel::ranks::Team;
+use crate::parallel::ranks::RankGroup;
 use crate::report::{Iteration, Report, Status};
 
 /// Sees every step of an iteration, and may end it.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
 /// An observer of work that is no solve, with what it is shown.
-pub(crate) struct Watch<'a> {
+pub(crate) struct WorkObserver<'a> {
     observer: Observer<'a>,
     shown: Iteration,
-    team: Option<Arc<Team>>,
+    team: Option<Arc<RankGroup>>,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> WorkObserver<'a> {
     pub(crate) fn new(observer: Observer<'a>) -> Self {
         Self {
             observer,
@@ -33,7 +33,7 @@ impl<'a> Watch<'a> {
     }
 
     /// The same of work that ranks share: the observer is asked on all, and the first decides.
-    pub(crate) fn shared(self, team: Option<&Arc<Team>>) -> Self {
+    pub(crate) fn shared(self, team: Option<&Arc<RankGroup>>) -> Self {
         let team = team.cloned();
         Self { team, ..self }
     }
@@ -47,7 +47,7 @@ impl<'a> Watch<'a> {
     ///
     /// # Errors
     /// [`Error::NotConverged`], cancelled.
-    pub(crate) fn ask(&mut self) -> Result<()> {
+    pub(crate) fn notify_observer(&mut self) -> Result<()> {
         let is_over = (self.observer)(&self.shown).is_break();
         let is_over = match &self.team {
             Some(team) => team.decided(is_over.into()) != Some(0),

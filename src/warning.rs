@@ -24,10 +24,10 @@ pub enum Warning {
     },
     /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
     /// is no line contact in plane strain.
-    LineOfCells,
+    SingleRowOfCells,
     /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
     /// ends bear peaks of pressure that a longer body does not have.
-    ContactAcross {
+    ContactSpansGrid {
         /// From the first column to the last.
         along_x: bool,
         /// From the first row to the last.
@@ -49,13 +49,13 @@ pub enum Warning {
     /// The contact has few cells: fewer than 100, a contact radius of 5.6 cells, or fewer than 20 on a line of cells. On a sphere
     /// its area is then off by up to 17 % and the stick ratio by as much (by 22 % from 20 cells), from 113 cells on by 7 %,
     /// wherever the centre lies between cells.
-    CoarseContact {
+    UnderresolvedContact {
         /// Contact cells.
         cells: usize,
     },
     /// Few cells stick: fewer than 50, or fewer than 10 on a line of cells. On a sphere the stick ratio is then off by a tenth
     /// and, from ten cells, by a fifth of itself.
-    CoarseStick {
+    UnderresolvedStickZone {
         /// Cells that stick.
         cells: usize,
     },
@@ -68,7 +68,7 @@ pub enum Warning {
     /// over the whole edge. Forces and creepages of steady rolling are then right to 0.6 %, for widths from 0.3 cells. On a
     /// sphere `dissipated_energy` is too small by 72 % at 0.3 cells and 28 % at one. It is too small by 15 % at two cells and
     /// 8 % at four. On a cylinder it is too small by 51 % at one cell and 28 % at two. The work of rolling is right to 0.4 %.
-    NarrowSlip {
+    UnderresolvedSlipZone {
         /// Mean width of the zone in tenths of a cell: its cells over the sides of cells along the edge of the contact,
         /// which on a grid of rows and columns are counted as $`\pi/4`$ each.
         tenths: usize,
@@ -96,7 +96,7 @@ pub enum Warning {
     /// [`CoupledProblem`](crate::CoupledProblem) presses in one step. So does a
     /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay). It has a pressure
     /// and no gap. Its solutions therefore have the warning for a flat punch too, where they are exact.
-    PressedAtOnce,
+    SingleLoadStep,
     /// The approach from the first touch exceeds the longest side of the grid. A common cause is a unit of gap, grid or
     /// modulus that differs from the others.
     ApproachBeyondGrid {
@@ -156,11 +156,11 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells and have a tenth of the contact cells or more: refine the grid, or filter out the short waves of the surface"
             ),
-            Self::LineOfCells => write!(
+            Self::SingleRowOfCells => write!(
                 formatter,
                 "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x with a boundary that is periodic along y"
             ),
-            Self::ContactAcross { along_x, along_y } => {
+            Self::ContactSpansGrid { along_x, along_y } => {
                 let axes = match (along_x, along_y) {
                     (true, false) => "x",
                     (false, true) => "y",
@@ -182,15 +182,15 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "the stress along the surface converges as the root of the cells at the edge of a sheared contact: take a plane a side of a cell or more below it"
             ),
-            Self::CoarseContact { cells } => write!(
+            Self::UnderresolvedContact { cells } => write!(
                 formatter,
                 "the contact has {cells} cells: its area and its stick ratio are rough; refine the grid"
             ),
-            Self::CoarseStick { cells } => write!(
+            Self::UnderresolvedStickZone { cells } => write!(
                 formatter,
                 "{cells} cells stick: the size of the stick zone is rough; refine the grid"
             ),
-            Self::NarrowSlip { tenths } => write!(
+            Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
                 "the zone that slips is {}.{} cells wide on the mean: slip and dissipated energy are rough; refine the grid until it has two",
                 tenths / 10,
@@ -215,7 +215,7 @@ impl std::fmt::Display for Warning {
                 per_mille / 10,
                 per_mille % 10
             ),
-            Self::PressedAtOnce => write!(
+            Self::SingleLoadStep => write!(
                 formatter,
                 "dissimilar bodies were pressed in too few steps: under a load that grows other cells stick and slip; press a history to a tolerance by its function press"
             ),
@@ -390,7 +390,7 @@ impl Resolution {
     /// That the contact has too few cells.
     pub(crate) fn contact_warning(self) -> Option<Warning> {
         let coarse = self.contact.filter(|cells| *cells < self.least()[0]);
-        coarse.map(|cells| Warning::CoarseContact { cells })
+        coarse.map(|cells| Warning::UnderresolvedContact { cells })
     }
 
     /// That zones of a contact have too few cells; of the stick zone where the contact itself has not.
@@ -399,9 +399,9 @@ impl Resolution {
         let stick = self
             .stick
             .filter(|cells| *cells < self.least()[1] && !is_coarse);
-        let stick = stick.map(|cells| Warning::CoarseStick { cells });
+        let stick = stick.map(|cells| Warning::UnderresolvedStickZone { cells });
         let slip = self.slip_width.filter(|tenths| *tenths < RESOLVED_WIDTH);
-        let slip = slip.map(|tenths| Warning::NarrowSlip { tenths });
+        let slip = slip.map(|tenths| Warning::UnderresolvedSlipZone { tenths });
         stick.into_iter().chain(slip)
     }
 

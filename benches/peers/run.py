@@ -79,7 +79,7 @@ def build(folder):
     manifest = str(HERE / "Cargo.toml")
     command = ["cargo", "build", "--release", "--manifest-path", manifest, "--target-dir", str(target)]
     subprocess.run(command, check=True)
-    return str(target / "release" / "stickslip-peer")
+    return str(target / "release" / "stickslip-bench-peers")
 
 
 def reached(answer, target):

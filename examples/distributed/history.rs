@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use stickslip::history::{TouchRule, wear};
+use stickslip::history::{EntryRule, wear};
 use stickslip::ranks::Ranks;
 use stickslip::{
     Axis, Field, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
@@ -67,5 +67,5 @@ pub(crate) fn fret(
 fn begun(bodies: &HalfSpace, gap: &Field) -> Outcome<History> {
     let builder = History::builder(bodies, gap, Friction::coulomb(FRICTION)?);
     let builder = builder.coupling(stickslip::Coupling::OneWay);
-    Ok(builder.touch_rule(TouchRule::Growth).build()?)
+    Ok(builder.entry_rule(EntryRule::SinceTouch).build()?)
 }

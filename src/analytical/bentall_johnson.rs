@@ -61,7 +61,7 @@ impl BentallJohnson {
     /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero nothing slips.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the friction limit, the creepage or the dissipation.
     pub fn new(hertz: HertzLine, friction: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;

@@ -41,7 +41,7 @@ impl Carter {
     /// either sign).
     ///
     /// # Errors
-    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the creepage or that at which all slips, [`Error::CoupledMaterials`] for bodies
+    /// [`Error::NegativeOrNotFinite`] for the friction, [`Error::NotFinite`] for the creepage or that at which all slips, [`Error::CoupledMaterials`] for bodies
     /// whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
     pub fn new(hertz: HertzLine, friction: f64, creepage: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;

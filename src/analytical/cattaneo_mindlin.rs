@@ -57,7 +57,7 @@ impl CattaneoMindlin {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
     /// exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, force: f64) -> Result<Self> {
@@ -261,7 +261,7 @@ impl CattaneoMindlinEllipse {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
     /// exceeds $`\mu W`$.
     pub fn new(hertz: HertzEllipse, friction: f64, force: f64) -> Result<Self> {

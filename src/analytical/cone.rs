@@ -48,7 +48,7 @@ impl Cone {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is
     /// not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, slope: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("slope", slope)?;
@@ -197,7 +197,7 @@ impl ConePartialSlip {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
     /// exceeds $`\mu W`$.
     pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {

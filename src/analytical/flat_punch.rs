@@ -44,7 +44,7 @@ impl FlatPunch {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
     /// not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -121,7 +121,7 @@ impl FlatPunch {
     /// $`|F| = \mu W`$, and then slides at once.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
     /// exceeds $`\mu W`$.
     pub fn full_stick(&self, friction: f64, force: f64) -> Result<MindlinFullStick> {

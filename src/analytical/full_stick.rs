@@ -49,7 +49,7 @@ impl MindlinFullStick {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius,
     /// [`Error::NotFinite`](crate::Error::NotFinite) for the force or the shift.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, contact_radius: f64, force: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("contact radius", contact_radius)?;

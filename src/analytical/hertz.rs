@@ -45,7 +45,7 @@ impl HertzSphere {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
     /// not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -198,7 +198,7 @@ impl HertzEllipse {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if a radius, the load or a result is not
     /// positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius_x: f64, radius_y: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius along x", radius_x)?;

@@ -57,7 +57,7 @@ impl KalkerCoefficients {
     /// modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the ratio, [`Error::Below`] for one beyond the table or a negative Poisson's ratio,
+    /// [`Error::NotPositive`] for the ratio, [`Error::BelowMinimum`] for one beyond the table or a negative Poisson's ratio,
     /// [`Error::PoissonRatio`] for one above 1/2.
     pub fn new(ratio: f64, poisson_ratio: f64) -> Result<Self> {
         positive("ratio of the semi-axes", ratio)?;

@@ -51,7 +51,7 @@ impl HertzLine {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;

@@ -52,7 +52,7 @@ impl CattaneoMindlinLine {
     /// along x (a force per length, of either sign), without bulk strain.
     ///
     /// # Errors
-    /// [`Error::Negative`] for the friction, [`Error::NotFinite`] for the force,
+    /// [`Error::NegativeOrNotFinite`] for the friction, [`Error::NotFinite`] for the force,
     /// [`Error::BeyondFrictionCapacity`] if the force exceeds $`\mu P`$,
     /// [`Error::CoupledMaterials`] for bodies whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
     pub fn new(hertz: HertzLine, friction: f64, force: f64) -> Result<Self> {
@@ -89,7 +89,7 @@ impl CattaneoMindlinLine {
     /// [`with_bulk_stress`](Self::with_bulk_stress).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NotPositive`] without friction, if there is strain; [`Error::Below`] if the strip that
+    /// [`Error::NotFinite`]; [`Error::NotPositive`] without friction, if there is strain; [`Error::BelowMinimum`] if the strip that
     /// sticks would leave the contact, $`|e| + c > a`$: slip then reverses at one end, and the formulas do not hold. Where
     /// $`|e| > fa/2`$ slip is reversed there only under the first small loads; the growing load slips back over it, and what
     /// is left of that is less than 1e-4 of the energy.

@@ -62,7 +62,7 @@ impl MindlinDeresiewicz {
     /// coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// a force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds
     /// $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, path: &[f64]) -> Result<Self> {

@@ -40,7 +40,7 @@ impl NoSlipPunch {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or approach is not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -104,7 +104,7 @@ impl NoSlipSphere {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or a result is not positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;

@@ -56,7 +56,7 @@ impl Persson {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or the reduced pressure is not
     /// positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, rms_slope: f64, mean_pressure: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("root-mean-square slope", rms_slope)?;
@@ -130,7 +130,7 @@ impl Persson {
     /// loads, and never less than that. Superposition after Ciavarella (1998) and Jaeger (1998).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the traction or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces
     /// per nominal area, if the traction exceeds $`\mu\bar p`$.
     pub fn stick_ratio(&self, friction: f64, mean_traction: f64) -> Result<f64> {
@@ -147,7 +147,7 @@ impl Persson {
     /// the coefficient `area_coefficient` $`\kappa`$.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the pressure,
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the pressure,
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
     pub fn area_law(reduced_pressure: f64, area_coefficient: f64) -> Result<f64> {
         non_negative("reduced pressure", reduced_pressure)?;
@@ -178,7 +178,7 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for the load,
-/// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the
+/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// force or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds
 /// $`\mu W`$.
 ///

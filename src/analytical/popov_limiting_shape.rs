@@ -62,9 +62,9 @@ impl PopovLimitingShape {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius, the approach or the contact radius
-    /// $`a`$, [`Error::Negative`](crate::Error::Negative) for the stick radius or the load,
-    /// [`Error::Below`](crate::Error::Below) if the stick radius exceeds $`a`$.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// $`a`$, [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the stick radius or the load,
+    /// [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the stick radius exceeds $`a`$.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;

@@ -123,7 +123,7 @@ impl RoughSphere {
     /// $`P`$, with the coefficient `area_coefficient` $`\kappa`$.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the pressure,
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the pressure,
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
     ///
     /// ```

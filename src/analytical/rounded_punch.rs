@@ -54,9 +54,9 @@ impl RoundedPunch {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if one of them or a result is not positive and finite;
-    /// [`Error::Below`](crate::Error::Below) if the load is less than a millionth of $`E^* b^2/4R`$, where the contact is
+    /// [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the load is less than a millionth of $`E^* b^2/4R`$, where the contact is
     /// that of the flat.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(pair: &ElasticPair, flat: f64, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("half-width of the flat", flat)?;

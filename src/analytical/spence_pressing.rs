@@ -40,7 +40,7 @@ impl SpencePressing {
     /// The contact of a body of revolution, with this coefficient of friction (dimensionless).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the coefficient.
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient.
     pub fn round(pair: &ElasticPair, friction: f64) -> Result<Self> {
         Self::where_equal(pair, friction, |k, moduli| k.atanh() / k / moduli.prime)
     }
@@ -48,7 +48,7 @@ impl SpencePressing {
     /// The contact of a cylinder or strip in plane strain.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the coefficient.
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient.
     pub fn plane(pair: &ElasticPair, friction: f64) -> Result<Self> {
         Self::where_equal(pair, friction, |_, moduli| moduli.whole / moduli.prime)
     }

@@ -51,7 +51,7 @@ impl Westergaard {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or a result is not
     /// positive and finite.
-    /// [`Error::Coated`](crate::Error::Coated) for coated bodies.
+    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
     pub fn new(
         pair: &ElasticPair,
         amplitude: f64,
@@ -247,7 +247,7 @@ impl WestergaardPartialSlip {
     /// dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
     /// the traction or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces
     /// per nominal area, if the traction exceeds $`\mu\bar p`$.
     pub fn new(contact: Westergaard, friction: f64, mean_traction: f64) -> Result<Self> {

@@ -1,6 +1,6 @@
 //! Elastic constants of one body and of a pair.
 
-use crate::bodies::layers::{Base, Coating, Layer, Response, Waves};
+use crate::bodies::layers::{Base, Coating, Layer, LayerWaves, Response};
 use crate::error::{
     Error, Result, at_least, finite, poisson_ratio as check_poisson_ratio, positive,
 };
@@ -21,7 +21,7 @@ const UNCOUPLED: f64 = 1e-12;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "UncheckedMaterial")
+    serde(try_from = "RawMaterial")
 )]
 pub struct Material {
     /// Infinite for a rigid body.
@@ -38,26 +38,29 @@ pub struct Material {
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct UncheckedMaterial {
+struct RawMaterial {
     #[serde(with = "crate::support::serialise::number")]
     youngs_modulus: f64,
     poisson_ratio: f64,
-    #[serde(default = "unstated", with = "crate::support::serialise::number")]
+    #[serde(
+        default = "default_hardness",
+        with = "crate::support::serialise::number"
+    )]
     hardness: f64,
     #[serde(default)]
     layers: Vec<Layer>,
 }
 
 #[cfg(feature = "serde")]
-fn unstated() -> f64 {
+fn default_hardness() -> f64 {
     f64::INFINITY
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<UncheckedMaterial> for Material {
+impl TryFrom<RawMaterial> for Material {
     type Error = Error;
 
-    fn try_from(read: UncheckedMaterial) -> Result<Self> {
+    fn try_from(read: RawMaterial) -> Result<Self> {
         let body = if read.youngs_modulus == f64::INFINITY {
             check_poisson_ratio(read.poisson_ratio)?;
             Self::rigid()
@@ -134,7 +137,7 @@ impl Material {
     /// let steel = Material::new(210e9, 0.3)?;
     /// let hard = steel.coated(&[Layer::new(400e9, 0.25, 2e-6)?])?;
     /// let response = |waves_per_metre| ElasticPair::new(hard, Material::rigid())?.response(waves_per_metre);
-    /// // Waves long beside the coating see the steel, short ones the coating.
+    /// // LayerWaves long beside the coating see the steel, short ones the coating.
     /// let plane = |modulus: f64, nu: f64| modulus / (1.0 - nu * nu);
     /// assert!((response(1.0)?.normal * 0.5 * plane(210e9, 0.3) - 1.0).abs() < 1e-4);
     /// assert!((response(1e8)?.normal * 0.5e8 * plane(400e9, 0.25) - 1.0).abs() < 1e-12);
@@ -238,8 +241,8 @@ impl Material {
     }
 
     /// The response of the body to waves.
-    pub(crate) fn waves(&self) -> Waves<'_> {
-        Waves {
+    pub(crate) fn waves(&self) -> LayerWaves<'_> {
+        LayerWaves {
             layers: self.layers(),
             base: if self.youngs_modulus.is_infinite() {
                 Base::Rigid
@@ -270,7 +273,7 @@ impl Material {
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "UncheckedPair")
+    serde(try_from = "RawPair")
 )]
 pub struct ElasticPair {
     bodies: [Material; 2],
@@ -295,17 +298,17 @@ pub(crate) struct KernelMark {
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct UncheckedPair {
+struct RawPair {
     bodies: [Material; 2],
     #[serde(default)]
     kernel: Option<KernelMark>,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<UncheckedPair> for ElasticPair {
+impl TryFrom<RawPair> for ElasticPair {
     type Error = Error;
 
-    fn try_from(read: UncheckedPair) -> Result<Self> {
+    fn try_from(read: RawPair) -> Result<Self> {
         let [body_1, body_2] = read.bodies;
         let pair = Self::new(body_1, body_2)?;
         Ok(read.kernel.map_or(pair, |mark| pair.standing_for(mark)))
@@ -328,7 +331,7 @@ impl ElasticPair {
     ///
     /// # Errors
     /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if a combined
-    /// constant of the pair over- or underflows; [`Error::Below`] for layers whose moduli or thicknesses differ by more than
+    /// constant of the pair over- or underflows; [`Error::BelowMinimum`] for layers whose moduli or thicknesses differ by more than
     /// a factor of 1e12.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
@@ -378,7 +381,7 @@ impl ElasticPair {
     pub(crate) fn check_no_kernel(&self) -> Result<()> {
         match self.kernel {
             None => Ok(()),
-            Some(_) => Err(Error::KernelMissing(
+            Some(_) => Err(Error::IncompleteKernel(
                 "the pair stands for a kernel: hand over the kernel itself",
             )),
         }
@@ -432,7 +435,7 @@ impl ElasticPair {
     /// # Errors
     /// - [`Error::NotPositive`] for the wave number, and for a response that over- or underflows at this wave number.
     /// - [`Error::NotFinite`] for a coupling that overflows.
-    /// - [`Error::KernelMissing`] if the pair stands for a [`Kernel`](crate::Kernel).
+    /// - [`Error::IncompleteKernel`] if the pair stands for a [`Kernel`](crate::Kernel).
     pub fn response(&self, k: f64) -> Result<Response> {
         self.check_no_kernel()?;
         positive("wave number", k)?;
@@ -475,7 +478,7 @@ impl ElasticPair {
             } else {
                 "coated bodies"
             };
-            Err(Error::Coated {
+            Err(Error::UnsupportedForCoatings {
                 quantity,
                 bodies,
                 remedy,

@@ -4,14 +4,14 @@
 
 use std::ops::RangeInclusive;
 
-use crate::cgm::law::state::Linearised;
-use crate::cgm::reduce::{self, Tally, larger};
+use crate::cgm::law::state::LinearisedSet;
+use crate::cgm::reduce::{self, Reduction, larger};
 use crate::cgm::totals::Total;
-use crate::cgm::{Admissible, Constraint};
+use crate::cgm::{Constraint, ConstraintSet};
 use crate::numerics::cell_vector::{at, dot, norm, within};
 use crate::operator::{LowerBound, MeanBound};
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::Words;
+use crate::parallel::ranks::WireFormat;
 use crate::report::Report;
 
 /// What one recomputed product says about an iterate.
@@ -91,7 +91,7 @@ const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 
 /// What a feasible iterate shows, in the units of its problem.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shown {
+pub(crate) struct IterateMeasures {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
     /// Largest displacement among the cells that can move, and what replaces it where it is less.
@@ -111,7 +111,7 @@ pub(crate) struct Shown {
     pub(crate) free: usize,
 }
 
-impl Shown {
+impl IterateMeasures {
     /// The displacement that residuals are relative to.
     pub(crate) fn measure(&self) -> f64 {
         larger(self.displacement, self.least_displacement)
@@ -151,7 +151,7 @@ pub(crate) fn measure<const N: usize>(
         mean,
         ..
     }: LowerBound,
-) -> Shown {
+) -> IterateMeasures {
     let Iterate {
         layout,
         x,
@@ -166,13 +166,13 @@ pub(crate) fn measure<const N: usize>(
         |range| {
             let [x, product] = [&x, &product].map(|vector| within(vector, &range));
             let linear = within(&linear, &range);
-            let mut found = Findings::<N>::ZERO;
+            let mut found = CertificateMeasures::<N>::ZERO;
             for (k, cell) in range.enumerate() {
                 let (u, b) = (at(&product, k), at(&linear, k));
                 let g = std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c]);
                 found.add(at(&x, k), u, g, constraint.of(cell), lower_bound);
             }
-            (Sums::of(&x, &product), found)
+            (CertificateSums::of(&x, &product), found)
         },
         |a, b| (a.0.plus(b.0), a.1.merge(b.1)),
     );
@@ -214,7 +214,7 @@ pub(crate) fn measure<const N: usize>(
     } else {
         0.0
     };
-    Shown {
+    IterateMeasures {
         forbidden: found.forbidden,
         displacement: found.displacement,
         sizes: found.sizes,
@@ -250,7 +250,7 @@ fn by_spring(
 
 /// What all cells add up to.
 #[derive(Clone, Copy)]
-struct Sums<const N: usize> {
+struct CertificateSums<const N: usize> {
     /// `x' C x`.
     energy: f64,
     squares: f64,
@@ -259,7 +259,7 @@ struct Sums<const N: usize> {
     magnitude: f64,
 }
 
-impl<const N: usize> Tally for Sums<N> {
+impl<const N: usize> Reduction for CertificateSums<N> {
     #[inline]
     fn plus(self, other: Self) -> Self {
         Self {
@@ -271,7 +271,7 @@ impl<const N: usize> Tally for Sums<N> {
     }
 }
 
-impl<const N: usize> Sums<N> {
+impl<const N: usize> CertificateSums<N> {
     /// In lanes, so that many are added at a time.
     fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
         const LANES: usize = 4;
@@ -299,7 +299,7 @@ impl<const N: usize> Sums<N> {
     }
 }
 
-impl<const N: usize> Words for Sums<N> {
+impl<const N: usize> WireFormat for CertificateSums<N> {
     const COUNT: usize = 3 + N;
     const ZERO: Self = Self {
         energy: 0.0,
@@ -313,7 +313,7 @@ impl<const N: usize> Words for Sums<N> {
     }
 
     fn read(words: &mut &[u64]) -> Self {
-        let (energy, squares, sum, magnitude) = Words::read(words);
+        let (energy, squares, sum, magnitude) = WireFormat::read(words);
         Self {
             energy,
             squares,
@@ -325,7 +325,7 @@ impl<const N: usize> Words for Sums<N> {
 
 /// What the cells that can move show.
 #[derive(Clone, Copy)]
-struct Findings<const N: usize> {
+struct CertificateMeasures<const N: usize> {
     /// Largest displacement, forbidden gradient and unknown.
     displacement: f64,
     forbidden: f64,
@@ -340,7 +340,7 @@ struct Findings<const N: usize> {
     pushed: [f64; N],
 }
 
-impl<const N: usize> Words for Findings<N> {
+impl<const N: usize> WireFormat for CertificateMeasures<N> {
     const COUNT: usize = 9 + N;
     const ZERO: Self = Self {
         displacement: 0.0,
@@ -359,8 +359,8 @@ impl<const N: usize> Words for Findings<N> {
     }
 
     fn read(words: &mut &[u64]) -> Self {
-        let (displacement, forbidden, largest, free) = Words::read(words);
-        let (sizes, dual, squares, pushed) = Words::read(words);
+        let (displacement, forbidden, largest, free) = WireFormat::read(words);
+        let (sizes, dual, squares, pushed) = WireFormat::read(words);
         Self {
             displacement,
             forbidden,
@@ -374,9 +374,9 @@ impl<const N: usize> Words for Findings<N> {
     }
 }
 
-impl<const N: usize> Findings<N> {
+impl<const N: usize> CertificateMeasures<N> {
     #[inline]
-    fn add<S: Admissible<N>>(
+    fn add<S: ConstraintSet<N>>(
         &mut self,
         x: [f64; N],
         u: [f64; N],

@@ -1,8 +1,8 @@
 //! Degenerate problems: all cells at their bounds, and preconditioners that are not positive definite.
 
-use crate::cgm::iterate::Run;
+use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::interval::EDGE;
-use crate::cgm::law::state::{Linearised, Row};
+use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::start::ROUND_OFF;
 use crate::cgm::totals::{TotalsSystem, sums_of};
 use crate::cgm::{Constraint, MotionOf, reduce};
@@ -13,23 +13,23 @@ use crate::numerics::cell_vector::{
 
 /// How cells stand that are all at their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Standing {
+pub(super) enum BoundState {
     /// Nothing pushes any from its bound.
     Rests,
     /// Some are pushed away, in pairs that keep the sum.
-    Pushed,
+    Released,
     /// This is missing of their sum.
-    Misses(f64),
+    Deficit(f64),
 }
 
 /// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
 /// are turned away from the total by very little, and it is that which carries it.
 const LEAST_TURN: f64 = 1e-13;
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it, or so
     /// nearly that turning them by an angle of one changes less than is missing.
-    pub(super) fn locked(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
+    pub(super) fn uncontrollable_direction(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
         let (has_sum, mobility) = (system.has_sum(), system.mobility);
         if has_sum == [false; N] {
             return None;
@@ -39,13 +39,13 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let can_turn = mobility.least(has_sum) > LEAST_TURN * all;
         let reaches = || {
             let missing = self.missing_along(normal);
-            missing.is_none_or(|[missing, _]| missing.abs() <= self.turned(normal))
+            missing.is_none_or(|[missing, _]| missing.abs() <= self.tangent_change(normal))
         };
         (!can_turn || !reaches()).then_some(normal)
     }
 
     /// By how much the sum along a direction changes where each cell turns by an angle of one, as its tangent goes.
-    fn turned(&self, normal: [f64; N]) -> f64 {
+    fn tangent_change(&self, normal: [f64; N]) -> f64 {
         let x = slices(&self.x);
         let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
         moving.sweep((), |entries, ()| {
@@ -71,15 +71,18 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Sees to cells at their bounds, none of which can turn along `normal`, a unit vector: frees those that would stick
     /// first on the way to what is missing of the sum, if they can carry it, and of cells that rest those that would stick
     /// first on any way. Else all are freed.
-    pub(super) fn settle(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
+    pub(super) fn release_bound_cells(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
         let opposite = normal.map(|n| -n);
-        let is_settled = match self.stand_at_bounds(normal) {
-            Some(Standing::Misses(missing)) => {
+        let is_settled = match self.multiplier_at_bounds(normal) {
+            Some(BoundState::Deficit(missing)) => {
                 let way = if missing > 0.0 { normal } else { opposite };
-                self.free_first(way, missing.abs())
+                self.release_nearest_to_bound(way, missing.abs())
             }
-            Some(Standing::Rests) => self.free_first(normal, 0.0) || self.free_first(opposite, 0.0),
-            Some(Standing::Pushed) | None => false,
+            Some(BoundState::Rests) => {
+                self.release_nearest_to_bound(normal, 0.0)
+                    || self.release_nearest_to_bound(opposite, 0.0)
+            }
+            Some(BoundState::Released) | None => false,
         };
         if !is_settled {
             self.free(|_, _| true);
@@ -89,7 +92,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
 
     /// Frees the cells that a motion along `way`, towards what is missing, would let stick first; says if one of them can
     /// carry it.
-    fn free_first(&mut self, way: [f64; N], missing: f64) -> bool {
+    fn release_nearest_to_bound(&mut self, way: [f64; N], missing: f64) -> bool {
         if !self.is_fresh() {
             self.refresh();
         }
@@ -124,10 +127,10 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     /// Where all cells stand at their bounds along a unit vector and have the sum, the multiplier is any between the
     /// gradients of those at the upper bound and those at the lower: takes the middle. `None` where no sum is prescribed or
     /// none can move.
-    pub(super) fn stand_at_bounds(&mut self, normal: [f64; N]) -> Option<Standing> {
+    pub(super) fn multiplier_at_bounds(&mut self, normal: [f64; N]) -> Option<BoundState> {
         let [missing, magnitude] = self.missing_along(normal)?;
         if missing.abs() > ROUND_OFF * magnitude {
-            return Some(Standing::Misses(missing));
+            return Some(BoundState::Deficit(missing));
         }
         if !self.is_fresh() {
             self.refresh();
@@ -149,14 +152,14 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let change = 0.5 * (low + high) - dot(*multiplier, normal);
         *multiplier = plus(*multiplier, change, normal);
         Some(if low <= high {
-            Standing::Rests
+            BoundState::Rests
         } else {
-            Standing::Pushed
+            BoundState::Released
         })
     }
 }
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// `Ok` if `v' M v` is a positive number of a uniform vector, of the residual that is left, and of its largest part, on
     /// the cells that can move.
     pub(super) fn check_preconditioner(&mut self) -> Result<()> {
@@ -168,10 +171,10 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let (x, gradient) = (slices(&self.x), slices(&self.workspace.gradient));
         let size = |i: usize| norm(forbidden(i, at(&x, i), at(&gradient, i)));
         let largest = reduce::max(self.layout(), size);
-        let mut flaw = self.flaw_along(|_, _, _| [1.0; N]);
+        let mut flaw = self.negative_curvature_along(|_, _, _| [1.0; N]);
         for least in [0.0, 0.5 * largest] {
             flaw = flaw.or_else(|| {
-                self.flaw_along(|i, x, gradient| {
+                self.negative_curvature_along(|i, x, gradient| {
                     let residual = forbidden(i, x, gradient);
                     if norm(residual) >= least {
                         residual
@@ -188,7 +191,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     }
 
     /// `v' M v` of a vector that follows from unknowns and gradient of each cell, if that is not positive but could be.
-    fn flaw_along(
+    fn negative_curvature_along(
         &mut self,
         v: impl Fn(usize, [f64; N], [f64; N]) -> [f64; N] + Sync,
     ) -> Option<f64> {

@@ -4,14 +4,14 @@ use crate::numerics::cell_vector::plus;
 
 /// A symmetric tensor of each cell: a multiple of one and, of two components, a part without trace.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Own<'a> {
+pub(crate) struct CellCompliance<'a> {
     /// The mean of all directions; empty if no cell has a compliance of its own.
     mean: &'a [f64],
     /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`; empty if it is zero in all cells.
     deviator: &'a [[f64; 2]],
 }
 
-impl<'a> Own<'a> {
+impl<'a> CellCompliance<'a> {
     pub(crate) fn new(mean: &'a [f64], deviator: &'a [[f64; 2]]) -> Self {
         Self { mean, deviator }
     }

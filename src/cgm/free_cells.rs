@@ -3,18 +3,18 @@
 use std::ops::Range;
 
 use crate::cgm::law::state::Row;
-use crate::cgm::reduce::Tally;
+use crate::cgm::reduce::Reduction;
 use crate::error::Result;
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
-use crate::parallel::{Blocks, Ragged, Split};
+use crate::parallel::{Blocks, Split, UnevenChunks};
 
 /// Where the cells that move stand, chunk by chunk of the grid.
 ///
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
 /// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug, Clone)]
-pub(in crate::cgm) struct MovingCells {
+pub(in crate::cgm) struct FreeCells {
     layout: Layout,
     /// How far from the chunk's first cell they lie; the list of a chunk lies where its cells do.
     offsets: Vec<u16>,
@@ -27,7 +27,7 @@ pub(in crate::cgm) struct MovingCells {
 }
 
 /// The cells that move of one chunk.
-pub(in crate::cgm) struct Entries<'a> {
+pub(in crate::cgm) struct ChunkCells<'a> {
     /// Where they stand in a compressed vector.
     pub(in crate::cgm) range: Range<usize>,
     /// The chunk's cells in a full vector.
@@ -35,7 +35,7 @@ pub(in crate::cgm) struct Entries<'a> {
     offsets: &'a [u16],
 }
 
-impl Entries<'_> {
+impl ChunkCells<'_> {
     /// Their places in the chunk of a full vector.
     pub(in crate::cgm) fn places(&self) -> impl Iterator<Item = usize> {
         self.offsets.iter().map(|&offset| usize::from(offset))
@@ -71,7 +71,7 @@ impl Entries<'_> {
     /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
     /// overlap.
     #[inline]
-    pub(in crate::cgm) fn sums<T: Tally>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
+    pub(in crate::cgm) fn sums<T: Reduction>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
         let mut lanes = [T::ZERO; 4];
         let groups = self.offsets.chunks_exact(lanes.len());
         let rest = groups.remainder();
@@ -90,7 +90,7 @@ impl Entries<'_> {
     }
 }
 
-impl MovingCells {
+impl FreeCells {
     /// Of cells that lie so; none moves.
     pub(in crate::cgm) fn new(layout: Layout) -> Result<Self> {
         let (cells, chunks) = (layout.cells(), layout.tasks());
@@ -183,13 +183,13 @@ impl MovingCells {
     }
 
     /// Sums over the parts of a compressed vector.
-    pub(in crate::cgm) fn sum<T: Tally>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+    pub(in crate::cgm) fn sum<T: Reduction>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
         self.sweep((), |entries, ()| leaf(entries.range))
     }
 
     /// A compressed vector, of which each chunk owns its part.
-    pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> Ragged<'a, T> {
-        Ragged {
+    pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> UnevenChunks<'a, T> {
+        UnevenChunks {
             items: &mut items[..self.len()],
             starts: &self.starts,
         }
@@ -199,11 +199,11 @@ impl MovingCells {
     pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
         &'a self,
         motions: &'a mut [M],
-    ) -> Ragged<'a, M> {
+    ) -> UnevenChunks<'a, M> {
         if M::IS_STEADY {
             self.compressed(motions)
         } else {
-            Ragged {
+            UnevenChunks {
                 items: motions,
                 starts: &self.firsts,
             }
@@ -211,13 +211,13 @@ impl MovingCells {
     }
 
     /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
-    pub(in crate::cgm) fn sweep<D: Split, T: Tally>(
+    pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,
-        work: impl Fn(Entries<'_>, D) -> T + Sync,
+        work: impl Fn(ChunkCells<'_>, D) -> T + Sync,
     ) -> T {
         let work = |task: usize, data: D| {
-            let entries = Entries {
+            let entries = ChunkCells {
                 range: self.starts[task]..self.starts[task + 1],
                 chunk: self.layout.range(task),
                 offsets: &self.offsets[self.firsts[task]..][..self.counts[task]],

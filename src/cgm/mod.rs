@@ -98,13 +98,13 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
+mod active_set_solve;
 mod certificate;
 #[cfg(feature = "history")]
 pub(crate) mod cone;
 mod degenerate;
 mod diagonal;
 mod free_cells;
-mod iterate;
 mod law;
 mod linear;
 mod monitor;
@@ -119,24 +119,25 @@ mod workspace;
 
 pub(crate) use crate::parallel::reduce;
 pub(crate) use certificate::{Certificate, Iterate, examine};
-pub(crate) use diagonal::Own;
+pub(crate) use diagonal::CellCompliance;
 #[cfg(feature = "dense")]
 pub(crate) use law::check as check_constraint;
 pub use law::disc::Disc;
 pub use law::interval::Interval;
-pub(crate) use law::state::{Linearised, Motion, Row};
-pub use law::{Admissible, Ball, Bounds, Constraint, Magnitude, NonNegative, Within};
-pub(crate) use law::{Carried, UNLIMITED};
-pub(crate) use linear::{Held, LinearWorkspace};
+pub(crate) use law::state::{CellMotion, LinearisedSet, Row};
+pub use law::{AbsBound, Ball, Bounds, Constraint, ConstraintSet, NonNegative, NormBound};
+pub(crate) use law::{BoundedPressure, UNLIMITED};
+pub(crate) use linear::{FixedSetSystem, LinearWorkspace};
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 pub use settings::{Method, Settings};
 pub(crate) use settings::{settings_methods, solver_settings};
-pub(crate) use start::Known;
+pub(crate) use start::InitialGuess;
 pub use totals::Total;
 pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};
 
 /// How a cell of a constraint may move.
-pub(crate) type MotionOf<K, const N: usize> = <<K as Constraint<N>>::Set as Linearised<N>>::Motion;
+pub(crate) type MotionOf<K, const N: usize> =
+    <<K as Constraint<N>>::Set as LinearisedSet<N>>::CellMotion;

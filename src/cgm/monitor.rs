@@ -27,7 +27,7 @@ pub(super) struct Monitor<'a> {
     /// Free cells, as last examined.
     pub(super) free: usize,
     /// The memory that could not be had on the way, if any: what the solve ends with then.
-    pub(super) lack: Option<Error>,
+    pub(super) allocation_error: Option<Error>,
 }
 
 impl<'a> Monitor<'a> {
@@ -52,7 +52,7 @@ impl<'a> Monitor<'a> {
             best: f64::INFINITY,
             stage: None,
             free: 0,
-            lack: None,
+            allocation_error: None,
         }
     }
 
@@ -73,7 +73,11 @@ impl<'a> Monitor<'a> {
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
-    pub(super) fn judge(&mut self, merit: f64, report: &mut Report) -> ControlFlow<Status> {
+    pub(super) fn check_termination(
+        &mut self,
+        merit: f64,
+        report: &mut Report,
+    ) -> ControlFlow<Status> {
         if self.stage.is_none() {
             let entry = self.entry(report);
             report.history.push(entry);
@@ -101,7 +105,7 @@ impl<'a> Monitor<'a> {
 
     /// Asks observer, clock and limit whether to take another step.
     pub(super) fn proceed(&mut self, report: &Report) -> ControlFlow<Status> {
-        self.ask(report)?;
+        self.notify_observer(report)?;
         if self.steps >= self.settings.max_iterations {
             return ControlFlow::Break(Status::IterationLimit);
         }
@@ -110,7 +114,7 @@ impl<'a> Monitor<'a> {
 
     /// Asks observer and clock whether to go on. So, or by [`Self::proceed`], they are asked before every product
     /// that moves the iterate or a step; one that only shows what the iterate is worth is due anyway.
-    pub(super) fn ask(&mut self, report: &Report) -> ControlFlow<Status> {
+    pub(super) fn notify_observer(&mut self, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(report);
         let limit = self.settings.time_limit;
         let own = if (self.observer)(&entry).is_break() {
@@ -124,11 +128,11 @@ impl<'a> Monitor<'a> {
     }
 
     /// Ends where memory could not be had.
-    pub(super) fn unless_lacking(&mut self, room: Result<()>) -> ControlFlow<Status> {
+    pub(super) fn record_allocation_failure(&mut self, room: Result<()>) -> ControlFlow<Status> {
         match room {
             Ok(()) => ControlFlow::Continue(()),
-            Err(lack) => {
-                self.lack = Some(lack);
+            Err(allocation_error) => {
+                self.allocation_error = Some(allocation_error);
                 ControlFlow::Break(Status::Stalled)
             }
         }
@@ -205,12 +209,12 @@ impl Progress {
     }
 
     /// Whether a residual to single precision is enough to go on by.
-    pub(super) fn is_early(&self) -> bool {
+    pub(super) fn single_precision_suffices(&self) -> bool {
         self.best > EARLY && self.without == 0
     }
 
     /// Takes note of a step; says if the method is stuck.
-    pub(super) fn is_stuck_at(&mut self, merit: f64) -> bool {
+    pub(super) fn has_stalled(&mut self, merit: f64) -> bool {
         // Infinite ones do not count as halved.
         if merit < 0.5 * self.best || self.changes < self.fewest {
             self.best = self.best.min(merit);

@@ -8,9 +8,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::degenerate::Standing;
-use crate::cgm::iterate::{Run, SINGLE, Start};
-use crate::cgm::law::state::{Linearised, Motion, Row};
+use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart, SINGLE};
+use crate::cgm::degenerate::BoundState;
+use crate::cgm::law::state::{CellMotion, LinearisedSet, Row};
 use crate::cgm::linear::BASES;
 use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
@@ -35,7 +35,7 @@ pub(super) trait NewtonSteps {
     fn examine(&mut self) -> ControlFlow<Status, f64>;
 
     /// Whether the steps lead nowhere: the sets cycle.
-    fn is_stuck_at(&mut self, merit: f64) -> bool;
+    fn has_stalled(&mut self, merit: f64) -> bool;
 
     /// Sets up the linear problem of the cells as they may move now; says whether it has a solution.
     fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool>;
@@ -62,7 +62,7 @@ fn newton_steps(problem: &mut impl NewtonSteps) -> ControlFlow<Status> {
     problem.begin()?;
     loop {
         let merit = problem.examine()?;
-        if problem.is_stuck_at(merit) || !problem.linearise(merit)? {
+        if problem.has_stalled(merit) || !problem.linearise(merit)? {
             return ControlFlow::Continue(());
         }
         problem.solve_linear(merit)?;
@@ -70,7 +70,7 @@ fn newton_steps(problem: &mut impl NewtonSteps) -> ControlFlow<Status> {
     }
 }
 
-impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K, N> {
     fn begin(&mut self) -> ControlFlow<Status> {
         let cycle = if MotionOf::<K, N>::IS_CURVED {
             CYCLE_CURVED
@@ -78,12 +78,12 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
             CYCLE
         };
         self.progress = Progress::new(cycle, self.inner_reduction);
-        self.is_near = self.start == Start::Near;
+        self.is_near = self.start == IterateStart::Near;
         self.mark_and_measure()
     }
 
     fn examine(&mut self) -> ControlFlow<Status, f64> {
-        if self.totals.is_sound() {
+        if self.totals.is_well_posed() {
             self.set_multiplier();
         }
         let findings = self.certificate();
@@ -94,13 +94,13 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
             // Judge what will be returned.
             let feasible = self.make_feasible();
             keeps_sets = feasible.keeps_sets;
-            if !feasible.was_so {
+            if !feasible.unchanged {
                 let findings = self.certificate();
                 merit = self.merit(&findings);
             }
             self.shown = self.monitor.is_last().then_some(merit);
         }
-        self.judge(merit)?;
+        self.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
             // Cells were far beyond their bounds, and have pushed others off theirs.
@@ -109,8 +109,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
         ControlFlow::Continue(merit)
     }
 
-    fn is_stuck_at(&mut self, merit: f64) -> bool {
-        let is_stuck = self.progress.is_stuck_at(merit);
+    fn has_stalled(&mut self, merit: f64) -> bool {
+        let is_stuck = self.progress.has_stalled(merit);
         if is_stuck {
             self.inner_reduction = self.progress.inner_reduction;
         }
@@ -121,12 +121,12 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
         let tells_sets = std::mem::take(&mut self.is_near) && merit < NEAR;
         if tells_sets && self.reclassify().0 > 0 {
             self.list_and_spread();
-            if self.totals.is_sound() {
+            if self.totals.is_well_posed() {
                 self.set_multiplier();
             }
         }
         self.measure(false);
-        ControlFlow::Continue(self.totals.is_sound())
+        ControlFlow::Continue(self.totals.is_well_posed())
     }
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
@@ -151,9 +151,9 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
             self.list_and_spread();
         }
         self.spread_missing(sums);
-        self.ask()?;
+        self.notify_observer()?;
         if !self.adopt_gradient() {
-            if self.progress.is_early() {
+            if self.progress.single_precision_suffices() {
                 self.refresh_f32();
             } else {
                 self.refresh();
@@ -167,7 +167,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for Run<'_, '_, K, N> {
     }
 }
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Solves the linear problem of the cells that move: unknowns, gradient and multipliers follow.
     fn gmres(&mut self, reduction: f64) -> ControlFlow<Status> {
         self.product_error = f64::INFINITY;
@@ -175,11 +175,13 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let (mut linear, mut moved) = self.parts();
         let w = &mut *linear.workspace;
         let cells = w.rows.len();
-        linear.monitor.unless_lacking(w.make_room_for_gmres())?;
+        linear
+            .monitor
+            .record_allocation_failure(w.make_room_for_gmres())?;
         let limits = (BASES, reduction);
         let solved = linear.solve(&border, [0.0; N], limits, &mut moved);
         let room = linear.workspace.make_room(cells);
-        linear.monitor.unless_lacking(room)?;
+        linear.monitor.record_allocation_failure(room)?;
         solved.map_continue(|_| ())
     }
 
@@ -192,7 +194,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         if MotionOf::<K, N>::IS_CURVED {
             if !self.is_fresh() {
                 self.restore_totals(true);
-                self.ask()?;
+                self.notify_observer()?;
                 self.refresh_f32();
             }
             self.list_moving();
@@ -208,7 +210,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         if !self.is_fresh() {
             let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
             self.spread_missing(sums);
-            self.ask()?;
+            self.notify_observer()?;
             self.refresh_f32();
         }
         ControlFlow::Continue(())
@@ -228,11 +230,11 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         if !MotionOf::<K, N>::IS_STEADY {
             w.linear.moving.update(|i| w.linear.rows[i].moves());
             if w.linear.moving.of_all_ranks() == 0 {
-                match self.stand_at_bounds([1.0; N]) {
-                    Some(Standing::Rests) => {}
+                match self.multiplier_at_bounds([1.0; N]) {
+                    Some(BoundState::Rests) => {}
                     // All at once, those that can only lead away would come back in the next step.
-                    Some(Standing::Misses(missing)) => self.release(|_, _| [-missing; N]),
-                    Some(Standing::Pushed) | None => {
+                    Some(BoundState::Deficit(missing)) => self.release(|_, _| [-missing; N]),
+                    Some(BoundState::Released) | None => {
                         if !self.is_fresh() {
                             self.refresh();
                         }
@@ -259,7 +261,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
         parallel::update(&mut w.linear.rows, |first, chunk| {
             for (i, motion) in (first..).zip(chunk) {
-                *motion = motion.released(push(at(&gradient, i), multiplier));
+                *motion = motion.released_from_bound(push(at(&gradient, i), multiplier));
             }
         });
     }
@@ -288,7 +290,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     }
 
     /// The stiffness of every curved bound, from the gradient just measured; known to the preconditioner only if
-    /// `weighed`.
+    /// `with_preconditioner_weight`.
     fn measure(&mut self, weighed: bool) {
         if !MotionOf::<K, N>::IS_CURVED {
             return;
@@ -304,7 +306,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
                 let set = problem.constraint.of(cell);
                 let measured = set.measured(motions.items[kept], g);
                 motions.items[kept] = if weighed {
-                    measured.weighed(self_compliance, problem.own.mean(cell))
+                    measured.with_preconditioner_weight(self_compliance, problem.own.mean(cell))
                 } else {
                     measured
                 };

@@ -6,11 +6,11 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::iterate::{Precision, Run};
-use crate::cgm::law::interval::{Side, shift_to_total};
-use crate::cgm::law::state::Motion;
-use crate::cgm::reduce::Tally;
-use crate::cgm::{Admissible, Constraint, Interval, reduce};
+use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
+use crate::cgm::law::interval::{IntervalMotion, shift_to_total};
+use crate::cgm::law::state::CellMotion;
+use crate::cgm::reduce::Reduction;
+use crate::cgm::{Constraint, ConstraintSet, Interval, reduce};
 use crate::numerics::cell_vector::{at, plus, slices, update_cells};
 use crate::parallel::Blocks;
 use crate::report::Status;
@@ -21,12 +21,12 @@ const REFRESH: usize = 25;
 const PATIENCE: usize = 200;
 
 /// Entries that changed sets in a step.
-struct Moves {
+struct SetChanges {
     clipped: usize,
     entered: usize,
 }
 
-impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
+impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     /// Ends with the status of the run; `None` if the sets cycle.
     pub(super) fn polonsky_keer(&mut self) -> Option<Status> {
         self.mark_start();
@@ -36,7 +36,7 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let mut since_refresh = REFRESH;
         loop {
             if since_refresh >= REFRESH {
-                if let ControlFlow::Break(status) = self.ask() {
+                if let ControlFlow::Break(status) = self.notify_observer() {
                     return Some(status);
                 }
                 self.refresh();
@@ -50,7 +50,7 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
                 continue;
             }
             self.monitor.free = free;
-            if let ControlFlow::Break(status) = self.judge(merit) {
+            if let ControlFlow::Break(status) = self.check_termination(merit) {
                 return Some(status);
             }
             if merit < 0.5 * best {
@@ -87,7 +87,7 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let w = &*self.workspace;
         let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
         move |i| {
-            if state[i] == Side::Free {
+            if state[i] == IntervalMotion::Free {
                 gradient[i] - multiplier
             } else {
                 0.0
@@ -101,7 +101,7 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let w = &mut *self.workspace;
         let [gradient] = &w.gradient;
         let (count, sum) = reduce::over_chunks(self.problem.layout, |range| {
-            let free = range.filter(|&i| w.linear.rows[i] == Side::Free);
+            let free = range.filter(|&i| w.linear.rows[i] == IntervalMotion::Free);
             free.fold((0_usize, 0.0), |(count, sum), i| {
                 (count + 1, sum + gradient[i])
             })
@@ -123,7 +123,7 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let w = &mut *self.workspace;
         let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
         update_cells(&mut w.linear.direction, |i, [d]| {
-            [if state[i] == Side::Free {
+            [if state[i] == IntervalMotion::Free {
                 gradient[i] - multiplier + conjugation * d
             } else {
                 0.0
@@ -133,7 +133,11 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
             let [direction] = &w.linear.direction;
             let mean = reduce::sum(self.problem.layout, |i| direction[i]) / free as f64;
             update_cells(&mut w.linear.direction, |i, [d]| {
-                [if state[i] == Side::Free { d - mean } else { d }]
+                [if state[i] == IntervalMotion::Free {
+                    d - mean
+                } else {
+                    d
+                }]
             });
         }
     }
@@ -160,13 +164,13 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
 
     /// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
     /// inward follow theirs and become free (eqs 22, 23).
-    fn step_and_clip(&mut self, length: f64) -> Moves {
+    fn step_and_clip(&mut self, length: f64) -> SetChanges {
         let (constraint, layout) = (self.problem.constraint, self.problem.layout);
         let w = &mut *self.workspace;
         let ([gradient], [direction], [multiplier]) =
             (&w.gradient, &w.linear.direction, w.multiplier);
-        let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, Side>)| {
-            let mut moves = Moves {
+        let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, IntervalMotion>)| {
+            let mut moves = SetChanges {
                 clipped: 0,
                 entered: 0,
             };
@@ -174,21 +178,23 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
                 let r = gradient[i] - multiplier;
                 let interval = constraint.of(i);
                 match *state {
-                    Side::Free => {
+                    IntervalMotion::Free => {
                         *x -= length * direction[i];
                         if *x <= interval.lower || *x >= interval.upper {
                             *state = if *x <= interval.lower {
-                                Side::Lower
+                                IntervalMotion::Lower
                             } else {
-                                Side::Upper
+                                IntervalMotion::Upper
                             };
                             [*x] = interval.project([*x]);
                             moves.clipped += 1;
                         }
                     }
-                    Side::Lower | Side::Upper if state.released([r]) == Side::Free => {
+                    IntervalMotion::Lower | IntervalMotion::Upper
+                        if state.released_from_bound([r]) == IntervalMotion::Free =>
+                    {
                         [*x] = interval.project([*x - length * r]);
-                        *state = Side::Free;
+                        *state = IntervalMotion::Free;
                         moves.entered += 1;
                     }
                     _ => {}
@@ -199,8 +205,8 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let [x] = &mut self.x;
         let data = (layout.blocks(x), layout.blocks(&mut w.linear.rows));
         self.product_error = f64::INFINITY;
-        let [clipped, entered] = layout.sweep(data, work, Tally::plus);
-        Moves { clipped, entered }
+        let [clipped, entered] = layout.sweep(data, work, Reduction::plus);
+        SetChanges { clipped, entered }
     }
 
     /// The product after a step that clipped nothing, without a new one.
@@ -221,7 +227,13 @@ impl<K: Constraint<1, Set = Interval>> Run<'_, '_, K, 1> {
         let (state, constraint) = (&self.workspace.linear.rows, self.problem.constraint);
         let layout = self.problem.layout;
         let [x] = &mut self.x;
-        if !shift_to_total(layout, x, constraint, |i| state[i] == Side::Free, total) {
+        if !shift_to_total(
+            layout,
+            x,
+            constraint,
+            |i| state[i] == IntervalMotion::Free,
+            total,
+        ) {
             shift_to_total(layout, x, constraint, |_| true, total);
             self.mark_start();
         }

@@ -2,14 +2,14 @@
 
 use std::ops::ControlFlow;
 
+use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::certificate::Iterate;
-use crate::cgm::diagonal::Own;
-use crate::cgm::iterate::Run;
-use crate::cgm::law::state::{Linearised, Reach};
+use crate::cgm::diagonal::CellCompliance;
+use crate::cgm::law::state::{LinearisedSet, TotalFeasibility};
 use crate::cgm::newton::newton;
 use crate::cgm::safeguard::projected_gradient::Objective;
 use crate::cgm::totals::Total;
-use crate::cgm::{Constraint, Known, Method, Settings, Workspace, law};
+use crate::cgm::{Constraint, InitialGuess, Method, Settings, Workspace, law};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
 use crate::numerics::cell_vector::{at, minus};
 use crate::observer::Observer;
@@ -25,7 +25,7 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
     /// Compliance that cells have of their own.
-    pub(super) own: Own<'a>,
+    pub(super) own: CellCompliance<'a>,
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: K,
@@ -42,7 +42,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             layout: operator.layout(),
             operator,
             preconditioner,
-            own: Own::default(),
+            own: CellCompliance::default(),
             linear,
             datum: [0.0; N],
             constraint,
@@ -77,11 +77,11 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// ```
     #[must_use]
     pub fn diagonal(self, diagonal: &'a [f64]) -> Self {
-        self.own(Own::isotropic(diagonal))
+        self.own(CellCompliance::isotropic(diagonal))
     }
 
     /// With a symmetric tensor added to each cell that is not negative in any direction.
-    pub(crate) fn own(mut self, own: Own<'a>) -> Self {
+    pub(crate) fn own(mut self, own: CellCompliance<'a>) -> Self {
         self.own = own;
         self
     }
@@ -95,7 +95,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     /// Marks a problem whose answer is only a start, or is examined by the caller with an exact product. It may then be
     /// judged by a product that is wrong by a small part of the tolerance; report and kept product are as accurate as
     /// that, and certify nothing.
-    pub(crate) fn examined_elsewhere(mut self) -> Self {
+    pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self
     }
@@ -165,7 +165,7 @@ pub(crate) struct Posed<'a, K, const N: usize> {
     pub(super) preconditioner: &'a dyn Operator<N>,
     pub(super) layout: &'a Layout,
     /// Compliance that cells have of their own.
-    pub(super) own: Own<'a>,
+    pub(super) own: CellCompliance<'a>,
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: &'a K,
@@ -290,7 +290,7 @@ pub struct Minimum<const N: usize = 1> {
 /// Finds the minimum from the start `x` and leaves it in `x`.
 ///
 /// # Errors
-/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Negative`], [`Error::Total`] or
+/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::NegativeOrNotFinite`], [`Error::Total`] or
 /// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
 /// a spring, [`Error::Method`] for a method that does not work with the sets, [`Error::Tolerance`] or
 /// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
@@ -330,7 +330,7 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
         &problem.posed(),
         settings,
         x,
-        Known::Nothing,
+        InitialGuess::Nothing,
         workspace,
         observer,
     )
@@ -341,23 +341,23 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
     problem: &Posed<'_, K, N>,
     settings: &Settings,
     x: [&mut [f64]; N],
-    known: Known<N>,
+    known: InitialGuess<N>,
     workspace: &mut Workspace<K::Set, N>,
     observer: Observer<'_>,
 ) -> Result<()> {
     let cells = x[0].len();
     let checked = problem.check(settings, &x);
     let checked = checked.and_then(|()| length("workspace", cells, workspace.linear.rows.len()));
-    problem.layout.agreed(checked)?;
+    problem.layout.collective_result(checked)?;
     let solve = || -> Result<Status> {
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(problem.layout, problem.constraint, sums)?;
-        let mut run = Run::new(problem, settings, x, workspace, observer);
+        let mut run = ActiveSetSolve::new(problem, settings, x, workspace, observer);
         run.find_bound_of_mean();
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
-            (None, Reach::Extreme(direction)) => run.at_extreme(direction),
-            (None, Reach::Inside) => match run.look(known) {
+            (None, TotalFeasibility::Extreme(direction)) => run.at_extreme(direction),
+            (None, TotalFeasibility::Inside) => match run.verify_start(known) {
                 Some(status) => {
                     run.add_diagonal(-1.0);
                     return Ok(status);
@@ -368,8 +368,8 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
         let status = run.finish(status);
         // The product that is kept is that of the operator alone.
         run.add_diagonal(-1.0);
-        if let Some(lack) = run.monitor.lack.take() {
-            return Err(lack);
+        if let Some(allocation_error) = run.monitor.allocation_error.take() {
+            return Err(allocation_error);
         }
         let has_failed = matches!(status, Status::Stalled | Status::IterationLimit);
         if has_failed && settings.method == Method::ActiveSet {
@@ -392,8 +392,8 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
 const GRADIENTS: [usize; 2] = [32, 64];
 
 /// The chosen method, led past the place where its sets cycle.
-fn iterate<K: Constraint<N>, const N: usize>(run: &mut Run<'_, '_, K, N>) -> Status {
-    let once = |run: &mut Run<'_, '_, K, N>| match run.monitor.settings.method {
+fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K, N>) -> Status {
+    let once = |run: &mut ActiveSetSolve<'_, '_, K, N>| match run.monitor.settings.method {
         Method::ActiveSet => newton(run),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };

@@ -170,7 +170,7 @@ macro_rules! solver_settings {
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
             let checked = settings.check().and_then(|()| check(self, &settings));
-            self.$($bodies).+.agreed_alike(checked, &[("settings", &settings.common())])?;
+            self.$($bodies).+.collective_result_checked(checked, &[("settings", &settings.common())])?;
             self.$($path).+ = settings;
             Ok(())
         }

@@ -1,48 +1,48 @@
 //! A look at a start that has been an answer: where nothing has changed, one product shows that it is one still.
 
-use crate::cgm::iterate::{Run, Start};
+use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart};
 use crate::cgm::totals::{Total, sums_of};
-use crate::cgm::{Constraint, Linearised, reduce};
+use crate::cgm::{Constraint, LinearisedSet, reduce};
 use crate::numerics::cell_vector::{at, slices};
 use crate::report::Status;
 
 /// What the caller knows of the start of a solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Known<const N: usize> {
+pub(crate) enum InitialGuess<const N: usize> {
     Nothing,
     /// It has been an answer at these multipliers: it is looked at first.
-    Answer([f64; N]),
+    PreviousSolution([f64; N]),
     /// It is near the answer, from coarser cells or extrapolated: its gradient tells where cells become free.
-    Near,
+    Interpolated,
 }
 
 /// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the
     /// last word. Otherwise the product is at hand, if the start is feasible.
-    pub(super) fn look(&mut self, known: Known<N>) -> Option<Status> {
+    pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
         let multiplier = match known {
-            Known::Answer(multiplier) => multiplier,
-            Known::Near => {
-                self.start = Start::Near;
+            InitialGuess::PreviousSolution(multiplier) => multiplier,
+            InitialGuess::Interpolated => {
+                self.start = IterateStart::Near;
                 return None;
             }
-            Known::Nothing => return None,
+            InitialGuess::Nothing => return None,
         };
         if !self.is_feasible(multiplier) {
             return None;
         }
         self.refresh();
-        self.start = Start::LookedAt;
+        self.start = IterateStart::Verified;
         self.workspace.multiplier = multiplier;
         let findings = self.certificate();
         let merit = self.merit(&findings);
         if merit > self.monitor.tolerance() || merit.is_nan() {
             return None;
         }
-        let status = self.judge(merit).break_value()?;
+        let status = self.check_termination(merit).break_value()?;
         let report = &mut self.workspace.linear.report;
         Some(self.monitor.finish(status, merit, report))
     }

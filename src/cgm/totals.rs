@@ -22,7 +22,7 @@
 //! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
 //! <https://doi.org/10.1137/S0895479899351805>.)
 
-use crate::cgm::iterate::Run;
+use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::Border;
 use crate::cgm::reduce;
@@ -191,7 +191,7 @@ impl<const N: usize> TotalsSystem<N> {
     }
 
     /// The change of the multipliers of the sums that leaves no mean residual, weighted as they spread.
-    pub(super) fn without_mean(&self, products: [f64; N]) -> [f64; N] {
+    pub(super) fn remove_mean(&self, products: [f64; N]) -> [f64; N] {
         let matrix = &self.border.matrix;
         matrix.solve(products.map(|product| -product), self.has_sum())
     }
@@ -212,7 +212,7 @@ impl<const N: usize> TotalsSystem<N> {
 
     /// Whether the patterns are those of a preconditioner: a change of a total that nothing follows, or that is no number,
     /// would leave no number of the iterate.
-    pub(super) fn is_sound(&self) -> bool {
+    pub(super) fn is_well_posed(&self) -> bool {
         let prescribed = self.prescribed();
         let moves = (0..N).any(|a| self.mobility.0[a][a] > 0.0);
         let entry = |a: usize| self.border.matrix.0[a][a];
@@ -221,7 +221,7 @@ impl<const N: usize> TotalsSystem<N> {
     }
 }
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Finds how changes of the multipliers spread over the cells that move.
     pub(super) fn set_totals(&mut self) {
         let mut system = TotalsSystem {
@@ -238,8 +238,8 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
             return;
         }
         if MotionOf::<K, N>::IS_CURVED && !self.has_free_cell() {
-            if let Some(normal) = self.locked(&system) {
-                self.settle(&mut system, normal);
+            if let Some(normal) = self.uncontrollable_direction(&system) {
+                self.release_bound_cells(&mut system, normal);
             }
         }
         let prescribed = system.prescribed();
@@ -294,7 +294,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         let missing = |a: usize| system.totals[a].missing(sums[a], w.multiplier[a]);
         let missing = std::array::from_fn(missing);
         let change = system.border.balance(missing, [0.0; N]);
-        if norm(change) == 0.0 || !system.is_sound() {
+        if norm(change) == 0.0 || !system.is_well_posed() {
             return;
         }
         let spread = &w.linear.spread;
@@ -323,7 +323,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         }
         let w = &mut *self.workspace;
         if w.linear.moving.of_all_ranks() == 0 {
-            // All stand at their bounds: the multiplier is that of `stand_at_bounds`.
+            // All stand at their bounds: the multiplier is that of `multiplier_at_bounds`.
             return;
         }
         let gradient = slices(&w.gradient);

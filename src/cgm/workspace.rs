@@ -1,6 +1,6 @@
 //! What an iteration writes to.
 
-use crate::cgm::Admissible;
+use crate::cgm::ConstraintSet;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
 use crate::memory::fallible;
@@ -12,8 +12,8 @@ use crate::report::Report;
 /// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
 /// [`Problem::workspace`](crate::cgm::Problem::workspace) creates it.
 #[derive(Debug, Clone)]
-pub struct Workspace<S: Admissible<N>, const N: usize = 1> {
-    pub(super) linear: LinearWorkspace<S::Motion, N>,
+pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {
+    pub(super) linear: LinearWorkspace<S::CellMotion, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
     /// What a stage is restrained about; empty until sets cycle.
@@ -29,7 +29,7 @@ pub(super) struct Conjugate<const N: usize> {
     pub(super) direction: Vec<[f64; N]>,
 }
 
-impl<S: Admissible<N>, const N: usize> Workspace<S, N> {
+impl<S: ConstraintSet<N>, const N: usize> Workspace<S, N> {
     /// Buffers for an operator and its preconditioner: `7 N + N^2` numbers and a motion per cell besides their own.
     ///
     /// # Errors

@@ -1,11 +1,13 @@
 //! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
 
 use crate::bodies::component::Direction;
-use crate::cgm::{self, Admissible, Constraint, Known, Problem, Settings, Total, Workspace};
+use crate::cgm::{
+    self, Constraint, ConstraintSet, InitialGuess, Problem, Settings, Total, Workspace,
+};
 use crate::contact::has_iterate;
 use crate::error::Result;
 use crate::half_space::{Compliance, ElasticOperator, ElasticPreconditioner, HalfSpace};
-use crate::memory::pool::Lease;
+use crate::memory::pool::PooledBuffer;
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
@@ -14,10 +16,10 @@ use crate::report::Report;
 /// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
 /// gives them back; all engines of a rectangle that work one after the other have the same.
 #[derive(Debug, Clone)]
-pub(crate) struct ElasticSolver<S: Admissible<N>, const N: usize> {
+pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
-    workspace: Lease<Workspace<S, N>>,
+    workspace: PooledBuffer<Workspace<S, N>>,
     multiplier: [f64; N],
     report: Report,
 }
@@ -34,7 +36,7 @@ pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -
     })
 }
 
-impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
+impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
     /// For tractions and displacements along these directions, on `size` cells.
     pub(crate) fn new(
         bodies: &HalfSpace,
@@ -45,7 +47,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
         Ok(Self {
             layout: compliance.operator.layout().alike(bodies.team()),
             compliance,
-            workspace: Lease::new(bodies.pool_of_products(directions, size)?),
+            workspace: PooledBuffer::new(bodies.pool_of_products(directions, size)?),
             multiplier: [0.0; N],
             report: Report::with_room(),
         })
@@ -67,7 +69,7 @@ impl<S: Admissible<N>, const N: usize> ElasticSolver<S, N> {
     pub(crate) fn minimise(
         &mut self,
         problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
-        (x, known): ([&mut [f64]; N], Known<N>),
+        (x, known): ([&mut [f64]; N], InitialGuess<N>),
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {

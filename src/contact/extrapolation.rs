@@ -10,22 +10,22 @@ const FARTHEST: f64 = 3.0;
 const NO_PART: f64 = 1e-9;
 
 /// Sum of a component of the unknowns (or the force it makes), and motion (approach or shift) along it.
-pub(crate) type Reached = [f64; 2];
+pub(crate) type LoadPoint = [f64; 2];
 
 /// The change of the unknowns on a window in the last solve in which the load changed, and what changed it.
 #[derive(Debug)]
-pub(crate) struct Trend<const N: usize> {
+pub(crate) struct LoadTrend<const N: usize> {
     /// Of every cell; empty before there is one.
     pub(crate) change: [Vec<f64>; N],
     /// Of what was reached along each component; zero if nothing can be told from it.
-    pub(crate) by: [Reached; N],
+    pub(crate) by: [LoadPoint; N],
 }
 
-clone_in_place!(Trend<const N: usize> { change, by });
+clone_in_place!(LoadTrend<const N: usize> { change, by });
 
-try_clone!(Trend<const N: usize> { change } { by });
+try_clone!(LoadTrend<const N: usize> { change } { by });
 
-impl<const N: usize> Default for Trend<N> {
+impl<const N: usize> Default for LoadTrend<N> {
     fn default() -> Self {
         Self {
             change: [const { Vec::new() }; N],
@@ -36,7 +36,7 @@ impl<const N: usize> Default for Trend<N> {
 
 /// How much further a component of the load is to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Ahead {
+pub(crate) enum LoadIncrement {
     /// It is not prescribed.
     Nothing,
     /// In sum (or force).
@@ -47,9 +47,9 @@ pub(crate) enum Ahead {
     Spring { far_end: f64, stiffness: f64 },
 }
 
-impl Ahead {
+impl LoadIncrement {
     /// The same in units of a change.
-    fn parts(self, [by_total, by_motion]: Reached) -> f64 {
+    fn parts(self, [by_total, by_motion]: LoadPoint) -> f64 {
         match self {
             Self::Nothing => 0.0,
             Self::Total(total) => total / by_total,
@@ -59,7 +59,7 @@ impl Ahead {
     }
 }
 
-impl<const N: usize> Trend<N> {
+impl<const N: usize> LoadTrend<N> {
     /// Forgets the change; keeps the memory.
     pub(crate) fn forget(&mut self) {
         for change in &mut self.change {
@@ -75,7 +75,7 @@ impl<const N: usize> Trend<N> {
 
     /// How many times the last change the load lies ahead, negative if it goes back: the mean of the components, by the
     /// squares of the changes of their sums. `None` where the trend does not lead there, or too far.
-    pub(crate) fn parts(&self, ahead: [Ahead; N]) -> Option<f64> {
+    pub(crate) fn parts(&self, ahead: [LoadIncrement; N]) -> Option<f64> {
         let (mut parts, mut squares) = (0.0, 0.0);
         for (ahead, by) in ahead.into_iter().zip(self.by) {
             let square = by[0] * by[0];

@@ -22,13 +22,13 @@ const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
 const COARSE_STEPS: usize = 100;
 
 /// Settings, clock and observer of a solve.
-pub(crate) struct Conditions<'a, 'b> {
+pub(crate) struct SolveContext<'a, 'b> {
     pub(crate) settings: &'a Settings,
     pub(crate) start: Instant,
     pub(crate) observer: Observer<'b>,
 }
 
-impl<'a, 'b> Conditions<'a, 'b> {
+impl<'a, 'b> SolveContext<'a, 'b> {
     /// From now on.
     pub(crate) fn new(settings: &'a Settings, observer: Observer<'b>) -> Self {
         Self {
@@ -39,8 +39,8 @@ impl<'a, 'b> Conditions<'a, 'b> {
     }
 
     /// The same clock and observer under other settings.
-    pub(crate) fn under<'c>(&'c mut self, settings: &'c Settings) -> Conditions<'c, 'c> {
-        Conditions {
+    pub(crate) fn under<'c>(&'c mut self, settings: &'c Settings) -> SolveContext<'c, 'c> {
+        SolveContext {
             settings,
             start: self.start,
             observer: &mut *self.observer,
@@ -48,7 +48,7 @@ impl<'a, 'b> Conditions<'a, 'b> {
     }
 
     /// The settings with what is left of their time limit.
-    pub(crate) fn in_time(&self) -> Settings {
+    pub(crate) fn with_remaining_time(&self) -> Settings {
         Settings {
             time_limit: self
                 .settings
@@ -59,10 +59,10 @@ impl<'a, 'b> Conditions<'a, 'b> {
     }
 
     /// The settings with what earlier passes have left of their limits, one step at least.
-    pub(crate) fn left(&self, earlier: &Report) -> Settings {
+    pub(crate) fn with_remaining_limits(&self, earlier: &Report) -> Settings {
         let steps = self.settings.max_iterations;
         let left = steps.saturating_sub(earlier.iterations).max(1);
-        self.in_time().max_iterations(left)
+        self.with_remaining_time().max_iterations(left)
     }
 
     /// `Ok` if the limit of iterations leaves some for a further pass, else the report of the solve, which it ends.
@@ -76,11 +76,11 @@ impl<'a, 'b> Conditions<'a, 'b> {
 
     /// The settings of a coarse solve whose start came from one with this residual at its beginning: a rough answer, within
     /// the time that is left.
-    pub(crate) fn rough(&self, residual: f64) -> Settings {
+    pub(crate) fn coarse_settings(&self, residual: f64) -> Settings {
         // In this order a residual that is no number asks for the loosest.
         let loose = (COARSE_PART * residual).min(COARSE_TOLERANCE);
         let least = self.settings.tolerance.max(LEAST_COARSE_TOLERANCE);
-        self.in_time()
+        self.with_remaining_time()
             .tolerance(loose.max(least))
             .max_iterations(self.settings.max_iterations.min(COARSE_STEPS))
     }
@@ -157,7 +157,7 @@ pub(crate) fn has_iterate(outcome: &Result<()>) -> bool {
 }
 
 /// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.
-pub(crate) fn ended_from_outside(outcome: Result<()>) -> Result<Option<Status>> {
+pub(crate) fn interrupted_status(outcome: Result<()>) -> Result<Option<Status>> {
     match outcome {
         Ok(()) => Ok(None),
         Err(Error::NotConverged(report)) => {
@@ -185,8 +185,8 @@ mod tests {
         ] {
             let settings = Settings::default().tolerance(asked);
             let mut observer = |_: &Iteration| ControlFlow::Continue(());
-            let conditions = Conditions::new(&settings, &mut observer);
-            let found = conditions.rough(residual).tolerance;
+            let conditions = SolveContext::new(&settings, &mut observer);
+            let found = conditions.coarse_settings(residual).tolerance;
             assert!(
                 (found - tolerance).abs() <= 1e-15,
                 "of {residual} at {asked}: {found}"

@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use crate::contact::survey::Survey;
+use crate::contact::contact_counts::ContactCounts;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
@@ -18,7 +18,7 @@ pub(crate) struct ContactMap<'a, F> {
     pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
     /// The counts of all ranks that hold a slab each; nothing else is asked of their map.
-    pub(crate) counted: Option<&'a Survey>,
+    pub(crate) counted: Option<&'a ContactCounts>,
 }
 
 impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
@@ -27,7 +27,7 @@ impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
         grid: Grid,
         boundary: Boundary,
         contains: F,
-        counted: Option<&'a Survey>,
+        counted: Option<&'a ContactCounts>,
     ) -> Self {
         Self {
             grid: counted.map_or(grid, |_| grid.whole()),
@@ -40,7 +40,7 @@ impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     /// All counts.
-    pub(crate) fn counts(&self) -> Survey {
+    pub(crate) fn counts(&self) -> ContactCounts {
         self.counted.copied().unwrap_or_else(|| self.survey(None))
     }
 
@@ -85,7 +85,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 
     /// All warnings.
     pub(crate) fn warnings(&self) -> Vec<Warning> {
-        let Survey {
+        let ContactCounts {
             cells,
             cells_on_edge,
             spots,
@@ -103,9 +103,9 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         let ([columns, rows], repeats) = (self.grid.size(), self.repeats);
         let [along_x, along_y] = from_fn(|axis| !repeats[axis] && spots.is_across[axis]);
         if repeats == [false; 2] && columns.min(rows) == 1 && columns.max(rows) > 1 {
-            warnings.push(Warning::LineOfCells);
+            warnings.push(Warning::SingleRowOfCells);
         } else if along_x || along_y {
-            warnings.push(Warning::ContactAcross { along_x, along_y });
+            warnings.push(Warning::ContactSpansGrid { along_x, along_y });
         }
         if spots.unresolved == 0 || 10 * spots.unresolved_cells < cells {
             let contact = Resolution::of_contact(self.grid, cells);
@@ -195,7 +195,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 
 impl HalfSpace {
     /// Counts of the cells of the whole grid that are in a set, of the cells held here; `None` without ranks.
-    pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<Survey> {
+    pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<ContactCounts> {
         let map = ContactMap {
             grid: self.grid(),
             repeats: self.boundary().repeats(),

@@ -2,8 +2,8 @@
 //! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Admissible, Constraint, Known, Settings};
-use crate::contact::{Conditions, ElasticProblem, ElasticSolver, ended_from_outside};
+use crate::cgm::{Constraint, ConstraintSet, InitialGuess, Settings};
+use crate::contact::{ElasticProblem, ElasticSolver, SolveContext, interrupted_status};
 use crate::error::Result;
 use crate::grid::coarsening::halved;
 use crate::half_space::{HalfSpace, Region};
@@ -17,9 +17,9 @@ const COARSEST_LINE: usize = 160;
 const NARROW: usize = 8;
 
 /// A scene that can be posed on cells twice as large, whose answer is a start for its own.
-pub(crate) trait Scene<const N: usize>: Sized {
+pub(crate) trait MultilevelProblem<const N: usize>: Sized {
     /// What a cell may carry.
-    type Set: Admissible<N>;
+    type Set: ConstraintSet<N>;
     type Constraint<'a>: Constraint<N, Set = Self::Set>
     where
         Self: 'a;
@@ -34,11 +34,11 @@ pub(crate) trait Scene<const N: usize>: Sized {
     ) -> ElasticProblem<'_, Self::Constraint<'_>, N>;
 
     /// The scene on cells twice as large.
-    fn coarsened(&self, levels: Levels<'_>) -> Result<Self>;
+    fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self>;
 
     /// The part of the grid that is worth solving on from a start, and the scene there, where that is little of it. What
     /// it misses the finest grid will see.
-    fn confined(
+    fn restrict_to_window(
         &self,
         _bodies: &HalfSpace,
         _start: &[Vec<f64>; N],
@@ -52,7 +52,7 @@ pub(crate) trait Scene<const N: usize>: Sized {
     /// A start from the coarser scene's answer.
     fn refined_start(
         &self,
-        levels: Levels<'_>,
+        levels: GridTransfer<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
     ) -> Result<[Vec<f64>; N]>;
@@ -60,13 +60,13 @@ pub(crate) trait Scene<const N: usize>: Sized {
 
 /// Rectangles of `size` cells and of cells twice as large, and how their fields lie.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Levels<'a> {
+pub(crate) struct GridTransfer<'a> {
     size: [usize; 2],
     bodies: &'a HalfSpace,
     coarser: &'a HalfSpace,
 }
 
-impl Levels<'_> {
+impl GridTransfer<'_> {
     /// A field on the coarser cells.
     pub(crate) fn coarsened(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.coarsened(self.coarser, self.size, field)
@@ -99,11 +99,11 @@ impl Levels<'_> {
 }
 
 /// A start from the answer on cells twice as large, itself found so.
-pub(crate) fn nested_start<S: Scene<N>, const N: usize>(
+pub(crate) fn nested_start<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
     scene: &S,
-    conditions: &mut Conditions<'_, '_>,
+    conditions: &mut SolveContext<'_, '_>,
 ) -> Result<[Vec<f64>; N]> {
     descend(bodies, size, scene, conditions).map(|(found, _)| found)
 }
@@ -120,21 +120,24 @@ pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool 
 }
 
 /// What is known of a start on these cells.
-pub(crate) fn known_of_start<const N: usize>(bodies: &HalfSpace, size: [usize; 2]) -> Known<N> {
+pub(crate) fn known_of_start<const N: usize>(
+    bodies: &HalfSpace,
+    size: [usize; 2],
+) -> InitialGuess<N> {
     if is_worth_coarsening(bodies, size) {
-        Known::Near
+        InitialGuess::Interpolated
     } else {
-        Known::Nothing
+        InitialGuess::Nothing
     }
 }
 
 /// The [start](nested_start), and the residual that the coarser answer began with, infinite where there is no coarser
 /// answer; `None` if it was ended on the way, by observer or clock: then nothing more is solved.
-fn descend<S: Scene<N>, const N: usize>(
+fn descend<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
     scene: &S,
-    conditions: &mut Conditions<'_, '_>,
+    conditions: &mut SolveContext<'_, '_>,
 ) -> Result<([Vec<f64>; N], Option<f64>)> {
     if !is_worth_coarsening(bodies, size) {
         return Ok((
@@ -143,7 +146,7 @@ fn descend<S: Scene<N>, const N: usize>(
         ));
     }
     let (coarser, coarse_size) = (bodies.coarser()?, halved(size));
-    let levels = Levels {
+    let levels = GridTransfer {
         size,
         bodies,
         coarser,
@@ -152,7 +155,7 @@ fn descend<S: Scene<N>, const N: usize>(
     let (mut x, mut residual) = descend(coarser, coarse_size, &coarse, conditions)?;
     if let Some(before) = residual {
         let known = known_of_start(coarser, coarse_size);
-        let rough = conditions.rough(before);
+        let rough = conditions.coarse_settings(before);
         residual = solve(
             (coarser, coarse_size),
             &coarse,
@@ -166,14 +169,14 @@ fn descend<S: Scene<N>, const N: usize>(
 
 /// Solves a coarse scene roughly, where it is worth solving; returns the residual that it began with, `None` if observer
 /// or clock ended it.
-fn solve<S: Scene<N>, const N: usize>(
+fn solve<S: MultilevelProblem<N>, const N: usize>(
     (bodies, size): (&HalfSpace, [usize; 2]),
     scene: &S,
-    (x, known): (&mut [Vec<f64>; N], Known<N>),
+    (x, known): (&mut [Vec<f64>; N], InitialGuess<N>),
     rough: &Settings,
-    conditions: &mut Conditions<'_, '_>,
+    conditions: &mut SolveContext<'_, '_>,
 ) -> Result<Option<f64>> {
-    let confined = scene.confined(bodies, x)?;
+    let confined = scene.restrict_to_window(bodies, x)?;
     let inside = confined.as_ref().map(|(region, _)| {
         let mut inside: [_; N] = fallible::vector(region.cells())?;
         for (inside, x) in inside.iter_mut().zip(&*x) {
@@ -187,7 +190,7 @@ fn solve<S: Scene<N>, const N: usize>(
         None => (size, scene),
     };
     let mut solver = ElasticSolver::<S::Set, N>::new(bodies, scene.directions(), size)?;
-    let problem = scene.problem(&solver).examined_elsewhere();
+    let problem = scene.problem(&solver).verified_by_caller();
     let unknowns = inside.as_mut().unwrap_or(x).each_mut();
     let from = (unknowns.map(Vec::as_mut_slice), known);
     let outcome = solver.minimise(&problem, from, rough, &mut *conditions.observer);
@@ -196,7 +199,7 @@ fn solve<S: Scene<N>, const N: usize>(
             region.scatter(inside, x);
         }
     }
-    let is_over = ended_from_outside(outcome)?.is_some();
+    let is_over = interrupted_status(outcome)?.is_some();
     let begun = solver.report().history.first();
     Ok((!is_over).then(|| begun.map_or(f64::INFINITY, |step| step.residual)))
 }

@@ -7,7 +7,7 @@ macro_rules! solver_methods {
         /// An empty solution of the right size for [`Self::solve_into`].
         #[must_use]
         pub fn new_solution(&self) -> $Solution {
-            crate::memory::fallible::or_abort(self.try_new_solution())
+            crate::memory::fallible::unwrap_or_abort(self.try_new_solution())
         }
 
         /// Solves into `solution`, whose last content does not matter.
@@ -39,7 +39,7 @@ macro_rules! solver_methods {
                 let half = &*solution $(.$half())?;
                 (half.grid(), half.boundary())
             };
-            bodies.agreed(bodies.check_host("solution", grid, boundary))?;
+            bodies.collective_result(bodies.check_host("solution", grid, boundary))?;
             bodies.joint(crate::parallel::enter_with(grid.cells(), || {
                 self.solve_checked(solution, &mut observer)
             }))

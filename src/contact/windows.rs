@@ -1,7 +1,7 @@
 //! The loop of a contact that is found on a window of the grid: solve there, look at the whole grid, go on where the window
 //! was too small.
 
-use crate::contact::{BySize, OfSize};
+use crate::contact::{HasSize, SizeCache};
 use crate::error::{Error, Result};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
@@ -10,7 +10,7 @@ use crate::half_space::HalfSpace;
 const ROUND_OFF: f64 = 1e-13;
 
 /// What solves on a window.
-pub(crate) trait OnWindow: Sized {
+pub(crate) trait WindowEngine: Sized {
     /// On a window, as [`HalfSpace::place`] has it.
     fn new(bodies: &HalfSpace, window: Window) -> Result<Self>;
 
@@ -23,35 +23,35 @@ pub(crate) trait OnWindow: Sized {
     fn rest(&mut self) {}
 }
 
-impl<E: OnWindow> OfSize for E {
+impl<E: WindowEngine> HasSize for E {
     fn size(&self) -> [usize; 2] {
         self.window().size
     }
 }
 
 /// What a pass on a window has come to.
-pub(crate) enum Seen {
+pub(crate) enum PassOutcome {
     /// The answer.
-    Answer,
+    Accepted,
     /// On the grid the bound is wider than on the window, and wider than was asked for.
-    Loose,
+    BoundTooWide,
     /// Bodies overlap there, beyond the window.
-    Missed(Window),
+    OverlapOutside(Window),
 }
 
 /// What solves on the window that a contact has, and on those it has left.
-pub(crate) type Windows<E> = BySize<E>;
+pub(crate) type Windows<E> = SizeCache<E>;
 
-impl<E: OnWindow> Windows<E> {
+impl<E: WindowEngine> Windows<E> {
     /// The window of the contact; `None` before the first.
     pub(crate) fn window(&self) -> Option<Window> {
         self.present.as_ref().map(E::window)
     }
 
     /// Changes to a window.
-    pub(crate) fn work_on(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
+    pub(crate) fn set_window(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
         let window = bodies.place(window);
-        let engine = self.provide(window.size, || E::new(bodies, window))?;
+        let engine = self.get_or_create(window.size, || E::new(bodies, window))?;
         engine.move_to(bodies, window);
         Ok(())
     }
@@ -60,7 +60,7 @@ impl<E: OnWindow> Windows<E> {
     pub(crate) fn resume(&mut self, bodies: &HalfSpace, window: Option<Window>) -> Result<()> {
         match window {
             _ if window == self.window() => {}
-            Some(window) => self.work_on(bodies, window)?,
+            Some(window) => self.set_window(bodies, window)?,
             None => self.present = None,
         }
         Ok(())
@@ -74,18 +74,18 @@ impl<E: OnWindow> Windows<E> {
     pub(crate) fn solve(
         &mut self,
         bodies: &HalfSpace,
-        mut pass: impl FnMut(&mut E, f64) -> Result<Seen>,
+        mut pass: impl FnMut(&mut E, f64) -> Result<PassOutcome>,
     ) -> Result<()> {
         let mut part = 1.0;
         loop {
             let engine = self.present.as_mut().ok_or(Error::EmptyContact)?;
             match pass(engine, part)? {
-                Seen::Answer => return Ok(()),
-                Seen::Loose => part *= 0.5,
-                Seen::Missed(missed) => {
+                PassOutcome::Accepted => return Ok(()),
+                PassOutcome::BoundTooWide => part *= 0.5,
+                PassOutcome::OverlapOutside(missed) => {
                     let wider = engine.window().union(missed).widened(bodies.grid());
                     engine.rest();
-                    self.work_on(bodies, wider)?;
+                    self.set_window(bodies, wider)?;
                 }
             }
         }
@@ -94,7 +94,7 @@ impl<E: OnWindow> Windows<E> {
 
 /// Around the cells beyond a window where bodies overlap by more than round-off of the largest displacement; `gap` is that
 /// under load, of a cell held here.
-pub(crate) fn missed(
+pub(crate) fn overlap_outside(
     bodies: &HalfSpace,
     window: Window,
     largest: f64,

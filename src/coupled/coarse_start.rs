@@ -1,20 +1,20 @@
 //! Starts from coarser cells.
 
 use crate::cgm::UNLIMITED;
-use crate::contact::{Conditions, ended_from_outside, is_worth_coarsening};
-use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::contact::{SolveContext, interrupted_status, is_worth_coarsening};
+use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
 use crate::error::Result;
 use crate::memory::fallible::{self, try_each};
 use crate::normal::Hardness;
-use crate::tangential::{Motion, handed_down, reserve};
+use crate::tangential::{RigidMotion, prolongated_traction, reserve};
 
 impl CoupledIncrement {
     /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
     pub(super) fn start_from_coarser(
         &mut self,
-        demand: CoupledDemand<'_>,
-        before: Motion,
-        conditions: &mut Conditions<'_, '_>,
+        demand: CoupledTarget<'_>,
+        before: RigidMotion,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<bool> {
         let size = self.bodies.grid().whole().size();
         if !is_worth_coarsening(&self.bodies, size) {
@@ -41,15 +41,15 @@ impl CoupledIncrement {
                 coarse.closing_deviator = fallible::collected(a.len(), parts)?;
             }
         }
-        let rough = conditions.rough(f64::INFINITY);
-        let coarse_demand = CoupledDemand {
+        let rough = conditions.coarse_settings(f64::INFINITY);
+        let coarse_demand = CoupledTarget {
             gap: &gap,
             friction: &friction,
             hardness: hardness.as_ref(),
             ..demand
         };
         let outcome = coarse.solve(coarse_demand, before, &mut conditions.under(&rough));
-        if ended_from_outside(outcome)?.is_some() {
+        if interrupted_status(outcome)?.is_some() {
             return Ok(false);
         }
         self.refine(&coarse, size, demand)?;
@@ -57,7 +57,7 @@ impl CoupledIncrement {
     }
 
     /// Interpolates the coarse answer.
-    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledDemand<'_>) -> Result<()> {
+    fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledTarget<'_>) -> Result<()> {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);
         let [qx, qy] = answer.traction;
@@ -71,7 +71,7 @@ impl CoupledIncrement {
         for (cell, pressure) in pressure.iter().enumerate() {
             let pressure = pressure.min(limits.of(cell));
             let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
-            let [x, y] = handed_down(q, limit, reserves[cell] > 0.0, [0.0; 2]);
+            let [x, y] = prolongated_traction(q, limit, reserves[cell] > 0.0, [0.0; 2]);
             self.set_cell(cell, [pressure, x, y]);
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! What the halves tell of the whole: a bound where friction is weak, an estimate elsewhere.
 
-use crate::cgm::cone::ConeFindings;
+use crate::cgm::cone::ConeMeasures;
 use crate::coupled::ErrorEstimate;
 
 /// How the halves of a contact depend on one another.
@@ -11,7 +11,7 @@ use crate::coupled::ErrorEstimate;
 ///
 /// ```math
 /// |P(q_1) - P(q_2)| \le \kappa\,|q_1 - q_2|, \qquad |Q(p_1) - Q(p_2)| \le L\,|p_1 - p_2|, \qquad
-/// L = \tfrac12 \left(b + \sqrt{b^2 + 4 \kappa \mu c}\right), \quad b = \kappa + \mu c .
+/// L = \tfrac12 \with_remaining_limits(b + \sqrt{b^2 + 4 \kappa \mu c}\right), \quad b = \kappa + \mu c .
 /// ```
 ///
 /// If $`\kappa L < 1`$ there is one solution, and with the bounds $`\epsilon_N`$ and $`\epsilon_T`$ of the halves
@@ -35,7 +35,7 @@ const TYPICAL: f64 = 0.7;
 
 impl Contraction {
     /// Bounds of pressure and traction at this friction; `None` where the halves bound nothing.
-    pub(super) fn bounds(self, friction: f64, findings: &ConeFindings) -> Option<[f64; 2]> {
+    pub(super) fn bounds(self, friction: f64, findings: &ConeMeasures) -> Option<[f64; 2]> {
         let Self {
             coupling, spread, ..
         } = self;
@@ -46,7 +46,7 @@ impl Contraction {
 
     /// The same by slopes that no measured contact had: 0.7 beta for $`P`$, and 0.7 beta + mu for $`Q`$. They do not depend
     /// on the cells, as the bounds of them do.
-    pub(super) fn estimate(self, friction: f64, findings: &ConeFindings) -> Option<ErrorEstimate> {
+    pub(super) fn estimate(self, friction: f64, findings: &ConeMeasures) -> Option<ErrorEstimate> {
         let coupling = TYPICAL * self.beta;
         let [pressure, traction] = whole(findings.bounds, coupling, coupling + friction)?;
         Some(ErrorEstimate { pressure, traction })

@@ -8,7 +8,7 @@ use crate::parallel::layout::Layout;
 const LARGEST_GROWTH: f64 = 0.1;
 
 /// A contact whose pressure has changed in one step.
-pub(crate) struct Growth<'a> {
+pub(crate) struct SensitivityInput<'a> {
     /// The gap before loading.
     pub(crate) gap: &'a [f64],
     /// The pressure before the step; `None` of bodies apart.
@@ -17,7 +17,7 @@ pub(crate) struct Growth<'a> {
     pub(crate) traction: [&'a [f64]; 2],
 }
 
-impl Growth<'_> {
+impl SensitivityInput<'_> {
     /// Returns whether friction has held a contact that a growing load brings into contact cell after cell, but that came
     /// in this step. Cells of the least gap of the contact come at once under a growing load too.
     pub(crate) fn is_at_once(&self, layout: &Layout) -> bool {

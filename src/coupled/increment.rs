@@ -1,9 +1,9 @@
 //! One step of a coupled contact, of a problem from rest or of a history.
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Own, Total, reduce};
-use crate::contact::{self, Conditions, OnWindow, Seen, Windows, multipliers};
-use crate::coupled::window_solver::{Engine, Start, Task};
+use crate::cgm::{CellCompliance, Total, reduce};
+use crate::contact::{self, PassOutcome, SolveContext, WindowEngine, Windows, multipliers};
+use crate::coupled::window_solver::{CoupledEngine, CoupledRequest, CoupledStart};
 use crate::coupled::{CoupledReport, N};
 use crate::error::{Error, Result, SLIDE};
 use crate::grid::field::Field;
@@ -15,7 +15,8 @@ use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
-    Answer, Axis, Demand, Friction, Motion, PlaneVector, Pressed, centre, zeros,
+    Axis, Friction, PressureOnWindow, RigidMotion, StepSolution, TangentialTarget,
+    TangentialVector, centre, zeros,
 };
 
 /// Cells by which a contact may grow in a step without a second look.
@@ -29,19 +30,19 @@ const GROWTH: usize = 2;
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
-    windows: Windows<Engine>,
+    windows: Windows<CoupledEngine>,
     /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
-    pub(crate) pressed: Pressed,
-    pub(super) offset: PlaneVector,
+    pub(crate) pressed: PressureOnWindow,
+    pub(super) offset: TangentialVector,
     pub(super) linear: [Vec<f64>; N],
     /// $`\kappa g`$ of the cells that would enter the contact in this step, if they are to lag.
     pub(super) closing: Vec<f64>,
     /// Deviation of $`\kappa g`$ from its mean over the directions, if the bodies roll; otherwise empty.
     pub(super) closing_deviator: Vec<[f64; 2]>,
     pub(super) enters: bool,
-    motion: Motion,
+    motion: RigidMotion,
     /// Shift of the state that the start is from.
     last_shift: [f64; 2],
     approach: f64,
@@ -50,7 +51,7 @@ pub(crate) struct CoupledIncrement {
 
 /// What a step of a coupled contact is asked for.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CoupledDemand<'a> {
+pub(crate) struct CoupledTarget<'a> {
     /// The gap before loading.
     pub(crate) gap: &'a Field,
     pub(crate) friction: &'a Friction,
@@ -58,7 +59,7 @@ pub(crate) struct CoupledDemand<'a> {
     pub(crate) hardness: Option<&'a Hardness>,
     /// Force or approach.
     pub(crate) normal: NormalControl,
-    pub(crate) tangential: Demand,
+    pub(crate) tangential: TangentialTarget,
 }
 
 /// `Ok` if pressure and tractions can be found together.
@@ -69,7 +70,7 @@ pub(crate) fn check_joint(bodies: &HalfSpace) -> Result<()> {
     bodies.check_directions([x, y], true)
 }
 
-impl CoupledDemand<'_> {
+impl CoupledTarget<'_> {
     /// Whether friction may turn out not to hold the force: where its sum depends on how the pressure is distributed.
     fn is_doubtful(&self) -> bool {
         let [x, y] = self.tangential.force();
@@ -90,13 +91,13 @@ impl CoupledIncrement {
             windows: Windows::default(),
             tractions: zeros_of_all()?,
             displacement: zeros_of_all()?,
-            pressed: Pressed::new(bodies, Window::whole(grid))?,
+            pressed: PressureOnWindow::new(bodies, Window::whole(grid))?,
             offset: zeros(Axis::BOTH, grid.cells())?,
             linear: zeros_of_all()?,
             closing: Vec::new(),
             closing_deviator: Vec::new(),
             enters: false,
-            motion: Motion::default(),
+            motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
             report: CoupledReport::unsolved(),
@@ -165,11 +166,11 @@ impl CoupledIncrement {
     }
 
     /// What the last step has found.
-    pub(crate) fn answer(&self) -> Answer<'_> {
+    pub(crate) fn answer(&self) -> StepSolution<'_> {
         let [_, ux, uy] = self.displacement();
         let traction: [&[f64]; 2] = [&self.tractions[1], &self.tractions[2]];
         let found = [traction, [ux, uy], self.offset()];
-        Answer::new(&self.pressed, Axis::BOTH, found, self.motion)
+        StepSolution::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
     /// Writes the normal half of the last step, of this gap before loading and this hardness.
@@ -207,13 +208,13 @@ impl CoupledIncrement {
     /// [`Error::NotConverged`] with the last iterate and its motion; what is wrong with the demand before any work.
     pub(crate) fn solve(
         &mut self,
-        demand: CoupledDemand<'_>,
-        before: Motion,
-        conditions: &mut Conditions<'_, '_>,
+        demand: CoupledTarget<'_>,
+        before: RigidMotion,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
-        self.windows.age();
-        let (datum, pressure) = demand.normal.posed(&self.bodies, demand.gap)?;
+        self.windows.tick();
+        let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap)?;
         let is_apart = match demand.normal {
             NormalControl::Force(force) => force <= 0.0,
             _ => datum <= self.bodies.least(demand.gap),
@@ -228,25 +229,25 @@ impl CoupledIncrement {
             self.pressed.set(&self.tractions[0], demand.friction);
             return Ok(());
         }
-        self.motion = Motion {
+        self.motion = RigidMotion {
             twist: demand.tangential.twist,
             ..before
         };
         let largest_coefficient = demand.friction.largest_coefficient(&self.bodies);
-        let [x, y] = self.prescribe(&demand, largest_coefficient)?;
+        let [x, y] = self.compute_totals(&demand, largest_coefficient)?;
         let totals = [pressure, x, y];
         let start = if self.contact().is_some() {
-            Start::Present
+            CoupledStart::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
-            Start::Coarse
+            CoupledStart::Coarse
         } else {
-            Start::Halves
+            CoupledStart::Halves
         };
         self.set_linear(demand.gap, datum);
-        let Motion { shift: [x, y], .. } = self.motion;
+        let RigidMotion { shift: [x, y], .. } = self.motion;
         let [last_x, last_y] = self.last_shift;
         let known = [self.approach - datum, last_x - x, last_y - y];
-        let task = Task {
+        let task = CoupledRequest {
             demand,
             datum,
             totals,
@@ -264,11 +265,11 @@ impl CoupledIncrement {
             .windows
             .present
             .as_ref()
-            .map_or([0.0; N], Engine::multiplier);
+            .map_or([0.0; N], CoupledEngine::multiplier);
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
         self.pressed.set(&self.tractions[0], demand.friction);
-        self.lag_behind();
+        self.subtract_entry_lag();
         outcome
     }
 
@@ -281,9 +282,9 @@ impl CoupledIncrement {
     /// too small, and the work continues in a larger one.
     pub(super) fn solve_on_window(
         &mut self,
-        mut task: Task<'_>,
-        mut start: Start,
-        conditions: &mut Conditions<'_, '_>,
+        mut task: CoupledRequest<'_>,
+        mut start: CoupledStart,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let grid = self.bodies.grid();
         let contact = self.contact().unwrap_or(Window::whole(grid));
@@ -300,30 +301,30 @@ impl CoupledIncrement {
             while !holds(window) {
                 window = window.widened(grid);
             }
-            self.windows.work_on(bodies, window)?;
+            self.windows.set_window(bodies, window)?;
         }
         let (linear, tractions) = (&self.linear, &mut self.tractions);
         let (displacement, report) = (&mut self.displacement, &mut self.report);
-        let closing = Own::new(&self.closing, &self.closing_deviator);
+        let closing = CellCompliance::new(&self.closing, &self.closing_deviator);
         let asked = (slices(linear), self.enters.then_some(closing));
         self.windows.solve(bodies, |engine, _| {
             engine.take(tractions);
             let outcome = engine.solve(asked, task, start, conditions, report);
             engine.write(tractions, displacement);
             outcome?;
-            (start, task.multiplier) = (Start::Present, engine.multiplier());
+            (start, task.multiplier) = (CoupledStart::Present, engine.multiplier());
             let ([lift, ..], [gap, ..], [delta, ..]) = (&*displacement, linear, task.multiplier);
             let largest = reduce::max(&bodies.grid_layout(), |i| lift[i].abs());
             let overlaps = |i: usize| lift[i] + gap[i] - delta;
-            let missed = contact::missed(bodies, engine.window(), largest, overlaps);
-            Ok(missed.map_or(Seen::Answer, Seen::Missed))
+            let missed = contact::overlap_outside(bodies, engine.window(), largest, overlaps);
+            Ok(missed.map_or(PassOutcome::Accepted, PassOutcome::OverlapOutside))
         })
     }
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
-    fn prescribe(
+    fn compute_totals(
         &mut self,
-        demand: &CoupledDemand<'_>,
+        demand: &CoupledTarget<'_>,
         largest_coefficient: f64,
     ) -> Result<[Total; 2]> {
         if let NormalControl::Force(force) = demand.normal {
@@ -332,7 +333,7 @@ impl CoupledIncrement {
         let cell_area = self.bodies.grid().cell_area();
         let sums = demand.tangential.force().map(|force| force / cell_area);
         let (tangential, measured) = (demand.tangential, (self.motion.shift, cell_area));
-        tangential.prescribe(Axis::BOTH, Some(sums), measured, &mut self.motion)
+        tangential.compute_totals(Axis::BOTH, Some(sums), measured, &mut self.motion)
     }
 
     /// Asks every cell to close its gap and to follow the motion, from its offset.
@@ -349,7 +350,7 @@ impl CoupledIncrement {
 }
 
 /// Refuses a force that friction cannot hold whatever the pressure becomes.
-fn check_force(demand: &CoupledDemand<'_>, limit: f64) -> Result<()> {
+fn check_force(demand: &CoupledTarget<'_>, limit: f64) -> Result<()> {
     let [x, y] = demand.tangential.force();
     let force = x.hypot(y);
     if force >= limit && force > 0.0 {

@@ -64,8 +64,8 @@ mod solution;
 mod solver;
 mod window_solver;
 
-pub(crate) use growth::Growth;
-pub(crate) use increment::{CoupledDemand, CoupledIncrement, check_joint};
+pub(crate) use growth::SensitivityInput;
+pub(crate) use increment::{CoupledIncrement, CoupledTarget, check_joint};
 pub use problem::{CoupledProblem, CoupledProblemBuilder};
 pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;

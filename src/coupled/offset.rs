@@ -3,7 +3,9 @@
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
 use crate::memory::fallible;
-use crate::tangential::{OwnCompliance, PlaneVector, own_compliance, ratio_of_compliances};
+use crate::tangential::{
+    EntryCompliance, TangentialVector, entry_compliance, ratio_of_compliances,
+};
 
 impl CoupledIncrement {
     pub(super) fn offset(&self) -> [&[f64]; 2] {
@@ -26,9 +28,9 @@ impl CoupledIncrement {
 
     /// Lets cells that would enter the contact by rolling lag behind their motion, by $`\kappa g`$ of each cell of the grid.
     /// `None` switches the lag off.
-    pub(crate) fn roll_in(
+    pub(crate) fn set_rolling_entry_compliance(
         &mut self,
-        closing: Option<impl Fn(usize) -> OwnCompliance>,
+        closing: Option<impl Fn(usize) -> EntryCompliance>,
     ) -> Result<()> {
         self.enters = closing.is_some();
         self.closing_deviator.clear();
@@ -56,7 +58,7 @@ impl CoupledIncrement {
     }
 
     /// Moves the offsets of the cells that entered back by what they have not followed of the motion.
-    pub(super) fn lag_behind(&mut self) {
+    pub(super) fn subtract_entry_lag(&mut self) {
         if !self.enters {
             return;
         }
@@ -84,7 +86,7 @@ impl CoupledIncrement {
         entered.clear();
         if self.enters {
             let cells = self.closing.iter().zip(&self.tractions[0]);
-            entered.extend(cells.map(|(closing, pressure)| own_compliance(*closing, *pressure)));
+            entered.extend(cells.map(|(closing, pressure)| entry_compliance(*closing, *pressure)));
         }
         self.enters
     }
@@ -99,7 +101,7 @@ impl CoupledIncrement {
     }
 
     /// Takes the offsets of a step.
-    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
+    pub(crate) fn set_offset(&mut self, offset: &TangentialVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {
             target.copy_from_slice(offset);
         }

@@ -18,7 +18,7 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// the bodies have no coupling, and without friction. Where the contact of dissimilar bodies grows, cells that come into
 /// contact later slip less: a ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, pressed in 32
 /// steps on 0.50 ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
-/// [`PressedAtOnce`](crate::Warning::PressedAtOnce). [`History::press`](crate::History::press) takes as many steps as a
+/// [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes as many steps as a
 /// tolerance needs.
 ///
 /// ```
@@ -32,7 +32,7 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// let contact = CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.solve()?;
 ///
 /// // The ball comes into contact at once: its stick zone is not that of a load that grows.
-/// assert!(contact.warnings().contains(&Warning::PressedAtOnce));
+/// assert!(contact.warnings().contains(&Warning::SingleLoadStep));
 ///
 /// // Shear held inwards by friction makes the contact stiffer than without.
 /// let smooth = NormalProblem::builder(&bodies, &ball, press).build()?.solve()?;
@@ -150,12 +150,12 @@ impl CoupledProblemBuilder<'_> {
     ///
     /// # Errors
     /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction, hardness or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along an axis on which the grid repeats;
-    /// [`Negative`](crate::Error::Negative), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NothingToHold`](crate::Error::NothingToHold) or
-    /// [`NotModelled`](crate::Error::NotModelled) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid;
+    /// [`NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NoPressureToHold`](crate::Error::NoPressureToHold) or
+    /// [`UnsupportedByModel`](crate::Error::UnsupportedByModel) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid;
     /// [`BeyondHardness`](crate::Error::BeyondHardness); [`Method`](crate::Error::Method) for
     /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<CoupledProblem> {
-        self.bodies.agreed_alike(
+        self.bodies.collective_result_checked(
             self.check(),
             &[
                 ("normal load", &self.normal),

@@ -1,6 +1,6 @@
 //! How a coupled solve ended, and how large its error can be.
 
-use crate::cgm::cone::ConeFindings;
+use crate::cgm::cone::ConeMeasures;
 use crate::error::{Error, Result};
 use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
@@ -94,7 +94,7 @@ impl CoupledReport {
         self.error_bounds = Some([0.0; 2]);
     }
 
-    pub(super) fn take(&mut self, findings: &ConeFindings) {
+    pub(super) fn take(&mut self, findings: &ConeMeasures) {
         self.work.residual = findings.residual;
         self.work.load_error = findings.load_error;
         [self.pressure_error_bound, self.traction_error_bound] = findings.bounds;

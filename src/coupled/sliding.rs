@@ -1,9 +1,9 @@
 //! Forces that slide the bodies, where what friction holds is known only with the pressure.
 
 use crate::cgm::{Total, reduce};
-use crate::contact::Conditions;
+use crate::contact::SolveContext;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::window_solver::{Start, Task};
+use crate::coupled::window_solver::{CoupledRequest, CoupledStart};
 use crate::error::{Error, Result, SLIDE};
 use crate::memory::fallible::TryClone;
 use crate::report::Status;
@@ -22,9 +22,9 @@ impl CoupledIncrement {
     /// [`Error::BeyondFrictionCapacity`]; as [`Self::solve_on_window`].
     pub(super) fn solve_or_slide(
         &mut self,
-        task: Task<'_>,
-        start: Start,
-        conditions: &mut Conditions<'_, '_>,
+        task: CoupledRequest<'_>,
+        start: CoupledStart,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let (demand, datum) = (task.demand, task.datum);
         let outcome = self.solve_on_window(task, start, conditions);
@@ -49,19 +49,19 @@ impl CoupledIncrement {
         }
         self.tractions = kept;
         self.set_linear(demand.gap, datum);
-        let patient = Task {
+        let patient = CoupledRequest {
             is_doubtful: false,
             ..task
         };
-        self.solve_on_window(patient, Start::Halves, conditions)
+        self.solve_on_window(patient, CoupledStart::Halves, conditions)
     }
 
     /// The tractions of bodies that slide in a direction.
     fn slide(
         &mut self,
-        task: Task<'_>,
+        task: CoupledRequest<'_>,
         direction: [f64; 2],
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let layout = self.bodies.grid_layout();
         let ([normal, ..], [demand, ..]) = (self.displacement(), &self.linear);
@@ -75,7 +75,7 @@ impl CoupledIncrement {
             linear.fill(-far * part);
         }
         let [approach, ..] = task.multiplier;
-        let sliding = Task {
+        let sliding = CoupledRequest {
             totals: [task.totals[0], Total::Free, Total::Free],
             multiplier: [approach, 0.0, 0.0],
             is_doubtful: false,
@@ -83,7 +83,11 @@ impl CoupledIncrement {
         };
         let settings = conditions.settings;
         let loosened = settings.tolerance(settings.tolerance.max(LEAST_TOLERANCE));
-        self.solve_on_window(sliding, Start::Halves, &mut conditions.under(&loosened))
+        self.solve_on_window(
+            sliding,
+            CoupledStart::Halves,
+            &mut conditions.under(&loosened),
+        )
     }
 }
 

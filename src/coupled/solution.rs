@@ -2,11 +2,11 @@
 
 use crate::cgm::reduce;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::{CoupledProblem, CoupledReport, Growth, N};
+use crate::coupled::{CoupledProblem, CoupledReport, N, SensitivityInput};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{or_abort, try_clone, try_each};
+use crate::memory::fallible::{try_clone, try_each, unwrap_or_abort};
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
@@ -53,7 +53,7 @@ impl PartialEq for CoupledSolution {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "CoupledSolution")]
-struct Unchecked {
+struct RawCoupledSolution {
     normal: NormalSolution,
     tangential: TangentialSolution,
     displacement: [Field; N],
@@ -65,7 +65,7 @@ struct Unchecked {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for CoupledSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawCoupledSolution::deserialize(deserializer)?, |read| {
             let grid = read.normal.grid();
             grid.expect("tangential half", read.tangential.grid())?;
             let mut fields = read.displacement.iter();
@@ -101,7 +101,7 @@ impl CoupledSolution {
         }
         self.report.clone_from(increment.full_report());
         let layout = bodies.grid_layout();
-        let growth = Growth {
+        let growth = SensitivityInput {
             gap: gap.as_slice(),
             before: None,
             pressure: self.normal.pressure().as_slice(),
@@ -157,7 +157,7 @@ impl CoupledSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        or_abort(self.try_warnings())
+        unwrap_or_abort(self.try_warnings())
     }
 
     /// [`Self::warnings`] where memory may run out.

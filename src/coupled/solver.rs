@@ -1,8 +1,8 @@
 //! The reusable solver of a coupled contact.
 
 use crate::cgm::solver_settings;
-use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
-use crate::coupled::increment::{CoupledDemand, CoupledIncrement};
+use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
+use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
@@ -10,7 +10,7 @@ use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
 use crate::support::debug::shown;
-use crate::tangential::{Axis, Friction, Motion, TangentialLoad, TangentialModel};
+use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialModel};
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 ///
@@ -63,7 +63,7 @@ impl CoupledSolver {
             hardness,
             ..
         } = &self.problem;
-        bodies.agreed_alike(
+        bodies.collective_result_checked(
             tangential.demand().check(Axis::BOTH, bodies.boundary()),
             &[("normal load", &normal), ("tangential load", &tangential)],
         )?;
@@ -79,7 +79,7 @@ impl CoupledSolver {
     /// much for it; [`Error::Ranks`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.agreed(gap.check("gap", bodies.grid()))?;
+        bodies.collective_result(gap.check("gap", bodies.grid()))?;
         self.problem.normal.check(bodies, gap, None)?;
         field::replace(&mut self.problem.gap, gap)
     }
@@ -121,8 +121,8 @@ impl CoupledSolver {
         let problem = &self.problem;
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
-        let mut conditions = Conditions::new(&problem.settings, &mut observer);
-        let demand = CoupledDemand {
+        let mut conditions = SolveContext::new(&problem.settings, &mut observer);
+        let demand = CoupledTarget {
             gap: &problem.gap,
             friction: &problem.friction,
             hardness: problem.hardness.as_ref(),
@@ -131,7 +131,7 @@ impl CoupledSolver {
         };
         let outcome = self
             .increment
-            .solve(demand, Motion::default(), &mut conditions);
+            .solve(demand, RigidMotion::default(), &mut conditions);
         let report = self.increment.report_mut();
         let outcome = cancellation.applied(&problem.bodies, outcome, || report.cancelled());
         if has_iterate(&outcome) {

@@ -1,13 +1,16 @@
 //! The engine of a coupled contact: Newton's method on all tractions, with alternating halves as start and as safeguard.
 
 use crate::bodies::component::Direction;
-use crate::cgm::cone::{self, Cone, ConeFindings, ConeProblem, ConeWorkspace, Opening};
+use crate::cgm::cone::{self, Cone, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace};
 use crate::cgm::{
-    Carried, Disc, Interval, Known, Magnitude, Own, Settings, Total, UNLIMITED, reduce,
+    AbsBound, BoundedPressure, CellCompliance, Disc, InitialGuess, Interval, Settings, Total,
+    UNLIMITED, reduce,
 };
-use crate::contact::{Conditions, ElasticSolver, OnWindow, ended_from_outside, with_counts_of};
+use crate::contact::{
+    ElasticSolver, SolveContext, WindowEngine, interrupted_status, with_counts_of,
+};
 use crate::coupled::error_bound::Contraction;
-use crate::coupled::increment::CoupledDemand;
+use crate::coupled::increment::CoupledTarget;
 use crate::coupled::{CoupledReport, N};
 use crate::error::Result;
 use crate::grid::boundary::Boundary;
@@ -21,7 +24,7 @@ use crate::observer::Observer;
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
-use crate::tangential::{FrictionWithin, own_compliance};
+use crate::tangential::{FrictionWithin, entry_compliance};
 
 /// Relative accuracy of the halves that a solve starts from.
 const START: f64 = 1e-2;
@@ -34,7 +37,7 @@ const HELD: f64 = 0.999;
 
 /// How a solve begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Start {
+pub(super) enum CoupledStart {
     /// From a sweep of halves.
     Halves,
     /// From the present tractions, interpolated from coarser cells.
@@ -55,8 +58,8 @@ impl Cone for &FrictionWithin<'_> {
 
 /// What is asked of a solve.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'a> {
-    pub(super) demand: CoupledDemand<'a>,
+pub(super) struct CoupledRequest<'a> {
+    pub(super) demand: CoupledTarget<'a>,
     /// What the gap is measured from.
     pub(super) datum: f64,
     /// What is prescribed of the sums.
@@ -69,7 +72,7 @@ pub(super) struct Task<'a> {
     pub(super) is_doubtful: bool,
 }
 
-impl Task<'_> {
+impl CoupledRequest<'_> {
     /// Whether no tangential force or spring moves the bodies.
     fn is_driven_by_shift(&self) -> bool {
         self.totals[1..].iter().all(|total| *total == Total::Free)
@@ -84,12 +87,12 @@ impl Task<'_> {
 
 /// Pressure and tractions of a window, and what finds them.
 #[derive(Debug, Clone)]
-pub(super) struct Engine {
+pub(super) struct CoupledEngine {
     /// Where it works.
     region: Region,
     layout: Layout,
     /// What it takes to see the rest of the grid, if there is a rest.
-    whole: Option<Whole>,
+    whole: Option<GridOperator>,
     compliance: Compliance<N>,
     workspace: ConeWorkspace,
     normal: ElasticSolver<Interval, 1>,
@@ -127,12 +130,12 @@ pub(super) struct Engine {
 
 /// The products of the whole grid.
 #[derive(Debug, Clone)]
-struct Whole {
+struct GridOperator {
     operator: ElasticOperator<N>,
     scratch: Scratch,
 }
 
-impl OnWindow for Engine {
+impl WindowEngine for CoupledEngine {
     fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
         let (size, region) = (window.size, Region::new(bodies, window));
@@ -146,7 +149,7 @@ impl OnWindow for Engine {
         let whole = if window == whole {
             None
         } else {
-            Some(Whole {
+            Some(GridOperator {
                 scratch: tensor.scratch()?,
                 operator: tensor.clone(),
             })
@@ -195,7 +198,7 @@ impl OnWindow for Engine {
     }
 }
 
-impl Engine {
+impl CoupledEngine {
     /// Takes tractions of the whole grid as the start.
     pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
         for (x, whole) in self.x.iter_mut().zip(tractions) {
@@ -214,7 +217,7 @@ impl Engine {
             self.region.scatter(x, whole);
         }
         match &mut self.whole {
-            Some(Whole { operator, scratch }) => {
+            Some(GridOperator { operator, scratch }) => {
                 operator.apply(slices(tractions), slices_mut(displacement), scratch);
             }
             None => {
@@ -233,10 +236,10 @@ impl Engine {
     /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
     pub(super) fn solve(
         &mut self,
-        (linear, closing): ([&[f64]; N], Option<Own<'_>>),
-        task: Task<'_>,
-        start: Start,
-        conditions: &mut Conditions<'_, '_>,
+        (linear, closing): ([&[f64]; N], Option<CellCompliance<'_>>),
+        task: CoupledRequest<'_>,
+        start: CoupledStart,
+        conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
         self.workspace.set_multiplier(task.multiplier);
@@ -273,9 +276,9 @@ impl Engine {
         let (lower_bounds, known) = ([normal, in_plane], normal.known.min(in_plane.known));
         let friction = &task.demand.friction.within(&self.region);
         let (mut sweeps, mut opening) = match start {
-            Start::Halves => (1, Opening::Sound),
-            Start::Coarse => (0, Opening::Coarse),
-            Start::Present => (0, Opening::Doubtful(POOR)),
+            CoupledStart::Halves => (1, ConeStart::Trusted),
+            CoupledStart::Coarse => (0, ConeStart::Coarse),
+            CoupledStart::Present => (0, ConeStart::Tentative(POOR)),
         };
         let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
         let mut stopped = None;
@@ -320,7 +323,7 @@ impl Engine {
                 std::mem::swap(&mut self.x, &mut self.kept);
                 self.workspace.set_multiplier(multiplier);
             }
-            (sweeps, opening) = (sweeps + 1, Opening::Sound);
+            (sweeps, opening) = (sweeps + 1, ConeStart::Trusted);
             tolerance = (0.1 * findings.merit().min(tolerance)).clamp(least, START);
         }
         report.end(Status::Stalled)
@@ -338,11 +341,11 @@ impl Engine {
     /// All at once.
     fn newton(
         &mut self,
-        (task, friction): (Task<'_>, &FrictionWithin<'_>),
-        (opening, lower_bounds): (Opening, [LowerBound; 2]),
-        conditions: &mut Conditions<'_, '_>,
+        (task, friction): (CoupledRequest<'_>, &FrictionWithin<'_>),
+        (opening, lower_bounds): (ConeStart, [LowerBound; 2]),
+        conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
-    ) -> Result<(Option<Status>, ConeFindings)> {
+    ) -> Result<(Option<Status>, ConeMeasures)> {
         let problem = ConeProblem {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
@@ -350,7 +353,7 @@ impl Engine {
             linear: slices(&self.asked),
             closing: self
                 .enters
-                .then(|| Own::new(&self.closing, &self.closing_deviator)),
+                .then(|| CellCompliance::new(&self.closing, &self.closing_deviator)),
             hardness: self.hardness.map(|()| &*self.hardness_of_cells),
             friction,
             totals: task.totals,
@@ -358,7 +361,7 @@ impl Engine {
             self_compliance: self.self_compliance,
             coupling: self.contraction.beta,
         };
-        let settings = conditions.left(&report.work);
+        let settings = conditions.with_remaining_limits(&report.work);
         let mut observer = with_counts_of(&report.work, &mut *conditions.observer);
         let x = slices_mut(&mut self.x);
         let ended = cone::solve(
@@ -378,10 +381,10 @@ impl Engine {
     /// clock ended it.
     fn sweep(
         &mut self,
-        task: Task<'_>,
+        task: CoupledRequest<'_>,
         friction: &FrictionWithin<'_>,
         tolerance: f64,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         let mut multiplier = [0.0; N];
@@ -398,18 +401,20 @@ impl Engine {
 
     fn solve_normal_half(
         &mut self,
-        task: Task<'_>,
+        task: CoupledRequest<'_>,
         tolerance: f64,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[1, 2]);
         let limits = self.hardness.map(|()| &*self.hardness_of_cells);
-        let problem = self.normal.problem([&self.linear[0]], Carried(limits));
+        let problem = self
+            .normal
+            .problem([&self.linear[0]], BoundedPressure(limits));
         let problem = problem.totals([task.totals[0]]);
         let (normal, x) = (&mut self.normal, &mut self.x[0]);
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            normal.minimise(&problem, ([x], Known::Nothing), settings, observer)
+            normal.minimise(&problem, ([x], InitialGuess::Nothing), settings, observer)
         };
         let ended = half(tolerance, conditions, &report.work, solve);
         self.normal.rest();
@@ -419,10 +424,10 @@ impl Engine {
 
     fn solve_tangential_half(
         &mut self,
-        task: Task<'_>,
+        task: CoupledRequest<'_>,
         friction: &FrictionWithin<'_>,
         tolerance: f64,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<Option<Status>> {
         self.add_displacements_of(&[0]);
@@ -442,12 +447,17 @@ impl Engine {
         let ([_, x, y], [_, asked_x, asked_y]) = (&mut self.x, &self.linear);
         let problem = self
             .plane
-            .problem([asked_x.as_slice(), asked_y], Magnitude(&self.limits))
-            .own(Own::new(&self.own, &self.own_deviator))
+            .problem([asked_x.as_slice(), asked_y], AbsBound(&self.limits))
+            .own(CellCompliance::new(&self.own, &self.own_deviator))
             .totals(totals);
         let plane = &mut self.plane;
         let solve = |settings: &Settings, observer: Observer<'_>| {
-            plane.minimise(&problem, ([x, y], Known::Nothing), settings, observer)
+            plane.minimise(
+                &problem,
+                ([x, y], InitialGuess::Nothing),
+                settings,
+                observer,
+            )
         };
         let ended = half(tolerance, conditions, &report.work, solve);
         self.plane.rest();
@@ -463,7 +473,7 @@ impl Engine {
             fallible::resize(&mut self.own, self.closing.len(), 0.0)?;
             let cells = self.closing.iter().zip(&self.x[0]);
             for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
-                *own = own_compliance(*closing, *pressure);
+                *own = entry_compliance(*closing, *pressure);
             }
             fallible::resize(
                 &mut self.own_deviator,
@@ -513,11 +523,11 @@ impl Engine {
 /// Solves a half; returns the status of one that observer or clock ended. An unfinished half serves too.
 fn half(
     tolerance: f64,
-    conditions: &mut Conditions<'_, '_>,
+    conditions: &mut SolveContext<'_, '_>,
     done: &Report,
     solve: impl FnOnce(&Settings, Observer<'_>) -> Result<()>,
 ) -> Result<Option<Status>> {
-    let settings = conditions.left(done).tolerance(tolerance);
+    let settings = conditions.with_remaining_limits(done).tolerance(tolerance);
     let mut observer = with_counts_of(done, &mut *conditions.observer);
-    ended_from_outside(solve(&settings, &mut observer))
+    interrupted_status(solve(&settings, &mut observer))
 }

@@ -57,7 +57,7 @@ impl DenseOperator {
         if let Some(row) = self.first_asymmetric_row() {
             return Err(Error::NotPositiveDefinite { row });
         }
-        let mut search = Search {
+        let mut search = ActiveSetSearch {
             operator: self,
             linear,
             bounds: (0..self.len)
@@ -73,7 +73,7 @@ impl DenseOperator {
         }
         match total {
             None => Ok(DenseMinimum {
-                x: search.settle(0.0)?,
+                x: search.pivot_until_optimal(0.0)?,
                 multiplier: 0.0,
             }),
             Some(total) => search.balance(total),
@@ -81,16 +81,16 @@ impl DenseOperator {
     }
 }
 
-struct Search<'a> {
+struct ActiveSetSearch<'a> {
     operator: &'a DenseOperator,
     linear: &'a [f64],
     bounds: Vec<[f64; 2]>,
     marks: Vec<Mark>,
 }
 
-impl Search<'_> {
+impl ActiveSetSearch<'_> {
     /// The minimum for a given multiplier; leaves its active sets in the marks.
-    fn settle(&mut self, multiplier: f64) -> Result<Vec<f64>> {
+    fn pivot_until_optimal(&mut self, multiplier: f64) -> Result<Vec<f64>> {
         let (mut fewest, mut trials) = (usize::MAX, BLOCK_TRIALS);
         for _ in 0..100 * (self.marks.len() + 10) {
             let x = self.solve_free(multiplier)?;
@@ -108,7 +108,7 @@ impl Search<'_> {
                 self.marks[i] = mark;
             }
         }
-        Err(unsettled())
+        Err(not_converged())
     }
 
     /// The minimum with the given total.
@@ -130,7 +130,7 @@ impl Search<'_> {
         let x = self.solve_free(0.0)?;
         let mut multiplier = (total - x.iter().sum::<f64>()) / self.stiffness()?;
         for _ in 0..200 {
-            let x = self.settle(multiplier)?;
+            let x = self.pivot_until_optimal(multiplier)?;
             let magnitude: f64 = x.iter().map(|x| x.abs()).sum();
             let missing = total - x.iter().sum::<f64>();
             if missing.abs() <= 1e-14 * magnitude.max(total.abs()) {
@@ -161,12 +161,12 @@ impl Search<'_> {
                 return if is_round_off {
                     Ok(DenseMinimum { x, multiplier })
                 } else {
-                    Err(unsettled())
+                    Err(not_converged())
                 };
             }
             multiplier = next;
         }
-        Err(unsettled())
+        Err(not_converged())
     }
 
     /// With no free entry: the multiplier at which the first would move, and its own stiffness.
@@ -272,7 +272,7 @@ impl Search<'_> {
     }
 }
 
-fn unsettled() -> Error {
+fn not_converged() -> Error {
     Error::NotConverged(Box::new(Report {
         status: Status::Stalled,
         residual: f64::NAN,

@@ -19,7 +19,7 @@ use crate::error::{Error, Result, all_finite, length};
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::influence::{Added, Samples};
+use crate::influence::{KernelCorrection, Samples};
 use crate::operator::{Operator, Scratch};
 use crate::support::debug::shown;
 
@@ -74,7 +74,7 @@ impl DenseOperator {
     /// added to every entry, which changes no answer under a total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells; [`Error::Coated`] for operators of a user; as [`HalfSpace::operator`];
+    /// [`Error::TooManyCells`] above 4096 cells; [`Error::UnsupportedForCoatings`] for operators of a user; as [`HalfSpace::operator`];
     /// [`Error::Ranks`].
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         bodies.check_alone("a dense matrix")?;
@@ -82,7 +82,7 @@ impl DenseOperator {
         let grid = bodies.grid();
         check_size(grid.cells())?;
         let [odd_x, odd_y] = component.is_odd();
-        let added = || Added::of(bodies.kernel());
+        let added = || KernelCorrection::of(bodies.kernel());
         let coefficients = match bodies.boundary() {
             Boundary::NonPeriodic => {
                 let samples = Samples::new(grid, grid.size())?

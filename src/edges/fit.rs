@@ -34,7 +34,7 @@ const STRAIGHT: f64 = 1e-3;
 const PARTS: usize = 8;
 
 /// What is known of the cells about one, relative to the largest value of the grid.
-pub(super) struct Values {
+pub(super) struct FitValues {
     /// Inside the square of the pressure, outside minus the power 2/3 of the gap times 3/4 over the unit of length and the
     /// largest pressure, without the modulus.
     pub(super) lifted: Square<f64>,
@@ -72,7 +72,7 @@ impl Fit {
     /// With the modulus for a direction of the normal of the edge; `None` where nothing is determined.
     pub(super) fn new(
         stencil: &Stencil,
-        values: &Values,
+        values: &FitValues,
         modulus: impl Fn([f64; 2]) -> f64,
     ) -> Option<Self> {
         let largest = values.lifted.iter().flatten().copied().fold(0.0, f64::max);
@@ -93,7 +93,7 @@ impl Fit {
                 let counts = sample.trusted.iter().flatten();
                 fit.count = counts.filter(|weight| **weight > 0.0).count();
                 fit.has_outside = dot(&sample.trusted, &sample.squares) > 0.0;
-                fit.missed = sample.missed(stencil, solution);
+                fit.missed = sample.misfit(stencil, solution);
                 break;
             }
         }
@@ -113,7 +113,7 @@ impl Fit {
     fn sample(
         &self,
         stencil: &Stencil,
-        values: &Values,
+        values: &FitValues,
         modulus: f64,
         has_edge: bool,
     ) -> Option<Sample> {
@@ -220,7 +220,7 @@ fn length([x, y]: [f64; 2]) -> f64 {
 }
 
 /// Slope of the squared pressure, by a plane through the cells inside.
-fn first_gradient(stencil: &Stencil, values: &Values) -> Option<[f64; 2]> {
+fn first_gradient(stencil: &Stencil, values: &FitValues) -> Option<[f64; 2]> {
     let mut weights = values.weights;
     for (weight, is_inside) in weights
         .as_flattened_mut()
@@ -263,7 +263,7 @@ impl Sample {
     }
 
     /// Root mean square of what a solution misses, in cells.
-    fn missed(&self, stencil: &Stencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
+    fn misfit(&self, stencil: &Stencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
         let mut missed = stencil.quadratic([c, x, y, xx, xy, yy]);
         let places = self
             .distances
@@ -317,7 +317,7 @@ mod tests {
     fn values_next_to_nothing_have_no_fit() {
         let stencil = Stencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);
         for lifted in [0.0, f64::INFINITY] {
-            let values = Values {
+            let values = FitValues {
                 lifted: [[lifted; LANES]; SIDE],
                 is_inside: [[true; LANES]; SIDE],
                 is_core: [[true; LANES]; SIDE],

@@ -1,7 +1,7 @@
 //! The edges of the contact of a history, and of its stick zone.
 
 use crate::edges::TangentialEdges;
-use crate::edges::tangential::Sheared;
+use crate::edges::tangential::ShearedContact;
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
@@ -70,10 +70,10 @@ impl History {
         let [qx, qy] = self.traction().map(Field::as_slice);
         let (directions, step) = (self.directions()?, self.last_step());
         let slip = step.slip_distance().as_slice();
-        let energies = [step.dissipated_energy(), step.mid_step_dissipated_energy()];
+        let energies = [step.dissipated_energy(), step.dissipated_energy_midpoint()];
         let [dissipated, mid_step] = energies.map(Field::as_slice);
-        let is_slip_known = self.has_sheared_only(step);
-        Sheared {
+        let is_slip_known = self.pressing_is_excluded(step);
+        ShearedContact {
             normal: self.normal(),
             friction: self.friction(),
             zones: self.zones(),
@@ -95,7 +95,7 @@ impl History {
     }
 
     /// Whether the step led to this state, by the same particles under the pressure that was there.
-    fn has_sheared_only(&self, step: &StepResult) -> bool {
+    fn pressing_is_excluded(&self, step: &StepResult) -> bool {
         let is_held = step
             .normal_report()
             .is_none_or(|report| report.products() == 0);

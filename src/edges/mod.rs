@@ -44,7 +44,7 @@
 //! A slip ring of less than two cells has no slip to go by: its cells lie at the edge of the contact too. The fit is then
 //! extrapolated from the stick zone, and is refused if it misses by more than 0.01 cells. Under spheres and ellipses the
 //! squared value is a quadratic, and the edge is found. Under a gap r^4 the cells keep their values.
-//! [`refused_share`](Edges::refused_share) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32
+//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32
 //! cells over three contact radii, mean of four places, of the cells and found here:
 //!
 //! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | refused |
@@ -77,7 +77,7 @@
 //! let exact = hertz.contact_area();
 //! assert!((contact.contact_area() / exact - 1.0).abs() > 9e-3); // counted
 //! assert!((edges.area() / exact - 1.0).abs() < 6e-4);
-//! assert_eq!(edges.refused_share(), 0.0);
+//! assert_eq!(edges.unfitted_fraction(), 0.0);
 //! // The outline lies on the circle, to a hundredth of a cell or two.
 //! let radii = edges.outline().iter().flatten().map(|[x, y]| x.hypot(*y));
 //! let furthest = radii.map(|r| (r - hertz.contact_radius()).abs()).fold(0.0, f64::max);
@@ -128,7 +128,7 @@ pub struct Edges {
     area: f64,
 }
 
-shown!(Edges: grid(), area(), refused_share());
+shown!(Edges: grid(), area(), unfitted_fraction());
 
 /// A cell at the edge: one of the set with a neighbour outside, or one outside beside the set, at its corners too.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -187,7 +187,7 @@ impl Edges {
 
     /// The part of the cells at the edge whose fit was refused; zero without any.
     #[must_use]
-    pub fn refused_share(&self) -> f64 {
+    pub fn unfitted_fraction(&self) -> f64 {
         let refused = self.cells.iter().filter(|cell| !cell.is_fitted).count();
         refused as f64 / self.cells.len().max(1) as f64
     }
@@ -206,7 +206,7 @@ impl NormalSolution {
     /// The edge of the contact inside the cells, and the pressure there; the page of [`edges`](crate::edges) tells how.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Ranks`] for a slab of a grid that ranks share; [`Error::Coated`] where an outermost
+    /// [`Error::Memory`]; [`Error::Ranks`] for a slab of a grid that ranks share; [`Error::UnsupportedForCoatings`] where an outermost
     /// layer is thinner than four cells.
     pub fn edges(&self) -> Result<Edges> {
         let grid = self.grid();
@@ -259,6 +259,8 @@ fn check_whole(grid: Grid) -> Result<()> {
     if grid == grid.whole() {
         Ok(())
     } else {
-        Err(Error::Ranks(RankFailure::NotShared("edges of a contact")))
+        Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
+            "edges of a contact",
+        )))
     }
 }

@@ -1,6 +1,6 @@
 //! The cells at the edge of a set, each with its fit or without.
 
-use crate::edges::fit::{Fit, Values};
+use crate::edges::fit::{Fit, FitValues};
 use crate::edges::outline::{Corners, outline};
 use crate::edges::states::{States, beside};
 use crate::edges::stencil::{LANES, SIDE, Stencil};
@@ -48,7 +48,7 @@ pub(super) struct Search<'a> {
 
 /// A cell at the edge, and the distances of its corners from it if it has been fitted.
 #[derive(Clone, Copy, Default)]
-struct Found {
+struct EdgeCandidate {
     cell: EdgeCell,
     corners: Option<Corners>,
 }
@@ -66,7 +66,7 @@ impl Search<'_> {
             };
             fallible::push(
                 &mut found,
-                Found {
+                EdgeCandidate {
                     cell,
                     corners: None,
                 },
@@ -80,7 +80,7 @@ impl Search<'_> {
                 items: &mut found,
                 width: PER_TASK,
             };
-            let work = |_, block: Blocks<'_, Found>| {
+            let work = |_, block: Blocks<'_, EdgeCandidate>| {
                 for found in block.items {
                     let values = self.values(&states, &stencil, found.cell.index, &lifted);
                     *found = self.examine(&stencil, &values, found.cell.index, largest);
@@ -91,7 +91,7 @@ impl Search<'_> {
         self.gathered(&states, &found)
     }
 
-    fn gathered(&self, states: &States, found: &[Found]) -> Result<Edges> {
+    fn gathered(&self, states: &States, found: &[EdgeCandidate]) -> Result<Edges> {
         let mut centres = Field::try_zeros(self.grid)?;
         centres.as_mut_slice().copy_from_slice(self.inside);
         let mut means = Field::try_zeros(self.grid)?;
@@ -99,7 +99,7 @@ impl Search<'_> {
             self.raw_means(states, row, means);
         });
         let mut covered = states.core_cells() as f64;
-        for Found { cell, .. } in found {
+        for EdgeCandidate { cell, .. } in found {
             centres.as_mut_slice()[cell.index] = cell.centre;
             means.as_mut_slice()[cell.index] = cell.mean;
             covered += cell.covered;
@@ -127,7 +127,13 @@ impl Search<'_> {
         neighbours.iter().filter(|next| is_open(next)).count()
     }
 
-    fn examine(&self, stencil: &Stencil, values: &Values, index: usize, largest: f64) -> Found {
+    fn examine(
+        &self,
+        stencil: &Stencil,
+        values: &FitValues,
+        index: usize,
+        largest: f64,
+    ) -> EdgeCandidate {
         let fit = Fit::new(stencil, values, |normal| (self.modulus)(index, normal));
         let fit = fit.filter(|fit| {
             let centre = fit.distance([0.0; 2]);
@@ -157,7 +163,7 @@ impl Search<'_> {
             [half_x, half_y],
             [-half_x, half_y],
         ];
-        Found {
+        EdgeCandidate {
             cell: EdgeCell {
                 index,
                 covered,
@@ -174,7 +180,7 @@ impl Search<'_> {
     }
 
     /// The raw cell.
-    fn refused(&self, index: usize) -> Found {
+    fn refused(&self, index: usize) -> EdgeCandidate {
         let cell = if self.contains(index) {
             EdgeCell {
                 index,
@@ -189,7 +195,7 @@ impl Search<'_> {
                 ..EdgeCell::default()
             }
         };
-        Found {
+        EdgeCandidate {
             cell,
             corners: None,
         }
@@ -214,8 +220,8 @@ impl Search<'_> {
     }
 
     /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
-    /// the power 2/3 outside, as in [`Values`]; zero of all others.
-    fn lifted(&self, stencil: &Stencil, found: &[Found], largest: f64) -> Result<Vec<f64>> {
+    /// the power 2/3 outside, as in [`FitValues`]; zero of all others.
+    fn lifted(&self, stencil: &Stencil, found: &[EdgeCandidate], largest: f64) -> Result<Vec<f64>> {
         let mut lifted = fallible::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
         for found in found {
@@ -236,8 +242,14 @@ impl Search<'_> {
         Ok(lifted)
     }
 
-    fn values(&self, states: &States, stencil: &Stencil, index: usize, lifted: &[f64]) -> Values {
-        let mut values = Values {
+    fn values(
+        &self,
+        states: &States,
+        stencil: &Stencil,
+        index: usize,
+        lifted: &[f64],
+    ) -> FitValues {
+        let mut values = FitValues {
             lifted: [[0.0; LANES]; SIDE],
             is_inside: [[false; LANES]; SIDE],
             is_core: [[false; LANES]; SIDE],

@@ -124,7 +124,7 @@ impl TangentialSolution {
         friction.check(grid)?;
         let [qx, qy] = self.traction().map(Field::as_slice);
         let [slip_x, slip_y] = self.slip().map(Field::as_slice);
-        Sheared {
+        ShearedContact {
             normal,
             friction,
             zones: self.zones(),
@@ -138,7 +138,7 @@ impl TangentialSolution {
 }
 
 /// A contact in partial slip, whose edges are sought.
-pub(super) struct Sheared<'a> {
+pub(super) struct ShearedContact<'a> {
     pub(super) normal: &'a NormalSolution,
     pub(super) friction: &'a Friction,
     pub(super) zones: &'a [Zone],
@@ -151,7 +151,7 @@ pub(super) struct Sheared<'a> {
     pub(super) largest_miss: f64,
 }
 
-impl Sheared<'_> {
+impl ShearedContact<'_> {
     pub(super) fn edges(&self) -> Result<TangentialEdges> {
         let grid = self.normal.grid();
         check_whole(grid)?;

@@ -19,7 +19,7 @@ pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64> {
     if value >= 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(Error::Negative { quantity, value })
+        Err(Error::NegativeOrNotFinite { quantity, value })
     }
 }
 
@@ -156,7 +156,7 @@ pub(crate) fn at_least(
     if value >= least * (1.0 - ROUND_OFF) {
         Ok(value)
     } else {
-        Err(Error::Below {
+        Err(Error::BelowMinimum {
             quantity,
             value,
             least_is,

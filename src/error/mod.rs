@@ -1,10 +1,10 @@
 //! The error type: every way a call can be refused or fail, with the offending number.
 
 mod check;
+mod messages;
 mod place;
 mod ranks;
 mod result;
-mod show;
 
 pub(crate) use check::{
     SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
@@ -31,7 +31,7 @@ pub enum Error {
         ny: usize,
     },
     /// Memory for a quantity cannot be allocated; [nothing has changed](crate::guide::embedding#when-memory-runs-out).
-    #[error("cannot allocate {} for {quantity}", show::size(*bytes))]
+    #[error("cannot allocate {} for {quantity}", messages::size(*bytes))]
     Memory {
         /// The quantity that needs the memory, in words.
         quantity: &'static str,
@@ -48,7 +48,7 @@ pub enum Error {
     },
     /// A quantity that must be zero or positive, and finite, is not.
     #[error("{quantity} must be non-negative and finite, got {value:?}")]
-    Negative {
+    NegativeOrNotFinite {
         /// The quantity, in words.
         quantity: &'static str,
         /// The value given.
@@ -107,7 +107,7 @@ pub enum Error {
     /// A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this
     /// [`Kernel`](crate::Kernel).
     #[error("{quantity} is not modelled for {bodies}: {remedy}")]
-    Coated {
+    UnsupportedForCoatings {
         /// The requested quantity, in words.
         quantity: &'static str,
         /// The bodies for which it is not modelled, in words.
@@ -118,7 +118,7 @@ pub enum Error {
     /// A pair that stands for a [`Kernel`](crate::Kernel) was given without the kernel, or its table lacks a coefficient, or its
     /// operators a direction.
     #[error("the kernel is missing: {0}")]
-    KernelMissing(&'static str),
+    IncompleteKernel(&'static str),
     /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
     /// grid: nothing could be certified. The page of [`kernel`](crate::kernel#certificate) tells which bounds are tried.
     #[error(
@@ -146,7 +146,7 @@ pub enum Error {
     RigidBody(&'static str),
     /// A sum over images that does not converge.
     #[error("{0} does not converge on a grid that repeats along both axes")]
-    Repeats(&'static str),
+    DivergentPeriodicSum(&'static str),
     /// The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure.
     #[error(
         "the pair couples pressure and traction (Dundurs beta = {beta:?}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
@@ -209,7 +209,7 @@ pub enum Error {
     IterationLimit,
     /// A normal problem that is to hold its pressure: it has none yet.
     #[error("a normal problem has no pressure to hold: give it a force or an approach")]
-    NothingToHold,
+    NoPressureToHold,
     /// The method is not defined for the problem.
     #[error("the method {method} does not solve problems with {quantity}: use ActiveSet")]
     Method {
@@ -249,7 +249,7 @@ pub enum Error {
     )]
     EmptyContact,
     /// The tangential force exceeds what friction can carry: no equilibrium exists.
-    #[error("{}", show::beyond_capacity(*force, *limit, remedy))]
+    #[error("{}", messages::beyond_capacity(*force, *limit, remedy))]
     BeyondFrictionCapacity {
         /// Magnitude of the force requested.
         force: f64,
@@ -272,7 +272,7 @@ pub enum Error {
         range: [f64; 2],
     },
     /// The normal force exceeds what the hardness lets the cells carry.
-    #[error("{}", show::beyond_hardness(*force, *capacity))]
+    #[error("{}", messages::beyond_hardness(*force, *capacity))]
     BeyondHardness {
         /// Normal force requested.
         force: f64,
@@ -301,7 +301,7 @@ pub enum Error {
     },
     /// A model does not include this load, or this property of an operator.
     #[error("{model} does not include {quantity}, got {value:?}: {remedy}")]
-    NotModelled {
+    UnsupportedByModel {
         /// The model, in words.
         model: &'static str,
         /// The load or the property, in words.
@@ -318,7 +318,7 @@ pub enum Error {
         quantity: &'static str,
     },
     /// The approach is not below the mean gap of a periodic contact: all touches, and the pressure is undetermined.
-    #[error("{}", show::beyond_mean_gap(*approach, *mean_gap))]
+    #[error("{}", messages::beyond_mean_gap(*approach, *mean_gap))]
     ApproachBeyondMeanGap {
         /// The approach requested.
         approach: f64,
@@ -388,7 +388,7 @@ pub enum Error {
     Hurst(f64),
     /// A quantity is below its lower limit.
     #[error("{quantity} must be at least {least:?} ({least_is}), got {value:?}")]
-    Below {
+    BelowMinimum {
         /// The quantity, in words.
         quantity: &'static str,
         /// The value given.
@@ -413,15 +413,15 @@ pub enum Error {
     },
     /// No wave that is periodic on the surface has a wavelength within the requested band.
     #[error("the surface has no wave with a wavelength between {shortest:?} and {longest:?}")]
-    EmptyBand {
+    NoWaveInBand {
         /// Longest wavelength requested.
         longest: f64,
         /// Shortest wavelength requested.
         shortest: f64,
     },
     /// No phases were found that give the heights the requested skewness and kurtosis.
-    #[error("{}", show::heights_not_reached(*skewness, *kurtosis, *reached))]
-    HeightsNotReached {
+    #[error("{}", messages::heights_not_reached(*skewness, *kurtosis, *reached))]
+    HeightMomentsNotReached {
         /// Skewness requested.
         skewness: f64,
         /// Kurtosis requested.
@@ -440,7 +440,7 @@ pub enum Error {
         code: Option<i32>,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
-    #[error("{}{format}, {place}: {problem}", show::prefix(.file.as_deref()))]
+    #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]
     Format {
         /// The file, if it was read from one.
         file: Option<String>,
@@ -461,14 +461,14 @@ pub enum Error {
     #[error(
         "step {step} of the history does not come after step {last}, the last step of the cycle: each step is counted once"
     )]
-    StepNotNew {
+    StepAlreadyCounted {
         /// The number of the step, counted from 1; zero before the first step.
         step: u64,
         /// The number of the last step that the cycle holds or begins after.
         last: u64,
     },
     /// A cycle that does not close was to stand for those that follow.
-    #[error("{}", show::not_closed(*residual, *limit))]
+    #[error("{}", messages::not_closed(*residual, *limit))]
     CycleNotClosed {
         /// [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
         residual: f64,
@@ -482,7 +482,7 @@ pub enum Error {
     StepTooLong {
         /// Length of the step, as a part of the load.
         part: f64,
-        /// [`StepError::traction`](crate::history::StepError::traction) of the step.
+        /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) of the step.
         error: f64,
         /// The tolerance of the whole load.
         tolerance: f64,

@@ -3,7 +3,7 @@
 use std::ops::{Deref, DerefMut};
 
 use crate::error::Result;
-use crate::memory::fallible::{self, or_abort};
+use crate::memory::fallible::{self, unwrap_or_abort};
 
 /// Bytes of a cache line, and of the widest vector register.
 const LINE: usize = 64;
@@ -34,7 +34,7 @@ impl<T: Clone> Aligned<T> {
 
 impl<T: Clone> Clone for Aligned<T> {
     fn clone(&self) -> Self {
-        or_abort(self.try_clone())
+        unwrap_or_abort(self.try_clone())
     }
 }
 

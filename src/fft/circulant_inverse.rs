@@ -6,11 +6,11 @@ use crate::error::Result;
 use crate::fft::length::smooth_length;
 use crate::fft::single_precision::{SingleProduct, SingleScratch};
 use crate::fft::symbol::Symbol;
-use crate::fft::torus::Frame;
+use crate::fft::torus::TorusLayout;
 use crate::influence::Kernel;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// Cells between a grid and its images around the torus. Without them cells at opposite edges are neighbours, and conjugate
 /// gradients converge a fifth to a quarter slower where both are in contact; more than two make no difference (measured).
@@ -36,7 +36,7 @@ impl<const N: usize> CirculantInverse<N> {
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(
         size: [usize; 2],
-        share: Option<Arc<Share>>,
+        share: Option<Arc<RowPartition>>,
         kernels: [[&Kernel; N]; N],
         floor: f64,
     ) -> Result<Self> {
@@ -57,7 +57,7 @@ impl<const N: usize> CirculantInverse<N> {
     }
 
     fn with_mean(
-        (size, share): ([usize; 2], Option<Arc<Share>>),
+        (size, share): ([usize; 2], Option<Arc<RowPartition>>),
         kernels: [[&Kernel; N]; N],
         floor: f64,
         is_up_to_mean: bool,
@@ -67,7 +67,7 @@ impl<const N: usize> CirculantInverse<N> {
             (cells, true) => cells,
             (cells, false) => smooth_length((cells + APART).min(2 * cells - 1)),
         });
-        let frame = Frame { size, torus, share };
+        let frame = TorusLayout { size, torus, share };
         let symbol = Symbol::new(&frame, kernels)?;
         let [_, high] = symbol.extremes(false);
         // A single cell that repeats has no wave but the mean: any weight will do.

@@ -11,18 +11,18 @@ use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::single_precision::SingleProduct;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
-use crate::fft::torus::Frame;
+use crate::fft::torus::TorusLayout;
 use crate::fft::uniform_wave::UniformWave;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
-use crate::influence::{Added, Kernel, Samples, Symbols};
-use crate::memory::fallible::or_abort;
+use crate::influence::{Kernel, KernelCorrection, Samples, Symbols};
+use crate::memory::fallible::unwrap_or_abort;
 use crate::operator::{LowerBound, MeanBound, Operator, SELF_COMPLIANCE, Scratch};
 use crate::parallel;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::Team;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::RankGroup;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::report::EigenvalueBound;
 use crate::support::debug::shown;
 
@@ -85,7 +85,7 @@ impl Convolution {
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
         pair.check_no_kernel()?;
-        let added = Added::of(&kernel::Kernel::from(*pair));
+        let added = KernelCorrection::of(&kernel::Kernel::from(*pair));
         let samples = Samples::new(grid, reach)?.coated(added);
         parallel::enter_with(grid.cells(), || {
             let table = Kernel::Table(samples.table(grid, pair, component)?);
@@ -118,7 +118,7 @@ impl Convolution {
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Kernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
-        or_abort(parallel::enter_with(grid.cells(), || {
+        unwrap_or_abort(parallel::enter_with(grid.cells(), || {
             Self::of_kernels(grid.size(), None, [[&symbols]])
         }))
     }
@@ -133,11 +133,11 @@ impl<const N: usize> Convolution<N> {
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn of_kernels(
         size: [usize; 2],
-        share: Option<Arc<Share>>,
+        share: Option<Arc<RowPartition>>,
         kernels: [[&Kernel; N]; N],
     ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
-        let frame = Frame {
+        let frame = TorusLayout {
             size,
             torus: torus(size, repeats),
             share,
@@ -284,7 +284,7 @@ pub(crate) fn samples(
     boundary: Boundary,
     cell_value: CellValue,
     size: [usize; 2],
-    (team, added): (Option<&Arc<Team>>, Option<&Arc<Added>>),
+    (team, added): (Option<&Arc<RankGroup>>, Option<&Arc<KernelCorrection>>),
 ) -> Result<Option<Samples>> {
     let reach = reach(size, boundary);
     let samples = match boundary {
@@ -292,7 +292,7 @@ pub(crate) fn samples(
         Boundary::PeriodicAlongY { datum } => Samples::repeating_along_y(grid, reach, datum)?,
         Boundary::Periodic => return Ok(None),
     };
-    let share = team.map(|team| Arc::new(Share::new(team, reach)));
+    let share = team.map(|team| Arc::new(RowPartition::new(team, reach)));
     Ok(Some(
         samples.of(cell_value).shared(share).coated(added.cloned()),
     ))

@@ -5,7 +5,7 @@ use crate::numerics::jacobi::diagonalised;
 /// Smallest and largest eigenvalue.
 pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2] {
     if N == 2 {
-        let Pair { mean, radius, .. } = Pair::new(matrix);
+        let SymmetricPair { mean, radius, .. } = SymmetricPair::new(matrix);
         return [mean - radius, mean + radius];
     }
     let (diagonal, _) = diagonalised(matrix);
@@ -17,7 +17,7 @@ pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2
 /// The inverse, with eigenvalues below `floor` raised to it.
 pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -> [[f64; N]; N] {
     if N == 2 {
-        return Pair::new(matrix).inverse_above(floor);
+        return SymmetricPair::new(matrix).inverse_above(floor);
     }
     let (values, vectors) = diagonalised(matrix);
     let weights = values.map(|value| 1.0 / value.max(floor));
@@ -42,7 +42,7 @@ pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
 }
 
 /// A 2 x 2 matrix, `mean + radius [[cos, sin], [sin, -cos]]` of twice the angle of its axes.
-struct Pair {
+struct SymmetricPair {
     mean: f64,
     radius: f64,
     /// Half the difference of the diagonal, and the entry beside it.
@@ -50,7 +50,7 @@ struct Pair {
     beside: f64,
 }
 
-impl Pair {
+impl SymmetricPair {
     /// Of a matrix that is 2 x 2, which the type cannot say here.
     fn new<const N: usize>(matrix: [[f64; N]; N]) -> Self {
         let (xx, yy, xy) = (matrix[0][0], matrix[1][1], matrix[0][1]);

@@ -5,9 +5,9 @@ use std::ops::Range;
 use crate::fft::plan::Plan;
 use crate::fft::precision::Real;
 use crate::fft::tiles::{TILE_WORDS, Tile};
-use crate::memory::fallible::or_abort;
-use crate::parallel::ranks::Words;
-use crate::parallel::ranks::partition::{Share, part, rounds};
+use crate::memory::fallible::unwrap_or_abort;
+use crate::parallel::ranks::WireFormat;
+use crate::parallel::ranks::partition::{RowPartition, part, rounds};
 use crate::parallel::{self, Blocks, Work};
 
 /// Tiles that a rank sends in one round, about: they are packed and unpacked beside the tiles themselves.
@@ -18,7 +18,7 @@ const TASK_TILES: usize = 16;
 
 impl<T: Real> Plan<T> {
     /// Which tiles of a column are of the rows of a rank.
-    fn tile_rows_of(&self, share: &Share, rank: usize) -> Range<usize> {
+    fn tile_rows_of(&self, share: &RowPartition, rank: usize) -> Range<usize> {
         let rows = share.rows_of(rank);
         let place = |row: usize| self.tile_rows.partition_point(|&first| first < row);
         if rows.is_empty() {
@@ -36,7 +36,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// How many rounds a hand-over takes, the same on all ranks.
-    fn rounds(&self, share: &Share) -> usize {
+    fn rounds(&self, share: &RowPartition) -> usize {
         let tiles = |rank: usize| {
             let by_rows = self.tile_rows_of(share, rank).len() * self.tiles_across();
             by_rows.max(self.tile_columns_of(rank).len() * self.tiles_along())
@@ -49,7 +49,7 @@ impl<T: Real> Plan<T> {
     /// not sent.
     pub(super) fn deal_columns(
         &self,
-        share: &Share,
+        share: &RowPartition,
         by_rows: &mut [Tile],
         by_columns: &mut [Tile],
         occupied: &mut [bool],
@@ -58,13 +58,13 @@ impl<T: Real> Plan<T> {
         let (from, to) = (self.in_rows(by_rows), self.in_columns(by_columns));
         let sent = |rank| [self.tile_columns_of(rank), self.own_tile_rows()];
         let received = |rank| [self.own_tile_columns(), self.tile_rows_of(share, rank)];
-        self.deal(share, [from, to], sent, received, Some(occupied), spare);
+        self.transpose_tiles(share, [from, to], sent, received, Some(occupied), spare);
     }
 
     /// Hands the tiles back to who has their rows, and takes those of the rows here.
-    pub(super) fn deal_rows(
+    pub(super) fn tiles_to_rows(
         &self,
-        share: &Share,
+        share: &RowPartition,
         by_columns: &mut [Tile],
         by_rows: &mut [Tile],
         spare: &mut Vec<Tile>,
@@ -72,15 +72,15 @@ impl<T: Real> Plan<T> {
         let (from, to) = (self.in_columns(by_columns), self.in_rows(by_rows));
         let sent = |rank| [self.own_tile_columns(), self.tile_rows_of(share, rank)];
         let received = |rank| [self.tile_columns_of(rank), self.own_tile_rows()];
-        self.deal(share, [from, to], sent, received, None, spare);
+        self.transpose_tiles(share, [from, to], sent, received, None, spare);
     }
 
     /// Hands tiles from one order to the other: which columns and rows of them go to a rank, and which come from it. Of
     /// bands some of which hold nothing, only those that hold something travel, after a bit for each.
-    fn deal(
+    fn transpose_tiles(
         &self,
-        share: &Share,
-        [mut from, mut to]: [Order<'_>; 2],
+        share: &RowPartition,
+        [mut from, mut to]: [TileOrder<'_>; 2],
         sent: impl Fn(usize) -> [Range<usize>; 2],
         received: impl Fn(usize) -> [Range<usize>; 2],
         mut occupied: Option<&mut [bool]>,
@@ -147,7 +147,7 @@ impl<T: Real> Plan<T> {
                     team.out_of_step(rank);
                 }
                 while spare.len() < rows.len() * columns.len() {
-                    spare.push(or_abort(Tile::zero()));
+                    spare.push(unwrap_or_abort(Tile::zero()));
                 }
                 let first = spare.len() - filled;
                 fill(&mut spare[first..], words);
@@ -167,8 +167,8 @@ impl<T: Real> Plan<T> {
     }
 
     /// Tiles of the rows held here, row after row.
-    fn in_rows<'a>(&self, tiles: &'a mut [Tile]) -> Order<'a> {
-        Order {
+    fn in_rows<'a>(&self, tiles: &'a mut [Tile]) -> TileOrder<'a> {
+        TileOrder {
             tiles,
             first: [0, self.own_tile_rows().start],
             strides: [1, self.tiles_across()],
@@ -176,8 +176,8 @@ impl<T: Real> Plan<T> {
     }
 
     /// Tiles of the columns multiplied here, column after column.
-    fn in_columns<'a>(&self, tiles: &'a mut [Tile]) -> Order<'a> {
-        Order {
+    fn in_columns<'a>(&self, tiles: &'a mut [Tile]) -> TileOrder<'a> {
+        TileOrder {
             tiles,
             first: [self.own_tile_columns().start, 0],
             strides: [self.tiles_along(), 1],
@@ -186,13 +186,13 @@ impl<T: Real> Plan<T> {
 }
 
 /// Tiles, and where those of a column and a row lie.
-struct Order<'a> {
+struct TileOrder<'a> {
     tiles: &'a mut [Tile],
     first: [usize; 2],
     strides: [usize; 2],
 }
 
-impl Order<'_> {
+impl TileOrder<'_> {
     fn at(&mut self, column: usize, row: usize) -> &mut Tile {
         let across = (column - self.first[0]) * self.strides[0];
         &mut self.tiles[across + (row - self.first[1]) * self.strides[1]]

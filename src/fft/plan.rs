@@ -18,7 +18,7 @@ use crate::fft::precision::Real;
 use crate::fft::rows::RowScratch;
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile, Tiles, exchange};
-use crate::fft::torus::Frame;
+use crate::fft::torus::TorusLayout;
 use crate::memory::pool::Pool;
 use crate::parallel::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
@@ -26,7 +26,7 @@ use crate::parallel::{self, Blocks, Split};
 /// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
 #[derive(Clone)]
 pub(super) struct Plan<T: Real> {
-    pub(super) frame: Frame,
+    pub(super) frame: TorusLayout,
     /// The row at which each tile of a column begins.
     pub(super) tile_rows: Vec<usize>,
     pub(super) row_forward: Arc<dyn Fft<T>>,
@@ -53,7 +53,7 @@ pub(super) struct TaskScratch<T, const N: usize> {
 }
 
 impl<T: Real> Plan<T> {
-    pub(super) fn new(frame: Frame) -> Self {
+    pub(super) fn new(frame: TorusLayout) -> Self {
         let [row, column] = T::transforms(frame.torus);
         let ([row_forward, row_inverse], [column_forward, column_inverse]) = (row, column);
         Self {
@@ -68,7 +68,7 @@ impl<T: Real> Plan<T> {
 
     /// Cells of a field.
     pub(super) fn cells(&self) -> usize {
-        self.frame.size[0] * self.frame.own_rows().len()
+        self.frame.size[0] * self.frame.local_rows().len()
     }
 
     /// Cells of the torus, all of which a sum of waves is divided by.
@@ -109,7 +109,7 @@ impl<T: Real> Plan<T> {
 
     /// Tiles along y of the rows held here.
     pub(super) fn tiles_down(&self) -> usize {
-        self.frame.own_rows().len().div_ceil(TILE_ROWS)
+        self.frame.local_rows().len().div_ceil(TILE_ROWS)
     }
 
     /// Tiles along y, of all ranks together.
@@ -272,14 +272,14 @@ impl<T: Real> Plan<T> {
         spare: &mut Vec<Tile>,
     ) {
         match &self.frame.share {
-            Some(share) => self.deal_rows(share, by_columns, by_rows, spare),
+            Some(share) => self.tiles_to_rows(share, by_columns, by_rows, spare),
             None => exchange(by_columns, by_rows, self.tiles_along()),
         }
     }
 }
 
 /// The row at which each tile of a column begins: those of each rank from its own first row.
-fn tile_rows(frame: &Frame) -> Vec<usize> {
+fn tile_rows(frame: &TorusLayout) -> Vec<usize> {
     let tiles = |rows: Range<usize>| rows.step_by(TILE_ROWS);
     match &frame.share {
         Some(share) => {

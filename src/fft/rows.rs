@@ -74,7 +74,7 @@ impl<T: Real> Plan<T> {
     /// The cells of a band.
     fn rows_of(&self, band: usize) -> Range<usize> {
         let (first, nx) = (band * TILE_ROWS, self.frame.size[0]);
-        first * nx..(first + TILE_ROWS).min(self.frame.own_rows().len()) * nx
+        first * nx..(first + TILE_ROWS).min(self.frame.local_rows().len()) * nx
     }
 
     /// The columns of waves of each tile of a band.

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::fft::plan::{Plan, TaskScratch};
 use crate::fft::symbol::Symbol;
 use crate::fft::tiles::Tiles;
-use crate::fft::torus::Frame;
+use crate::fft::torus::TorusLayout;
 use crate::parallel::layout::Layout;
 
 /// Plan and symbol in single precision, the symbol scaled to values about one.
@@ -25,7 +25,7 @@ pub(super) struct SingleScratch<const N: usize> {
 }
 
 impl<const N: usize> SingleProduct<N> {
-    pub(super) fn new(frame: Frame, symbol: &Symbol<f64, N>) -> Result<Self> {
+    pub(super) fn new(frame: TorusLayout, symbol: &Symbol<f64, N>) -> Result<Self> {
         let largest = symbol.largest_entry();
         let scale = if largest > 0.0 { largest } else { 1.0 };
         let plan = Plan::new(frame);

@@ -7,14 +7,14 @@ use num_complex::Complex;
 use realfft::RealFftPlanner;
 
 use crate::error::Result;
-use crate::fft::torus::Frame;
+use crate::fft::torus::TorusLayout;
 use crate::influence::Kernel;
 use crate::memory::fallible;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, Blocks};
 
 /// Where numbers go: the places `entry` of each piece of `stride` numbers.
-pub(super) struct Lines<'a> {
+pub(super) struct StridedLines<'a> {
     pub(super) values: &'a mut [f64],
     pub(super) stride: usize,
     pub(super) entry: Range<usize>,
@@ -25,7 +25,12 @@ pub(super) struct Lines<'a> {
 ///
 /// # Errors
 /// [`Error::Memory`](crate::Error::Memory).
-pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<'_>) -> Result<()> {
+pub(super) fn transform(
+    kernel: &Kernel,
+    frame: &TorusLayout,
+    sign: f64,
+    lines: StridedLines<'_>,
+) -> Result<()> {
     match kernel {
         Kernel::Table(table) | Kernel::Rows(table) => {
             let is_odd = table.component().is_odd();
@@ -33,7 +38,7 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
             of_samples(is_odd, frame, table.share(), sign, lines, row)
         }
         Kernel::Symbols(symbols) => {
-            let Lines {
+            let StridedLines {
                 values,
                 stride,
                 entry,
@@ -59,10 +64,10 @@ pub(super) fn transform(kernel: &Kernel, frame: &Frame, sign: f64, lines: Lines<
 /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
 pub(super) fn of_samples(
     [is_odd_x, is_odd_y]: [bool; 2],
-    frame: &Frame,
-    share: Option<&Arc<Share>>,
+    frame: &TorusLayout,
+    share: Option<&Arc<RowPartition>>,
     sign: f64,
-    lines: Lines<'_>,
+    lines: StridedLines<'_>,
     row: impl Fn(usize, &mut [f64]) + Sync,
 ) -> Result<()> {
     // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
@@ -72,12 +77,12 @@ pub(super) fn of_samples(
     let ([mx, my], width) = (frame.torus, frame.width());
     let height = my / 2 + 1;
     let own_rows = share.map_or(0..height, |share| {
-        let own = share.own_rows();
+        let own = share.local_rows();
         own.start.min(height)..own.end.min(height)
     });
     let transformed = || {
         let mut rows = fallible::zeros(width * own_rows.len())?;
-        let row_lines = Lines {
+        let row_lines = StridedLines {
             values: &mut rows,
             stride: width,
             entry: 0..width,
@@ -93,7 +98,7 @@ pub(super) fn of_samples(
         Some(share) => {
             let own = frame.own_columns().len();
             let found = transformed().and_then(|rows| Ok((rows, fallible::zeros(own * height)?)));
-            let (rows, mut found) = share.team().agreed(found)?;
+            let (rows, mut found) = share.team().collective_result(found)?;
             let wanted = |rank| [frame.columns_of(rank), 0..height];
             share.fetch_into(&rows, width, wanted, &mut found);
             (found, own)
@@ -119,10 +124,10 @@ const AT_ONCE: usize = 8;
 fn half_transforms(
     m: usize,
     is_odd: bool,
-    lines: Lines<'_>,
+    lines: StridedLines<'_>,
     sample: impl Fn(Range<usize>, &mut [f64]) + Sync,
 ) -> Result<()> {
-    let Lines {
+    let StridedLines {
         values,
         stride,
         entry,

@@ -7,14 +7,14 @@ use std::sync::Arc;
 use crate::error::{Result, memory};
 use crate::fft::length::torus;
 use crate::fft::plan::{Plan, TaskScratch};
-use crate::fft::spectrum::{Lines, of_samples};
+use crate::fft::spectrum::{StridedLines, of_samples};
 use crate::fft::symbol::Parity;
 use crate::fft::tiles::{Tile, Tiles, exchange};
-use crate::fft::torus::Frame;
-use crate::memory::fallible::{self, or_abort};
+use crate::fft::torus::TorusLayout;
+use crate::memory::fallible::{self, unwrap_or_abort};
 use crate::memory::pool::Pool;
 use crate::parallel;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
 /// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for
@@ -35,20 +35,24 @@ pub(crate) struct Superposition {
 /// kernels are given for: `[along x, along y]`.
 #[derive(Debug, Clone)]
 pub(crate) struct Torus {
-    frame: Frame,
+    frame: TorusLayout,
     /// How the distances along y are dealt out, if they are.
-    distances: Option<Arc<Share>>,
+    distances: Option<Arc<RowPartition>>,
 }
 
 impl Torus {
     /// For fields of `[nx, ny]` cells that repeat or not, whose rows may be dealt out to ranks.
-    pub(crate) fn new(size: [usize; 2], repeats: [bool; 2], share: Option<Arc<Share>>) -> Self {
+    pub(crate) fn new(
+        size: [usize; 2],
+        repeats: [bool; 2],
+        share: Option<Arc<RowPartition>>,
+    ) -> Self {
         let torus = torus(size, repeats);
         let quarter = torus.map(|m| m / 2 + 1);
-        let of = |share: &Arc<Share>| Arc::new(Share::new(share.team(), quarter));
+        let of = |share: &Arc<RowPartition>| Arc::new(RowPartition::new(share.team(), quarter));
         Self {
             distances: share.as_ref().map(of),
-            frame: Frame { size, torus, share },
+            frame: TorusLayout { size, torus, share },
         }
     }
 
@@ -62,7 +66,7 @@ impl Torus {
         let all = 0..self.quarter()[1];
         self.distances
             .as_ref()
-            .map_or(all, |share| share.own_rows())
+            .map_or(all, |share| share.local_rows())
     }
 
     /// Waves along x whose kernels this rank multiplies.
@@ -82,9 +86,9 @@ impl Torus {
         at: impl Fn(usize, usize) -> f64 + Sync,
     ) -> Result<Vec<f64>> {
         let [_, height] = self.quarter();
-        self.frame.agreed_on(|| {
+        self.frame.run_collectively(|| {
             let mut values = fallible::zeros(self.own_waves().len() * height)?;
-            let lines = Lines {
+            let lines = StridedLines {
                 values: &mut values,
                 stride: height,
                 entry: 0..height,
@@ -107,7 +111,7 @@ fn lend(plan: &Plan<f64>, width: usize, from: &mut [Tile], to: &mut [Tile], spar
     }
     // A rank may have more of one order than of the other.
     spare.extend(from.iter_mut().map(std::mem::take));
-    to.fill_with(|| spare.pop().unwrap_or_else(|| or_abort(Tile::zero())));
+    to.fill_with(|| spare.pop().unwrap_or_else(|| unwrap_or_abort(Tile::zero())));
 }
 
 /// Nine kernels of a column of waves.
@@ -130,7 +134,7 @@ impl Superposition {
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
     pub(crate) fn new(torus: &Torus) -> Result<Self> {
-        let own = [torus.frame.size[0], torus.frame.own_rows().len()];
+        let own = [torus.frame.size[0], torus.frame.local_rows().len()];
         memory("transforms of tractions and stresses", own, 96)?;
         let plan = Plan::new(torus.frame.clone());
         let mut results = plan.tiles()?;

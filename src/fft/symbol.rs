@@ -9,8 +9,8 @@ use crate::error::Result;
 use crate::fft::eigenvalues::{coupling, eigenvalue_range, inverse_above};
 use crate::fft::plan::zero;
 use crate::fft::precision::Real;
-use crate::fft::spectrum::{Lines, transform};
-use crate::fft::torus::Frame;
+use crate::fft::spectrum::{StridedLines, transform};
+use crate::fft::torus::TorusLayout;
 use crate::influence::Kernel;
 use crate::memory::fallible;
 use crate::parallel;
@@ -31,7 +31,7 @@ pub(super) struct Symbol<T, const N: usize> {
     /// The first column here.
     first: usize,
     shape: Shape<N>,
-    frame: Frame,
+    frame: TorusLayout,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -106,10 +106,10 @@ impl<const N: usize> Symbol<f64, N> {
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    pub(super) fn new(frame: &Frame, kernels: [[&Kernel; N]; N]) -> Result<Self> {
+    pub(super) fn new(frame: &TorusLayout, kernels: [[&Kernel; N]; N]) -> Result<Self> {
         let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
-        let values = frame.agreed_on(|| {
+        let values = frame.run_collectively(|| {
             let mut values = fallible::zeros(columns.len() * shape.stride())?;
             for (i, j) in upper_triangle::<N>() {
                 let sign = if shape.parity.negates(i, j) {
@@ -117,7 +117,7 @@ impl<const N: usize> Symbol<f64, N> {
                 } else {
                     1.0
                 };
-                let lines = Lines {
+                let lines = StridedLines {
                     values: &mut values,
                     stride: shape.stride(),
                     entry: shape.entry(i, j),

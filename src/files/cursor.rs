@@ -75,7 +75,7 @@ impl<'a> Cursor<'a> {
 
 /// The order of the bytes of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Order {
+pub(crate) enum ByteOrder {
     LeastFirst,
     GreatestFirst,
 }
@@ -107,7 +107,7 @@ impl Number {
     }
 
     /// All numbers stored in `bytes`; 64-bit integers are rounded.
-    pub(crate) fn decode(self, order: Order, bytes: &[u8]) -> Vec<f64> {
+    pub(crate) fn decode(self, order: ByteOrder, bytes: &[u8]) -> Vec<f64> {
         match self {
             Self::I8 => map(order, bytes, |b| f64::from(i8::from_le_bytes(b))),
             Self::I16 => map(order, bytes, |b| f64::from(i16::from_le_bytes(b))),
@@ -124,11 +124,15 @@ impl Number {
 }
 
 /// Every `N` bytes as a number; `number` takes them least significant first.
-fn map<const N: usize>(order: Order, bytes: &[u8], number: impl Fn([u8; N]) -> f64) -> Vec<f64> {
+fn map<const N: usize>(
+    order: ByteOrder,
+    bytes: &[u8],
+    number: impl Fn([u8; N]) -> f64,
+) -> Vec<f64> {
     let sample = |stored: &[u8]| {
         let mut array = [0; N];
         array.copy_from_slice(stored);
-        if order == Order::GreatestFirst {
+        if order == ByteOrder::GreatestFirst {
             array.reverse();
         }
         number(array)

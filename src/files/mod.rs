@@ -8,8 +8,8 @@ use std::path::Path;
 use crate::error::{Error, Place, Result, positive};
 use crate::grid::Grid;
 
-pub(crate) use cursor::{Cursor, Number, Order};
-pub(crate) use whole_file::{Part, replace, replace_bytes};
+pub(crate) use cursor::{ByteOrder, Cursor, Number};
+pub(crate) use whole_file::{PartialFile, replace, replace_bytes};
 
 /// The name of a format, used in its errors.
 #[derive(Debug, Clone, Copy)]

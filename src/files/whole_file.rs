@@ -7,18 +7,18 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::error::Result;
 use crate::files::refused;
-use crate::parallel::ranks::Team;
+use crate::parallel::ranks::RankGroup;
 
 /// A new file beside another, `NAME.PID.NUMBER.part`, which is removed again unless it takes the name of that.
 #[derive(Debug)]
-pub(crate) struct Part<'a> {
+pub(crate) struct PartialFile<'a> {
     target: &'a Path,
     path: PathBuf,
     /// Process and number.
     id: u64,
 }
 
-impl<'a> Part<'a> {
+impl<'a> PartialFile<'a> {
     /// Makes one of a name that no other thread or process has.
     pub(crate) fn beside(target: &'a Path) -> Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
@@ -73,7 +73,7 @@ impl<'a> Part<'a> {
     }
 }
 
-impl Drop for Part<'_> {
+impl Drop for PartialFile<'_> {
     fn drop(&mut self) {
         // Nothing is there if it has taken the name; what is left of a failure has no use.
         drop(std::fs::remove_file(&self.path));
@@ -89,27 +89,29 @@ pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
 /// The same of a file to which every rank writes its bytes.
 pub(crate) fn replace(
     path: &Path,
-    team: Option<&Team>,
+    team: Option<&RankGroup>,
     write: impl FnOnce(&mut File) -> IoResult<()>,
 ) -> Result<()> {
     let is_first = team.is_none_or(|team| team.rank() == 0);
     let part = shared_part(path, team)?;
-    Team::agreed_of(team, part.write(write))?;
+    RankGroup::agreed_of(team, part.write(write))?;
     let named = if is_first { part.take_name() } else { Ok(()) };
-    Team::agreed_of(team, named)
+    RankGroup::agreed_of(team, named)
 }
 
 /// A file beside another, which the first rank makes for all.
-fn shared_part<'a>(path: &'a Path, team: Option<&Team>) -> Result<Part<'a>> {
+fn shared_part<'a>(path: &'a Path, team: Option<&RankGroup>) -> Result<PartialFile<'a>> {
     let Some(team) = team else {
-        return Part::beside(path);
+        return PartialFile::beside(path);
     };
-    let made = (team.rank() == 0).then(|| Part::beside(path)).transpose();
-    let made = team.agreed(made)?;
+    let made = (team.rank() == 0)
+        .then(|| PartialFile::beside(path))
+        .transpose();
+    let made = team.collective_result(made)?;
     let id = team.decided(made.as_ref().map_or(0, |part| part.id));
     team.check()?;
     // A number that did not arrive is that of no file.
-    Ok(made.unwrap_or_else(|| Part::of_another(path, id.unwrap_or_default())))
+    Ok(made.unwrap_or_else(|| PartialFile::of_another(path, id.unwrap_or_default())))
 }
 
 #[cfg(test)]
@@ -131,7 +133,7 @@ mod tests {
         std::fs::write(&path, "old").unwrap();
         let outcomes = Threads::run(3, Duration::from_secs(60), |rank| {
             let is_full = rank.rank() == 1;
-            let team = Team::new(Arc::new(rank));
+            let team = RankGroup::new(Arc::new(rank));
             replace(&path, Some(&team), |file| {
                 file.write_all(b"new")?;
                 if is_full {
@@ -141,7 +143,7 @@ mod tests {
             })
         });
         for (rank, outcome) in outcomes.iter().enumerate() {
-            let refused = Err(Error::Ranks(RankFailure::Refused { rank: 1 }));
+            let refused = Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }));
             let is_own = matches!(outcome, Err(Error::File { .. }));
             assert!(if rank == 1 {
                 is_own

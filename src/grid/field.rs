@@ -7,7 +7,7 @@ use std::ops::{Add, Index, IndexMut, Mul, Range, Sub};
 use crate::error::{Result, all_finite, finite, length};
 use crate::grid::Grid;
 use crate::grid::per_cell::PerCell;
-use crate::memory::fallible::{self, TryClone, or_abort, try_clone};
+use crate::memory::fallible::{self, TryClone, try_clone, unwrap_or_abort};
 use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
@@ -36,7 +36,7 @@ use crate::support::debug::shown;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawField")
 )]
 pub struct Field {
     grid: Grid,
@@ -70,17 +70,17 @@ try_clone!(Field { samples } { grid });
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct Unchecked {
+struct RawField {
     grid: Grid,
     #[serde(with = "crate::support::serialise::numbers")]
     samples: Vec<f64>,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for Field {
+impl TryFrom<RawField> for Field {
     type Error = crate::error::Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawField) -> Result<Self> {
         Self::from_vec(read.grid, read.samples)
     }
 }
@@ -139,7 +139,7 @@ impl Field {
     /// A function of the cell centres, `f(x, y)`.
     #[must_use]
     pub fn from_fn(grid: Grid, f: impl FnMut(f64, f64) -> f64) -> Self {
-        or_abort(Self::try_from_fn(grid, f))
+        unwrap_or_abort(Self::try_from_fn(grid, f))
     }
 
     /// [`Self::from_fn`] where memory may run out.

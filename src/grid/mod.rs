@@ -33,7 +33,7 @@ use crate::parallel::layout::Layout;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawGrid")
 )]
 pub struct Grid {
     nx: usize,
@@ -51,7 +51,7 @@ pub struct Grid {
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct Unchecked {
+struct RawGrid {
     nx: usize,
     ny: usize,
     dx: f64,
@@ -59,10 +59,10 @@ struct Unchecked {
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for Grid {
+impl TryFrom<RawGrid> for Grid {
     type Error = Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawGrid) -> Result<Self> {
         Self::new(read.nx, read.ny, read.dx, read.dy)
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::grid::Grid;
-use crate::parallel::ranks::Words;
+use crate::parallel::ranks::WireFormat;
 use crate::parallel::{self, Blocks};
 
 /// A rectangle of cells of a grid.
@@ -262,7 +262,7 @@ impl Window {
     }
 }
 
-impl Words for Window {
+impl WireFormat for Window {
     const COUNT: usize = 5;
     const ZERO: Self = Self {
         columns: 0,
@@ -275,7 +275,7 @@ impl Words for Window {
     }
 
     fn read(words: &mut &[u64]) -> Self {
-        let (columns, corner, size) = Words::read(words);
+        let (columns, corner, size) = WireFormat::read(words);
         Self {
             columns,
             corner,

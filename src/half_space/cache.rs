@@ -21,18 +21,18 @@ struct Key {
     size: [usize; 2],
 }
 
-type Entries = HashMap<Key, Entry>;
+type Entries = HashMap<Key, CacheEntry>;
 type Value = dyn Any + Send + Sync;
 
 #[derive(Debug)]
-enum Entry {
+enum CacheEntry {
     /// Kept as long as the cache.
     Kept(Arc<Value>),
     /// Shared as long as anyone uses it.
     Lent(Weak<Value>),
 }
 
-impl Entry {
+impl CacheEntry {
     fn value<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         let value = match self {
             Self::Kept(value) => Arc::clone(value),
@@ -67,19 +67,19 @@ impl Cache {
             components: std::array::from_fn(|n| components.get(n).copied()),
             size,
         };
-        if let Some(found) = self.locked(|entries| find(entries, &key)) {
+        if let Some(found) = self.with_lock(|entries| find(entries, &key)) {
             return Ok(found);
         }
         let made = Arc::new(make()?);
-        Ok(self.locked(|entries| {
+        Ok(self.with_lock(|entries| {
             if let Some(found) = find(entries, &key) {
                 return found;
             }
             let value: Arc<Value> = Arc::clone(&made) as _;
             let entry = if is_kept {
-                Entry::Kept(value)
+                CacheEntry::Kept(value)
             } else {
-                Entry::Lent(Arc::downgrade(&value))
+                CacheEntry::Lent(Arc::downgrade(&value))
             };
             entries.retain(|_, entry| entry.is_alive());
             entries.insert(key, entry);
@@ -87,7 +87,7 @@ impl Cache {
         }))
     }
 
-    fn locked<R>(&self, work: impl FnOnce(&mut Entries) -> R) -> R {
+    fn with_lock<R>(&self, work: impl FnOnce(&mut Entries) -> R) -> R {
         // What panics under the lock leaves the map as it was or with one entry more.
         let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
         work(&mut entries)
@@ -95,7 +95,7 @@ impl Cache {
 }
 
 fn find<T: Any + Send + Sync>(entries: &Entries, key: &Key) -> Option<Arc<T>> {
-    entries.get(key).and_then(Entry::value)
+    entries.get(key).and_then(CacheEntry::value)
 }
 
 #[cfg(test)]
@@ -114,7 +114,7 @@ mod tests {
         }
         assert!(Arc::ptr_eq(&held, &make(1, false)));
         assert_eq!(
-            cache.locked(|entries| entries.len()),
+            cache.with_lock(|entries| entries.len()),
             3,
             "kept, held and the last"
         );

@@ -10,9 +10,9 @@ use crate::grid::coarsening::{REACH, coarsened, halved, refined, refined_zone};
 use crate::grid::field::Field;
 use crate::half_space::coefficients::Kernels;
 use crate::half_space::{HalfSpace, Shared};
-use crate::influence::Added;
+use crate::influence::KernelCorrection;
 use crate::parallel::get_or_make;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
 const ALONE: usize = 1 << 16;
@@ -33,7 +33,7 @@ impl HalfSpace {
             let grid = Grid::new(nx, ny, wide * grid.dx(), high * grid.dy())?;
             let (boundary, cell_value) = (self.boundary(), self.cell_value());
             let share = self.share_of_coarser([nx, ny]);
-            let added = kernels.added().map(Added::coarser);
+            let added = kernels.added().map(KernelCorrection::coarser);
             let samples = match kernels.samples() {
                 _ if share.is_some() => None,
                 Some(samples) if self.keeps_kernels() && samples.have_no_scale() => {
@@ -42,7 +42,7 @@ impl HalfSpace {
                 _ => {
                     let dealt = (None, added.as_ref());
                     let samples = samples(grid, boundary, cell_value, grid.size(), dealt);
-                    self.agreed(samples)?.map(Arc::new)
+                    self.collective_result(samples)?.map(Arc::new)
                 }
             };
             let dealt = (self.team().cloned(), share);
@@ -69,7 +69,7 @@ impl HalfSpace {
     }
 
     /// How a coarser grid is dealt out, if it is.
-    fn share_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<Share>> {
+    fn share_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<RowPartition>> {
         self.share([nx, ny]).filter(|_| nx * ny > ALONE)
     }
 
@@ -141,7 +141,7 @@ impl HalfSpace {
             }
             (fine.start / 2).saturating_sub(REACH)..(fine.end / 2 + REACH).min(height)
         };
-        let own = fine.own_rows();
+        let own = fine.local_rows();
         match coarser.share([width, height]) {
             Some(coarse) => {
                 let found = coarse.fetch(field, width, |rank| [0..width, rows(rank)]);

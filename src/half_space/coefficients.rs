@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
-use crate::influence::{Added, Kernel, Samples, Symbols};
+use crate::influence::{Kernel, KernelCorrection, Samples, Symbols};
 use crate::parallel::get_or_make;
 
 /// The kernels of bodies on cells of one size, each made at its first use.
@@ -22,7 +22,7 @@ pub(super) struct Kernels {
     /// What they are made of; none where they repeat along both axes.
     samples: Option<Arc<Samples>>,
     /// The part that coated bodies add to their outermost layers, or a kernel in their place.
-    added: Option<Arc<Added>>,
+    added: Option<Arc<KernelCorrection>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }
 
@@ -32,7 +32,7 @@ impl Kernels {
         bodies: &kernel::Kernel,
         boundary: Boundary,
         cell_value: CellValue,
-        (samples, added): (Option<Arc<Samples>>, Option<Arc<Added>>),
+        (samples, added): (Option<Arc<Samples>>, Option<Arc<KernelCorrection>>),
     ) -> Self {
         Self {
             grid,
@@ -66,7 +66,7 @@ impl Kernels {
         self.samples.as_ref()
     }
 
-    pub(super) fn added(&self) -> Option<&Arc<Added>> {
+    pub(super) fn added(&self) -> Option<&Arc<KernelCorrection>> {
         self.added.as_ref()
     }
 

@@ -14,7 +14,7 @@ use crate::memory::fallible;
 use crate::memory::pool::Pool;
 use crate::operator::Operator;
 use crate::parallel;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::report::EigenvalueBound;
 
 /// An operator and the preconditioner that goes with it.
@@ -28,7 +28,7 @@ pub(crate) struct Compliance<const N: usize> {
 struct UpToMean<const N: usize>(ElasticPreconditioner<N>);
 
 /// An estimate from below of the eigenvalues of all rectangles of the cells.
-struct LeastOfLattice(f64);
+struct LatticeEigenvalueBound(f64);
 
 impl HalfSpace {
     /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
@@ -221,13 +221,13 @@ impl HalfSpace {
     fn least_of_lattice<const N: usize>(
         &self,
         components: [[Component; N]; N],
-    ) -> Result<Arc<LeastOfLattice>> {
+    ) -> Result<Arc<LatticeEigenvalueBound>> {
         let made = &self.shared.made;
         made.get_or_make(components.as_flattened(), self.size(), true, || {
             let (grid, kernel) = (self.grid().whole(), self.kernel());
             let repeats = self.boundary().repeats()[1];
             let least = least_of_lattice((grid, repeats), kernel, self.cell_value(), components);
-            Ok(LeastOfLattice(least))
+            Ok(LatticeEigenvalueBound(least))
         })
     }
 
@@ -236,7 +236,7 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([usize; 2], Option<Arc<Share>>, [[&Kernel; N]; N]) -> Result<T> + Send,
+        make: impl FnOnce([usize; 2], Option<Arc<RowPartition>>, [[&Kernel; N]; N]) -> Result<T> + Send,
     ) -> Result<Arc<T>> {
         let size = self.cut(size);
         let is_kept = size == self.size();

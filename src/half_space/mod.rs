@@ -19,9 +19,9 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::window::Window;
-use crate::influence::{Added, Kernel};
-use crate::parallel::ranks::Team;
-use crate::parallel::ranks::partition::Share;
+use crate::influence::{Kernel, KernelCorrection};
+use crate::parallel::ranks::RankGroup;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::support::debug::shown;
 
 use cache::Cache;
@@ -64,9 +64,9 @@ struct Shared {
     /// Those that are kept, of small grids.
     kernels: Kernels,
     /// The ranks that share the grid, or that all have the whole of it and do the same.
-    team: Option<Arc<Team>>,
+    team: Option<Arc<RankGroup>>,
     /// How the grid is dealt out to ranks, if it is.
-    share: Option<Arc<Share>>,
+    share: Option<Arc<RowPartition>>,
     /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
     made: Cache,
     /// The same bodies on cells twice as large.
@@ -91,12 +91,12 @@ impl HalfSpace {
     /// # Errors
     /// [`Error::NotPositive`] if the sides of a cell are too far apart
     /// to compare; [`Error::ExtremeNumber`] if the side of a cell over the contact modulus lies outside 1e-130 to 1e130;
-    /// [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::Below`] for a layer
-    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::Coated`] on grids that they do not take;
-    /// [`Error::Below`] for an isotropic one that is not near its half-space; [`Error::GridMismatch`] for a table of other
-    /// cells or of too few; [`Error::Length`] for operators of another number of cells, [`Error::NotModelled`] for those that
+    /// [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::BelowMinimum`] for a layer
+    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::UnsupportedForCoatings`] on grids that they do not take;
+    /// [`Error::BelowMinimum`] for an isotropic one that is not near its half-space; [`Error::GridMismatch`] for a table of other
+    /// cells or of too few; [`Error::Length`] for operators of another number of cells, [`Error::UnsupportedByModel`] for those that
     /// do not map constants to zero on a grid that repeats along both axes; [`Error::NotPositive`] and [`Error::NotFinite`]
-    /// for a response that is not positive at a wave of a grid that repeats; [`Error::KernelMissing`] of a pair that stands
+    /// for a response that is not positive at a wave of a grid that repeats; [`Error::IncompleteKernel`] of a pair that stands
     /// for a kernel.
     pub fn new(grid: Grid, bodies: impl Into<kernel::Kernel>) -> Result<Self> {
         Self::with_boundary(grid, bodies, Boundary::NonPeriodic)
@@ -121,7 +121,7 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`HalfSpace::new`]; [`Error::Below`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
+    /// As [`HalfSpace::new`]; [`Error::BelowMinimum`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
     pub fn with_boundary(
         grid: Grid,
         bodies: impl Into<kernel::Kernel>,
@@ -129,7 +129,7 @@ impl HalfSpace {
     ) -> Result<Self> {
         let bodies = bodies.into();
         check(grid, &bodies, boundary, grid.size())?;
-        let (cell_value, added) = (CellValue::default(), Added::of(&bodies));
+        let (cell_value, added) = (CellValue::default(), KernelCorrection::of(&bodies));
         let dealt = (None, added.as_ref());
         let samples = samples(grid, boundary, cell_value, grid.size(), dealt)?.map(Arc::new);
         let kernels = Kernels::new(grid, &bodies, boundary, cell_value, (samples, added));
@@ -168,7 +168,7 @@ impl HalfSpace {
     /// # Errors
     /// [`Error::NotPositive`] and [`Error::Memory`] as [`HalfSpace::new`]; [`Error::Ranks`].
     pub fn with_cell_value(self, cell_value: CellValue) -> Result<Self> {
-        self.agreed_alike(Ok(()), &[("cell value", &cell_value)])?;
+        self.collective_result_checked(Ok(()), &[("cell value", &cell_value)])?;
         let boundary = self.boundary();
         if cell_value == self.cell_value() || boundary == Boundary::Periodic {
             return Ok(self);
@@ -189,12 +189,12 @@ impl HalfSpace {
 
     fn of_kernels(
         kernels: Kernels,
-        (team, share): (Option<Arc<Team>>, Option<Arc<Share>>),
+        (team, share): (Option<Arc<RankGroup>>, Option<Arc<RowPartition>>),
     ) -> Self {
         let grid = kernels.grid();
         let slab = share
             .as_ref()
-            .map_or(grid, |share| grid.slab(share.own_rows()));
+            .map_or(grid, |share| grid.slab(share.local_rows()));
         Self {
             shared: Arc::new(Shared {
                 grid: slab,
@@ -239,7 +239,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`];
-    /// [`Error::KernelMissing`] for directions that a table or the operators of a user have not.
+    /// [`Error::IncompleteKernel`] for directions that a table or the operators of a user have not.
     pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
         self.operator_of([[component]], self.size())
     }
@@ -328,16 +328,19 @@ impl HalfSpace {
     ) -> Result<T> {
         let Shared { grid, kernels, .. } = &*self.shared;
         let (boundary, cell_value) = (self.boundary(), self.cell_value());
-        self.agreed_on(|| {
+        self.run_collectively(|| {
             if self.keeps_kernels() || boundary == Boundary::Periodic {
-                return make(self.agreed(kernels.of(components))?);
+                return make(self.collective_result(kernels.of(components))?);
             }
             let grid = grid.whole();
             let (sharing, added) = (self.sharing(), kernels.added());
             let samples = samples(grid, boundary, cell_value, size, (sharing, added));
-            let made = (self.agreed(samples)?.map(Arc::new), added.cloned());
+            let made = (
+                self.collective_result(samples)?.map(Arc::new),
+                added.cloned(),
+            );
             let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
-            make(self.agreed(kernels.of(components))?)
+            make(self.collective_result(kernels.of(components))?)
         })
     }
 
@@ -380,13 +383,13 @@ impl HalfSpace {
     }
 
     /// The window, along an axis that is not cut the whole grid: where a contact in the window is solved.
-    pub(crate) fn confined(&self, window: Window) -> Window {
+    pub(crate) fn restrict_to_window(&self, window: Window) -> Window {
         window.spanning(self.grid(), self.spanned())
     }
 
     /// Where a contact in the window is solved with looks at the whole grid: there, if the window saves too little.
     pub(crate) fn place(&self, window: Window) -> Window {
-        let (window, whole) = (self.confined(window), Window::whole(self.grid()));
+        let (window, whole) = (self.restrict_to_window(window), Window::whole(self.grid()));
         let saves_little = 5 * window.cells() > 4 * whole.cells();
         if saves_little { whole } else { window }
     }

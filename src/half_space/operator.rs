@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::bodies::kernel::Part;
+use crate::bodies::kernel::SubOperator;
 use crate::error::{Result, positive};
 use crate::fft::{CirculantInverse, Convolution};
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
@@ -13,21 +13,23 @@ use crate::report::EigenvalueBound;
 /// Obtained from [`HalfSpace::operator`](crate::HalfSpace::operator) and
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator); a clone is another pointer to it.
 #[derive(Debug, Clone)]
-pub struct ElasticOperator<const N: usize = 1>(Kind<N>);
+pub struct ElasticOperator<const N: usize = 1>(OperatorKind<N>);
 
 /// A convolution, or what a user gave.
 #[derive(Debug, Clone)]
-enum Kind<const N: usize> {
+enum OperatorKind<const N: usize> {
     Convolution(Arc<Convolution<N>>),
-    User(Arc<Part<N>>),
+    User(Arc<SubOperator<N>>),
 }
 
 impl<const N: usize> ElasticOperator<N> {
     /// Whether both point to the same.
     pub(crate) fn is(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
-            (Kind::Convolution(own), Kind::Convolution(other)) => Arc::ptr_eq(own, other),
-            (Kind::User(own), Kind::User(other)) => own.is(other),
+            (OperatorKind::Convolution(own), OperatorKind::Convolution(other)) => {
+                Arc::ptr_eq(own, other)
+            }
+            (OperatorKind::User(own), OperatorKind::User(other)) => own.is(other),
             _ => false,
         }
     }
@@ -35,8 +37,8 @@ impl<const N: usize> ElasticOperator<N> {
     /// The convolution; none of an operator of a user.
     pub(super) fn as_convolution(&self) -> Option<&Convolution<N>> {
         match &self.0 {
-            Kind::Convolution(convolution) => Some(convolution),
-            Kind::User(_) => None,
+            OperatorKind::Convolution(convolution) => Some(convolution),
+            OperatorKind::User(_) => None,
         }
     }
 
@@ -44,8 +46,8 @@ impl<const N: usize> ElasticOperator<N> {
     /// an operator of a user.
     pub(super) fn least_eigenvalue(&self) -> Option<f64> {
         match &self.0 {
-            Kind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
-            Kind::User(_) => None,
+            OperatorKind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
+            OperatorKind::User(_) => None,
         }
     }
 
@@ -53,10 +55,10 @@ impl<const N: usize> ElasticOperator<N> {
     /// and how it is known.
     pub(crate) fn bound_without_mean(&self) -> (f64, EigenvalueBound) {
         match &self.0 {
-            Kind::Convolution(convolution) => {
+            OperatorKind::Convolution(convolution) => {
                 (convolution.lower_bound_without_mean(), convolution.known())
             }
-            Kind::User(part) => (part.lower_bound(), part.eigenvalue_bound()),
+            OperatorKind::User(part) => (part.lower_bound(), part.eigenvalue_bound()),
         }
     }
 
@@ -67,8 +69,8 @@ impl<const N: usize> ElasticOperator<N> {
     /// [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not definite.
     pub(crate) fn lower_bound_of(&self, added: [Option<f64>; N]) -> Result<LowerBound> {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.lower_bound_of(added),
-            Kind::User(part) => Ok(LowerBound {
+            OperatorKind::Convolution(convolution) => convolution.lower_bound_of(added),
+            OperatorKind::User(part) => Ok(LowerBound {
                 value: part.lower_bound(),
                 known: part.eigenvalue_bound(),
                 mean: MeanBound::Operator,
@@ -78,7 +80,7 @@ impl<const N: usize> ElasticOperator<N> {
 
     /// `Ok` if a bound of the least eigenvalue is known, or need not be stated.
     pub(crate) fn check_bounded(&self) -> Result<()> {
-        if let Kind::User(part) = &self.0 {
+        if let OperatorKind::User(part) = &self.0 {
             positive("lower bound of an operator of a user", part.lower_bound())?;
         }
         Ok(())
@@ -87,8 +89,8 @@ impl<const N: usize> ElasticOperator<N> {
     /// A bound of the largest eigenvalue; infinity where none is known.
     pub(crate) fn upper_bound(&self) -> f64 {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.upper_bound(),
-            Kind::User(_) => f64::INFINITY,
+            OperatorKind::Convolution(convolution) => convolution.upper_bound(),
+            OperatorKind::User(_) => f64::INFINITY,
         }
     }
 }
@@ -98,78 +100,78 @@ impl ElasticOperator<3> {
     /// first causes along the others: one if none is known.
     pub(crate) fn coupling(&self) -> f64 {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.coupling(),
-            Kind::User(_) => 1.0,
+            OperatorKind::Convolution(convolution) => convolution.coupling(),
+            OperatorKind::User(_) => 1.0,
         }
     }
 }
 
 impl<const N: usize> From<Arc<Convolution<N>>> for ElasticOperator<N> {
     fn from(convolution: Arc<Convolution<N>>) -> Self {
-        Self(Kind::Convolution(convolution))
+        Self(OperatorKind::Convolution(convolution))
     }
 }
 
-impl<const N: usize> From<Part<N>> for ElasticOperator<N> {
-    fn from(part: Part<N>) -> Self {
-        Self(Kind::User(Arc::new(part)))
+impl<const N: usize> From<SubOperator<N>> for ElasticOperator<N> {
+    fn from(part: SubOperator<N>) -> Self {
+        Self(OperatorKind::User(Arc::new(part)))
     }
 }
 
 impl<const N: usize> Operator<N> for ElasticOperator<N> {
     fn cells(&self) -> usize {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.cells(),
-            Kind::User(part) => part.cells(),
+            OperatorKind::Convolution(convolution) => convolution.cells(),
+            OperatorKind::User(part) => part.cells(),
         }
     }
 
     fn layout(&self) -> Layout {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.layout(),
-            Kind::User(part) => part.layout(),
+            OperatorKind::Convolution(convolution) => convolution.layout(),
+            OperatorKind::User(part) => part.layout(),
         }
     }
 
     fn scratch(&self) -> Result<Scratch> {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.scratch(),
-            Kind::User(part) => part.scratch(),
+            OperatorKind::Convolution(convolution) => convolution.scratch(),
+            OperatorKind::User(part) => part.scratch(),
         }
     }
 
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.apply(x, out, scratch),
-            Kind::User(part) => part.apply(x, out, scratch),
+            OperatorKind::Convolution(convolution) => convolution.apply(x, out, scratch),
+            OperatorKind::User(part) => part.apply(x, out, scratch),
         }
     }
 
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.apply_f32(x, out, scratch),
-            Kind::User(part) => part.apply_f32(x, out, scratch),
+            OperatorKind::Convolution(convolution) => convolution.apply_f32(x, out, scratch),
+            OperatorKind::User(part) => part.apply_f32(x, out, scratch),
         }
     }
 
     fn lower_bound(&self) -> f64 {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.lower_bound(),
-            Kind::User(part) => part.lower_bound(),
+            OperatorKind::Convolution(convolution) => convolution.lower_bound(),
+            OperatorKind::User(part) => part.lower_bound(),
         }
     }
 
     fn eigenvalue_bound(&self) -> EigenvalueBound {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.eigenvalue_bound(),
-            Kind::User(part) => part.eigenvalue_bound(),
+            OperatorKind::Convolution(convolution) => convolution.eigenvalue_bound(),
+            OperatorKind::User(part) => part.eigenvalue_bound(),
         }
     }
 
     fn self_compliance(&self) -> f64 {
         match &self.0 {
-            Kind::Convolution(convolution) => convolution.self_compliance(),
-            Kind::User(part) => part.self_compliance(),
+            OperatorKind::Convolution(convolution) => convolution.self_compliance(),
+            OperatorKind::User(part) => part.self_compliance(),
         }
     }
 }

@@ -12,10 +12,10 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::coefficients::Kernels;
 use crate::half_space::{HalfSpace, check};
-use crate::influence::Added;
+use crate::influence::KernelCorrection;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
-use crate::parallel::ranks::{Input, Ranks, Team, Traffic, Words};
+use crate::parallel::ranks::partition::RowPartition;
+use crate::parallel::ranks::{CommunicationStats, Input, RankGroup, Ranks, WireFormat};
 
 impl HalfSpace {
     /// The pair meshed by `grid`, whose rows are dealt out to ranks: every rank calls this alike, and holds a slab of the
@@ -24,7 +24,7 @@ impl HalfSpace {
     /// [`ranks`](crate::ranks) tells more.
     ///
     /// # Errors
-    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks); [`Error::Coated`](crate::Error::Coated) for
+    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks); [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for
     /// operators of a user.
     pub fn distributed(
         grid: Grid,
@@ -36,11 +36,11 @@ impl HalfSpace {
         if ranks.size() == 1 {
             return Self::with_boundary(grid, bodies, boundary);
         }
-        let team = Arc::new(Team::new(ranks));
-        let share = Arc::new(Share::new(&team, grid.size()));
-        let own = [grid.nx(), share.own_rows().len()];
+        let team = Arc::new(RankGroup::new(ranks));
+        let share = Arc::new(RowPartition::new(&team, grid.size()));
+        let own = [grid.nx(), share.local_rows().len()];
         let checked = bodies.check_no_operators("a grid that ranks share");
-        team.agreed_alike(
+        team.collective_result_checked(
             checked.and_then(|()| check(grid, &bodies, boundary, own)),
             &[
                 ("grid", &grid),
@@ -49,7 +49,7 @@ impl HalfSpace {
             ],
         )?;
         let dealt = (Some(team), Some(share));
-        let made = (None, Added::of(&bodies));
+        let made = (None, KernelCorrection::of(&bodies));
         let kernels = Kernels::new(grid, &bodies, boundary, CellValue::default(), made);
         Ok(Self::of_kernels(kernels, dealt))
     }
@@ -57,17 +57,17 @@ impl HalfSpace {
     /// What this rank has sent to others, all solves together; nothing of bodies that are not
     /// [distributed](Self::distributed).
     #[must_use]
-    pub fn traffic(&self) -> Traffic {
+    pub fn traffic(&self) -> CommunicationStats {
         self.team().map(|team| team.traffic()).unwrap_or_default()
     }
 
     /// The ranks that share the grid, or that all have the whole of it and do the same.
-    pub(crate) fn team(&self) -> Option<&Arc<Team>> {
+    pub(crate) fn team(&self) -> Option<&Arc<RankGroup>> {
         self.shared.team.as_ref()
     }
 
     /// The ranks that share the grid, if any do.
-    pub(crate) fn sharing(&self) -> Option<&Arc<Team>> {
+    pub(crate) fn sharing(&self) -> Option<&Arc<RankGroup>> {
         self.shared.share.as_ref().map(|share| share.team())
     }
 
@@ -77,12 +77,12 @@ impl HalfSpace {
     }
 
     /// How `[nx, ny]` cells are dealt out, if they are.
-    pub(crate) fn share(&self, size: [usize; 2]) -> Option<Arc<Share>> {
+    pub(crate) fn share(&self, size: [usize; 2]) -> Option<Arc<RowPartition>> {
         let whole = self.shared.share.as_ref()?;
         Some(if whole.size() == size {
             Arc::clone(whole)
         } else {
-            Arc::new(Share::new(whole.team(), size))
+            Arc::new(RowPartition::new(whole.team(), size))
         })
     }
 
@@ -100,22 +100,26 @@ impl HalfSpace {
     }
 
     /// The result of a step that every rank takes by itself; an error if it failed on any.
-    pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        Team::agreed_of(self.team().map(|team| &**team), result)
+    pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
+        RankGroup::agreed_of(self.team().map(|team| &**team), result)
     }
 
     /// The same of work that may agree on the way.
-    pub(crate) fn agreed_on<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match self.team() {
-            Some(team) => team.agreed_on(work),
+            Some(team) => team.run_collectively(work),
             None => work(),
         }
     }
 
     /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not.
-    pub(crate) fn agreed_alike<T>(&self, result: Result<T>, inputs: &[Input<'_>]) -> Result<T> {
+    pub(crate) fn collective_result_checked<T>(
+        &self,
+        result: Result<T>,
+        inputs: &[Input<'_>],
+    ) -> Result<T> {
         match self.team() {
-            Some(team) => team.agreed_alike(result, inputs),
+            Some(team) => team.collective_result_checked(result, inputs),
             None => result,
         }
     }
@@ -125,7 +129,7 @@ impl HalfSpace {
         &self,
         ask: impl FnOnce() -> Result<ControlFlow<()>>,
     ) -> Result<ControlFlow<()>> {
-        let own = self.agreed_on(ask)?;
+        let own = self.run_collectively(ask)?;
         let Some(team) = self.team() else {
             return Ok(own);
         };
@@ -156,8 +160,8 @@ impl HalfSpace {
         self.over_ranks(field.max(), f64::max)
     }
 
-    pub(super) fn over_ranks<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
-        Team::combined_of(self.sharing().map(|team| &**team), own, combine)
+    pub(super) fn over_ranks<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+        RankGroup::combined_of(self.sharing().map(|team| &**team), own, combine)
     }
 
     /// Around all cells of the grid that are in a set, of the cells held here; `None` if none is.
@@ -173,7 +177,7 @@ impl HalfSpace {
 
     /// `Ok` for bodies that are not shared, of what ranks cannot do together.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
-        Team::check_alone(self.team().map(|team| &**team), quantity)
+        RankGroup::check_alone(self.team().map(|team| &**team), quantity)
     }
 
     /// Index in the whole grid of the first cell held here.
@@ -248,6 +252,6 @@ impl HalfSpace {
     }
 
     pub(crate) fn checked(&self, field: &Field) -> Result<()> {
-        self.agreed(self.grid().expect("the field", field.grid()))
+        self.collective_result(self.grid().expect("the field", field.grid()))
     }
 }

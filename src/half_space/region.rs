@@ -7,7 +7,7 @@ use crate::grid::Grid;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// A window of the grid, and the rows of it that are solved here: all, if no ranks share the grid. Fields of a region are
 /// those of its rows solved here.
@@ -20,17 +20,17 @@ pub(crate) struct Region {
     own: Window,
     layout: Layout,
     held: Window,
-    dealt: Option<Box<Dealt>>,
+    dealt: Option<Box<RegionPartition>>,
 }
 
 /// How grid and window are dealt out to ranks.
 #[derive(Debug, Clone)]
-struct Dealt {
+struct RegionPartition {
     grid: Grid,
-    outer: Arc<Share>,
-    inner: Arc<Share>,
+    outer: Arc<RowPartition>,
+    inner: Arc<RowPartition>,
     /// The rows of the window as the slabs of the grid have them.
-    held: Arc<Share>,
+    held: Arc<RowPartition>,
     /// Whether these are not the rows solved here.
     moves: bool,
 }
@@ -54,10 +54,10 @@ impl Region {
         let lying = outer.within(columns.len(), rows);
         Self {
             window,
-            own: window.rows(inner.own_rows()),
+            own: window.rows(inner.local_rows()),
             layout: Layout::shared(Arc::clone(&inner)),
             held: window.held(grid),
-            dealt: Some(Box::new(Dealt {
+            dealt: Some(Box::new(RegionPartition {
                 grid,
                 moves: !lying.has_rows_of(&inner),
                 held: Arc::new(lying),
@@ -111,7 +111,7 @@ impl Region {
         self.moving().is_some()
     }
 
-    fn moving(&self) -> Option<&Dealt> {
+    fn moving(&self) -> Option<&RegionPartition> {
         self.dealt.as_deref().filter(|dealt| dealt.moves)
     }
 
@@ -120,7 +120,7 @@ impl Region {
         let Some(dealt) = self.moving() else {
             return self.held.gather(whole, part);
         };
-        let Dealt {
+        let RegionPartition {
             grid, outer, inner, ..
         } = dealt;
         let [columns, rows] = self.window.ranges();
@@ -172,7 +172,7 @@ impl Region {
     }
 
     /// A field of the window that lies as in one share, as in the other.
-    fn moved(&self, field: &[f64], from: &Share, to: &Share) -> Vec<f64> {
+    fn moved(&self, field: &[f64], from: &RowPartition, to: &RowPartition) -> Vec<f64> {
         let [columns, _] = self.window.size;
         from.fetch(field, columns, |rank| [0..columns, to.rows_of(rank)])
     }

@@ -9,10 +9,10 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::history::state::relative_displacement::Relative;
+use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::TryClone;
 use crate::normal::Hardness;
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 
 /// Options of a [`History`]; each has a default.
@@ -26,7 +26,7 @@ pub struct HistoryBuilder<'a> {
     model: TangentialModel,
     settings: Settings,
     coupling: Coupling,
-    touch_rule: TouchRule,
+    entry_rule: EntryRule,
     hardness: Option<Hardness>,
     relative: Option<RelativeDisplacement>,
     is_set_permanent: bool,
@@ -42,7 +42,7 @@ impl<'a> HistoryBuilder<'a> {
             model: TangentialModel::default(),
             settings: Settings::default(),
             coupling: Coupling::default(),
-            touch_rule: TouchRule::default(),
+            entry_rule: EntryRule::default(),
             hardness: None,
             relative: None,
             is_set_permanent: false,
@@ -97,9 +97,9 @@ impl HistoryBuilder<'_> {
     }
 
     /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`TouchRule::Growth`]).
-    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
-        self.touch_rule = touch_rule;
+    /// [`EntryRule::SinceTouch`]).
+    pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
+        self.entry_rule = entry_rule;
         self
     }
 
@@ -172,20 +172,20 @@ impl HistoryBuilder<'_> {
     ///
     /// # Errors
     /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap, friction, hardness or relative displacement,
-    /// [`Error::Sample`](crate::Error::Sample) for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::NotModelled`](crate::Error::NotModelled) for
+    /// [`Error::Sample`](crate::Error::Sample) for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for
     /// a relative displacement along an axis of which no traction is found,
     /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
     /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit); [`Error::Ranks`](crate::Error::Ranks).
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;
-        let axes = bodies.agreed_alike(
+        let axes = bodies.collective_result_checked(
             self.checked(),
             &[
                 ("friction", &self.friction.common()),
                 ("axis", &self.axis),
                 ("model", &self.model),
                 ("coupling", &self.coupling),
-                ("touch rule", &self.touch_rule),
+                ("entry rule", &self.entry_rule),
                 ("hardness", &self.hardness.as_ref().map(Hardness::common)),
                 ("permanent set", &self.is_set_permanent),
                 ("relative displacement", &self.relative.is_some()),
@@ -195,10 +195,13 @@ impl HistoryBuilder<'_> {
         let gap = Arc::try_unwrap(self.gap).or_else(|shared| shared.try_clone())?;
         let surface = (bodies.boundary(), bodies.cell_value());
         let (pair, settings) = (bodies.pair(), self.settings);
-        let rule = self.touch_rule;
+        let rule = self.entry_rule;
         let state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;
         let mut state = state.limited(self.hardness, self.is_set_permanent)?;
-        state.relative = self.relative.map(Relative::new).transpose()?;
+        state.relative = self
+            .relative
+            .map(RelativeDisplacementState::new)
+            .transpose()?;
         History::from_state(bodies, state.coupled(self.coupling)?)
     }
 

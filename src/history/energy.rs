@@ -4,7 +4,7 @@ use crate::cgm::reduce;
 use crate::grid::field::Field;
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::Words;
+use crate::parallel::ranks::WireFormat;
 
 /// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
 /// [`Cycle`](crate::history::Cycle).
@@ -22,9 +22,9 @@ use crate::parallel::ranks::Words;
 /// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
 /// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
 /// $`\delta + \varphi\,(-y, x)`$. A cell that comes into contact within the step follows a part of the motion
-/// ([`TouchRule`](crate::history::TouchRule)), which then stands for $`\Delta\delta`$ on both sides; where a
+/// ([`EntryRule`](crate::history::EntryRule)), which then stands for $`\Delta\delta`$ on both sides; where a
 /// [relative displacement](crate::tangential::RelativeDisplacement) w changes, $`\Delta\delta - \Delta w`$ does. The rest
-/// is what slip dissipates ([`mid_step_dissipated_energy`](Self::mid_step_dissipated_energy)), what cells that leave the contact let go
+/// is what slip dissipates ([`dissipated_energy_midpoint`](Self::dissipated_energy_midpoint)), what cells that leave the contact let go
 /// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
 /// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
 /// body 2.
@@ -54,7 +54,7 @@ pub struct EnergyBalance {
     pub dissipated_energy: f64,
     /// Energy dissipated, by the mean tractions: $`-A \sum \bar q s`$, which closes the balance.
     /// Non-negative under an unchanged pressure and friction (in the plane but for the tolerance).
-    pub mid_step_dissipated_energy: f64,
+    pub dissipated_energy_midpoint: f64,
     /// Energy of the tractions that cells drop as they leave the contact, by mean tractions.
     pub released: f64,
     /// Work on the motion that the tolerance leaves in stick cells.
@@ -100,8 +100,8 @@ impl EnergyBalance {
             elastic_before: self.elastic_before + other.elastic_before,
             elastic_after: self.elastic_after + other.elastic_after,
             dissipated_energy: self.dissipated_energy + other.dissipated_energy,
-            mid_step_dissipated_energy: self.mid_step_dissipated_energy
-                + other.mid_step_dissipated_energy,
+            dissipated_energy_midpoint: self.dissipated_energy_midpoint
+                + other.dissipated_energy_midpoint,
             released: self.released + other.released,
             residual: self.residual + other.residual,
         }
@@ -112,7 +112,7 @@ impl EnergyBalance {
         self.work += next.work;
         self.elastic_after = next.elastic_after;
         self.dissipated_energy += next.dissipated_energy;
-        self.mid_step_dissipated_energy += next.mid_step_dissipated_energy;
+        self.dissipated_energy_midpoint += next.dissipated_energy_midpoint;
         self.released += next.released;
         self.residual += next.residual;
     }
@@ -120,19 +120,19 @@ impl EnergyBalance {
     /// What is missing in the balance: round-off.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
-        let lost = self.mid_step_dissipated_energy + self.released + self.residual;
+        let lost = self.dissipated_energy_midpoint + self.released + self.residual;
         self.work - (self.elastic_after - self.elastic_before) - lost
     }
 }
 
-impl Words for EnergyBalance {
+impl WireFormat for EnergyBalance {
     const COUNT: usize = <[f64; 7]>::COUNT;
     const ZERO: Self = Self {
         work: 0.0,
         elastic_before: 0.0,
         elastic_after: 0.0,
         dissipated_energy: 0.0,
-        mid_step_dissipated_energy: 0.0,
+        dissipated_energy_midpoint: 0.0,
         released: 0.0,
         residual: 0.0,
     };
@@ -143,7 +143,7 @@ impl Words for EnergyBalance {
             self.elastic_before,
             self.elastic_after,
             self.dissipated_energy,
-            self.mid_step_dissipated_energy,
+            self.dissipated_energy_midpoint,
             self.released,
             self.residual,
         ];
@@ -156,16 +156,16 @@ impl Words for EnergyBalance {
             elastic_before,
             elastic_after,
             dissipated_energy,
-            mid_step_dissipated_energy,
+            dissipated_energy_midpoint,
             released,
             residual,
-        ] = Words::read(words);
+        ] = WireFormat::read(words);
         Self {
             work,
             elastic_before,
             elastic_after,
             dissipated_energy,
-            mid_step_dissipated_energy,
+            dissipated_energy_midpoint,
             released,
             residual,
         }

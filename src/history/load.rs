@@ -2,7 +2,7 @@
 
 use crate::history::{Rolling, State};
 use crate::normal::NormalControl;
-use crate::tangential::{Axis, Demand, TangentialControl, TangentialLoad};
+use crate::tangential::{Axis, TangentialControl, TangentialLoad, TangentialTarget};
 
 /// What a step does: normal load, tangential load along each axis, twist, relative displacement, rolling. Whatever is not
 /// named is held.
@@ -216,8 +216,8 @@ impl LoadStep {
     }
 
     /// What the step asks of the tangential contact, with the twist from the `last`.
-    pub(super) fn demand(&self, last: f64) -> Demand {
-        Demand {
+    pub(super) fn demand(&self, last: f64) -> TangentialTarget {
+        TangentialTarget {
             controls: self.tangential,
             twist: self.twist.unwrap_or(last),
         }

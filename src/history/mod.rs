@@ -18,7 +18,7 @@
 //! cell remembers the offset $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the
 //! next. A cell
 //! that comes into contact within the step follows the motion from the moment it touches
-//! ([`TouchRule`], [growing contacts](crate::guide::growing_contacts)). A cell that leaves
+//! ([`EntryRule`], [growing contacts](crate::guide::load_steps)). A cell that leaves
 //! drops its traction. If the pressure alone changes, tractions are found anew under the
 //! same force or the same shift, never cut.
 //!
@@ -44,7 +44,7 @@
 //! Where materials couple pressure and traction, each step finds both together ([`coupled`](crate::coupled)), with both
 //! components of the traction whatever the model. $`u`$ is then the displacement by traction and pressure, and a change of
 //! the normal load is a step of the tangential contact too: pressing draws the surfaces inwards and makes them slip. A
-//! step that names no normal load holds the normal force, not the pressure. The [`TouchRule`] serves the slip that pressing
+//! step that names no normal load holds the normal force, not the pressure. The [`EntryRule`] serves the slip that pressing
 //! causes as it serves the prescribed motion. Where most of what enters slips, the error of a growing contact is of first
 //! order in its steps: the stick
 //! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.29, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
@@ -64,7 +64,7 @@
 //!
 //! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y in the middle
 //! of the way of the particle. Signs and the law B of cells that enter are those of steady [`rolling`](crate::rolling),
-//! in which a history ends that rolls on under one load; [`TouchRule::WholeStep`] leaves the law out, as CONTACT does.
+//! in which a history ends that rolls on under one load; [`EntryRule::WholeStep`] leaves the law out, as CONTACT does.
 //! Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. Along an axis of which a step names the
 //! force, the creepage follows ([`StepResult::creepage`]).
 //!
@@ -131,17 +131,17 @@ mod step;
 pub mod wear;
 
 pub use crate::rolling::leading_edge::LeadingEdge;
-pub use crate::tangential::entering::TouchRule;
+pub use crate::tangential::entry_rule::EntryRule;
 pub use builder::HistoryBuilder;
 pub use cycle::Cycle;
 pub use cycle::Regime;
-pub use cycle::fretting_loop::{FrettingLoop, LoopEnding, LoopOutcome};
+pub use cycle::fretting_loop::{FrettingLoop, FrettingResult, StopReason};
 pub use cycle::hysteresis::LoopPoint;
 pub use energy::EnergyBalance;
 pub use load::LoadStep;
 pub use path::LoadPath;
 pub use state::State;
 pub use step::History;
-pub use step::adaptive::{AdaptiveSteps, StepError};
+pub use step::adaptive::{AdaptiveSteps, StepErrorEstimate};
 pub use step::result::StepResult;
 pub use step::rolled::Rolling;

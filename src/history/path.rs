@@ -30,7 +30,7 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawLoadPath")
 )]
 pub struct LoadPath {
     steps: Vec<[f64; 2]>,
@@ -39,15 +39,15 @@ pub struct LoadPath {
 /// What was read, before it is checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct Unchecked {
+struct RawLoadPath {
     steps: Vec<[f64; 2]>,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for LoadPath {
+impl TryFrom<RawLoadPath> for LoadPath {
     type Error = Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawLoadPath) -> Result<Self> {
         Self::table(read.steps)
     }
 }

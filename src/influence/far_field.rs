@@ -23,14 +23,14 @@ const EXPONENTS: usize = 2 * PAIRS + 3;
 /// coordinate that $`f`$ is odd in, over a power of $`r`$, times $`\sum_n s^n P_n(u)`$ with polynomials of degree
 /// $`n + 1`$ at the most.
 #[derive(Debug)]
-pub(super) struct Series {
+pub(super) struct FarFieldSeries {
     cell: Cell,
     integral: Integral,
     /// The coefficients of each polynomial, that of the highest power last.
     polynomials: [[f64; PAIRS + 2]; PAIRS + 1],
 }
 
-impl Series {
+impl FarFieldSeries {
     pub(super) fn new(cell: Cell, integral: Integral) -> Self {
         let [a, b] = [cell.a, cell.b];
         let mut polynomials = [[0.0; PAIRS + 2]; PAIRS + 1];
@@ -176,7 +176,7 @@ mod tests {
         let shapes = [[0.5, 0.5], [0.5, 0.35], [0.01, 0.5], [0.5, 1e-9]];
         for (integral, [a, b]) in integrals.into_iter().flat_map(|i| shapes.map(|s| (i, s))) {
             let cell = Cell { a, b };
-            let series = Series::new(cell, integral);
+            let series = FarFieldSeries::new(cell, integral);
             for distance in [FAR, 31.0, 260.0, 2e4, 1e9] {
                 for turn in 0..=40 {
                     let angle = 0.025 * f64::from(turn) * std::f64::consts::FRAC_PI_2;
@@ -209,7 +209,7 @@ mod tests {
         ] {
             let cell = Cell { a: 0.5, b: 0.35 };
             let mut row = vec![0.0; xs.len()];
-            Series::new(cell, integral).along_row(&xs, 3.0, &mut row);
+            FarFieldSeries::new(cell, integral).along_row(&xs, 3.0, &mut row);
             for (x, found) in xs.iter().zip(row) {
                 let error = found - cell.at(integral, *x, 3.0);
                 let scale = 4.0 * cell.a * cell.b / x.hypot(3.0);
@@ -260,7 +260,7 @@ mod tests {
             ),
         ] {
             let mut found = [0.0];
-            Series::new(Cell { a, b }, integral).far_along_row(&[x], y, &mut found);
+            FarFieldSeries::new(Cell { a, b }, integral).far_along_row(&[x], y, &mut found);
             let error: f64 = found[0] / expected - 1.0;
             assert!(error.abs() <= 6e-16, "{integral:?}: {error:e}");
         }

@@ -4,7 +4,7 @@ use std::f64::consts::{SQRT_2, TAU};
 use std::sync::LazyLock;
 
 use crate::numerics::gauss::{
-    GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, Rule,
+    GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, QuadratureRule,
 };
 
 /// Pieces of a table: up to half of the scale, to the scale, to twice that and so on.
@@ -16,7 +16,7 @@ const PHASE: f64 = 7.0;
 
 /// Gauss rules along a side of a cell, and how far away, of half its length, the nearest singularity of the kernels
 /// must be: of n points they leave the power -2n of the sum of the axes of the ellipse through it, 1e-14.
-pub(crate) const RULES: [(f64, Rule); 7] = [
+pub(crate) const RULES: [(f64, QuadratureRule); 7] = [
     (3200.0, &GAUSS_2),
     (215.0, &GAUSS_3),
     (56.0, &GAUSS_4),

@@ -1,6 +1,6 @@
 //! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to the last digits.
 
-use crate::numerics::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, Rule};
+use crate::numerics::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, QuadratureRule};
 
 /// A cell of half sides `a` and `b`, lengths in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -185,10 +185,10 @@ impl Cell {
 
     /// The cheapest rule whose relative error stays below 1e-15 for `1/R` at this distance, measured against 40
     /// digits (4e-15 of that for the others), and the distance up to which it suffices; `None` near the cell.
-    fn rule(self, x: f64, y: f64) -> Option<(Rule, f64)> {
+    fn rule(self, x: f64, y: f64) -> Option<(QuadratureRule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;
-        let (rule, reach): (Rule, f64) = match distance {
+        let (rule, reach): (QuadratureRule, f64) = match distance {
             d if d < NEAR => return None,
             d if d < 6.0 => (&GAUSS_8, 6.0),
             d if d < 20.0 => (&GAUSS_6, 20.0),

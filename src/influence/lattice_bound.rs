@@ -16,7 +16,7 @@ const OCTAVES: i32 = 12;
 const SHELLS: i32 = 12;
 
 /// A Hermitian matrix of two rows: its diagonal, and the entry beside it, real or imaginary. Of one row it is diagonal.
-type Pair = [f64; 3];
+type HermitianPair = [f64; 3];
 
 /// An estimate from below of the eigenvalues of the compliance of some directions, of any rectangle of the cells of a free
 /// grid.
@@ -114,7 +114,7 @@ fn aliases(
     bodies: &Kernel,
     parts: [Option<Component>; 3],
     theta: [f64; 2],
-) -> (Pair, Pair) {
+) -> (HermitianPair, HermitianPair) {
     let (mut sum, mut shell) = ([0.0; 3], [0.0; 3]);
     let sides = [grid.dx(), grid.dy()];
     for number in 0..=SHELLS {
@@ -154,7 +154,7 @@ fn sinc(x: f64) -> f64 {
 }
 
 /// The least eigenvalue, less the norm of what is not known.
-fn least(([xx, yy, xy], unknown): (Pair, Pair)) -> f64 {
+fn least(([xx, yy, xy], unknown): (HermitianPair, HermitianPair)) -> f64 {
     let radius = (0.5 * (xx - yy)).hypot(xy);
     0.5 * (xx + yy) - radius - unknown.iter().map(|part| part.abs()).sum::<f64>()
 }

@@ -26,7 +26,7 @@ use crate::influence::periodic_images::{FAR, pieces};
 /// with what the forces at depths add, and those of lines $`2 \int R_{n,l,t} \cos kx\,\mathrm{d}k`$ and
 /// $`2 \int R_c \sin(kx)/x\,\mathrm{d}k`$ without it. Each is even in its distance.
 #[derive(Debug)]
-pub(crate) struct Rest {
+pub(crate) struct LayerCorrection {
     kernel: Kernel,
     near: Response,
     /// Of each coated body, or of a kernel, the depth H, and what the base adds to the outermost layer, as a sum for the pair.
@@ -35,8 +35,8 @@ pub(crate) struct Rest {
     scale: f64,
     /// Wave number below which nothing happens.
     least: f64,
-    points: [OnceLock<Piece>; PIECES],
-    lines: [OnceLock<Piece>; PIECES],
+    points: [OnceLock<ChebyshevPiece>; PIECES],
+    lines: [OnceLock<ChebyshevPiece>; PIECES],
 }
 
 /// k H where R(k) is gone.
@@ -45,13 +45,13 @@ const GONE: f64 = 40.0;
 const LEAST: f64 = 1e-7;
 
 /// Four functions of the distance on a piece, by the coefficients of Chebyshev polynomials.
-type Piece = [[f64; TERMS]; 4];
+type ChebyshevPiece = [[f64; TERMS]; 4];
 
 /// Points at which a function is evaluated together.
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
-impl Rest {
+impl LayerCorrection {
     /// Of a pair; `None` of homogeneous bodies, which need none.
     pub(crate) fn of(pair: &ElasticPair) -> Option<Self> {
         if !pair.is_coated() {
@@ -321,7 +321,7 @@ impl Rest {
         )
     }
 
-    fn point_piece(&self, ends: [f64; 2]) -> Piece {
+    fn point_piece(&self, ends: [f64; 2]) -> ChebyshevPiece {
         let waves = self.waves(ends, |rest| {
             let [mean, half] = [rest.along + rest.across, rest.along - rest.across];
             [rest.normal, 0.5 * mean, 0.5 * half, rest.coupling]
@@ -354,7 +354,7 @@ impl Rest {
         sum
     }
 
-    fn line_piece(&self, ends: [f64; 2]) -> Piece {
+    fn line_piece(&self, ends: [f64; 2]) -> ChebyshevPiece {
         let waves = self.waves(ends, |rest| {
             [rest.normal, rest.along, rest.across, rest.coupling]
         });
@@ -409,11 +409,11 @@ pub(crate) fn slowest(body: &Material) -> f64 {
 
 /// One of the functions of a table at some distances; a piece is made at the first use.
 fn sample<const N: usize>(
-    table: &[OnceLock<Piece>; PIECES],
+    table: &[OnceLock<ChebyshevPiece>; PIECES],
     scale: f64,
     distances: [f64; N],
     function: usize,
-    make: impl Fn([f64; 2]) -> Piece,
+    make: impl Fn([f64; 2]) -> ChebyshevPiece,
 ) -> [f64; N] {
     let octave = |distance: f64| piece_of(distance, scale);
     let on_piece = |piece: usize| {

@@ -76,9 +76,9 @@ mod table;
 
 pub use crate::bodies::component::{Component, Direction};
 pub(crate) use coefficient::Kernel;
-pub(crate) use inhomogeneous::Added;
+pub(crate) use inhomogeneous::KernelCorrection;
 pub(crate) use lattice_bound::least_of_lattice;
-pub(crate) use layered::{Rest, slowest};
+pub(crate) use layered::{LayerCorrection, slowest};
 pub use rectangle::{Rectangle, Tensor};
 pub(crate) use samples::Samples;
 pub(crate) use symbols::Symbols;

@@ -106,7 +106,7 @@ impl Images {
 
 /// A cell of the same width whose integrals, times the weight, make a strip into a row of images.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece {
+pub(crate) struct ImageStrip {
     /// Half side along y.
     pub(crate) half: f64,
     /// Whether it is a piece of the strip that is cut out, not an image.
@@ -117,17 +117,17 @@ pub(crate) struct Piece {
 }
 
 /// What a strip, of which cells of half side b cover a part, lacks to be the row of their images.
-pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = Piece> {
+pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = ImageStrip> {
     let share = 2.0 * b / period;
     // What cells of some height are taken as has ends that are smeared over that height.
-    let strip = GAUSS_4.into_iter().map(move |[node, part]| Piece {
+    let strip = GAUSS_4.into_iter().map(move |[node, part]| ImageStrip {
         half: (f64::from(END) + 0.5) * period,
         is_strip: true,
         offset: node * b,
         weight: -0.5 * part * share,
     });
     let last = END + 8;
-    let images = (-last..=last).map(move |image| Piece {
+    let images = (-last..=last).map(move |image| ImageStrip {
         half: b,
         is_strip: false,
         offset: f64::from(image) * period,

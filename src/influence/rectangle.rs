@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::bodies::component::Component;
 use crate::bodies::material::{Compliances, ElasticPair, Material};
 use crate::error::{Error, Result, positive};
-use crate::influence::Rest;
+use crate::influence::LayerCorrection;
 use crate::influence::integrals::Cell;
 
 /// A cell of half sides `a` along x and `b` along y, centred on the origin.
@@ -95,10 +95,16 @@ impl Rectangle {
     /// [stands for a kernel](ElasticPair::stands_for_kernel) they are those of its half-spaces, not of the kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
-        self.assemble(pair.compliances(), Rest::of(pair).as_ref(), x, y)
+        self.assemble(pair.compliances(), LayerCorrection::of(pair).as_ref(), x, y)
     }
 
-    fn assemble(&self, compliances: Compliances, rest: Option<&Rest>, x: f64, y: f64) -> Tensor {
+    fn assemble(
+        &self,
+        compliances: Compliances,
+        rest: Option<&LayerCorrection>,
+        x: f64,
+        y: f64,
+    ) -> Tensor {
         let of = |component| {
             let near = self.coefficient(component, compliances, x, y);
             match rest {

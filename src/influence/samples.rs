@@ -8,12 +8,12 @@ use crate::bodies::material::ElasticPair;
 use crate::error::{Result, all_finite, memory};
 use crate::grid::Grid;
 use crate::grid::cell_value::CellValue;
-use crate::influence::far_field::Series;
+use crate::influence::far_field::FarFieldSeries;
 use crate::influence::integrals::Integral;
 use crate::influence::periodic_images::Images;
-use crate::influence::{Added, Rectangle, Table};
+use crate::influence::{KernelCorrection, Rectangle, Table};
 use crate::memory::fallible;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, get_or_make};
 
 /// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
@@ -25,13 +25,13 @@ pub(crate) struct Samples {
     sides: [f64; 2],
     size: [usize; 2],
     /// How the distances along y are dealt out to ranks, if they are: each samples its own.
-    share: Option<Arc<Share>>,
+    share: Option<Arc<RowPartition>>,
     /// Where the grid repeats along y, after so many cells.
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
     /// The part that coated bodies add to each coefficient, or a kernel in their place, in the same unit.
-    added: Option<Arc<Added>>,
+    added: Option<Arc<KernelCorrection>>,
     rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
 }
 
@@ -39,22 +39,22 @@ pub(crate) struct Samples {
 #[derive(Debug, Clone, Copy)]
 enum Sampled {
     Integral(Integral),
-    Rest(Component),
+    LayerCorrection(Component),
 }
 
 /// How the rows of a sampled quantity are found.
 #[derive(Debug)]
 enum Rows {
-    Cell(Box<Series>),
+    Cell(Box<FarFieldSeries>),
     Images(Images, Integral),
-    Rest(Component),
+    LayerCorrection(Component),
 }
 
 impl Sampled {
     fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Integral(integral) => integral.is_odd(),
-            Self::Rest(component) => component.is_odd(),
+            Self::LayerCorrection(component) => component.is_odd(),
         }
     }
 }
@@ -95,7 +95,7 @@ impl Samples {
     }
 
     /// The same with the distances along y dealt out to ranks.
-    pub(crate) fn shared(self, share: Option<Arc<Share>>) -> Self {
+    pub(crate) fn shared(self, share: Option<Arc<RowPartition>>) -> Self {
         Self { share, ..self }
     }
 
@@ -105,7 +105,7 @@ impl Samples {
     }
 
     /// The same for bodies that add so much to the coefficients of their outermost layers.
-    pub(crate) fn coated(self, added: Option<Arc<Added>>) -> Self {
+    pub(crate) fn coated(self, added: Option<Arc<KernelCorrection>>) -> Self {
         Self { added, ..self }
     }
 
@@ -117,7 +117,7 @@ impl Samples {
     /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
     ///
     /// # Errors
-    /// As [`Samples::new`]; [`Error::KernelMissing`](crate::Error::KernelMissing) for a coefficient that a table lacks;
+    /// As [`Samples::new`]; [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) for a coefficient that a table lacks;
     /// [`Error::Sample`](crate::Error::Sample) for one that is not finite.
     pub(crate) fn table(
         &self,
@@ -127,7 +127,7 @@ impl Samples {
     ) -> Result<Table> {
         let scale = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?.scale();
         let compliances = match self.added.as_deref() {
-            Some(Added::Table(table)) => {
+            Some(KernelCorrection::Table(table)) => {
                 table.check_has(component)?;
                 None
             }
@@ -142,7 +142,7 @@ impl Samples {
         let mut parts = parts.collect::<Result<Vec<_>>>()?;
         if self.added.is_some() {
             let make = || {
-                let values = self.sample(Sampled::Rest(component))?;
+                let values = self.sample(Sampled::LayerCorrection(component))?;
                 // The response of a user may be none at some wave.
                 all_finite("coefficients of the kernel", &values)?;
                 Ok(Arc::new(values))
@@ -161,7 +161,10 @@ impl Samples {
 
     fn sample(&self, sampled: Sampled) -> Result<Vec<f64>> {
         let [nx, ny] = self.size;
-        let rows = self.share.as_ref().map_or(0..ny, |share| share.own_rows());
+        let rows = self
+            .share
+            .as_ref()
+            .map_or(0..ny, |share| share.local_rows());
         match self.cell_value {
             CellValue::Uniform => {
                 let row = |row: usize| (rows.start + row, false);
@@ -184,10 +187,10 @@ impl Samples {
         let xs = fallible::collected(columns, (0..columns).map(|i| distance(i, 0)))?;
         let sampler = match (sampled, self.images) {
             (Sampled::Integral(integral), None) => {
-                Rows::Cell(Box::new(Series::new(cell, integral)))
+                Rows::Cell(Box::new(FarFieldSeries::new(cell, integral)))
             }
             (Sampled::Integral(integral), Some((images, _))) => Rows::Images(images, integral),
-            (Sampled::Rest(component), _) => Rows::Rest(component),
+            (Sampled::LayerCorrection(component), _) => Rows::LayerCorrection(component),
         };
         let mut values = fallible::zeros(columns * rows)?;
         parallel::rows(&mut values, columns, |index, out| {
@@ -196,7 +199,7 @@ impl Samples {
             match &sampler {
                 Rows::Cell(series) => series.along_row(&xs, y, out),
                 Rows::Images(images, integral) => images.along_row(cell, *integral, &xs, y, out),
-                Rows::Rest(component) => self.rests_along_row(*component, row, &xs, out),
+                Rows::LayerCorrection(component) => self.rests_along_row(*component, row, &xs, out),
             }
             if is_negative {
                 for value in out {
@@ -213,13 +216,13 @@ impl Samples {
         let unit = self.rectangle.unit;
         let rest = match self.added.as_deref() {
             None => return out.fill(0.0),
-            Some(Added::Table(table)) => {
+            Some(KernelCorrection::Table(table)) => {
                 for (column, out) in out.iter_mut().enumerate() {
                     *out = table.at(component, [column, row]) / self.rectangle.scale();
                 }
                 return;
             }
-            Some(Added::Rest(rest)) => rest,
+            Some(KernelCorrection::LayerCorrection(rest)) => rest,
         };
         let y = row as f64 * self.sides[1] / unit;
         let sides = self.rectangle.half_sides();

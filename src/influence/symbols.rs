@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::bodies::component::Component;
-use crate::bodies::kernel::{Given, Kernel};
+use crate::bodies::kernel::{Kernel, KernelSource};
 use crate::bodies::layers::Response;
 use crate::bodies::material::Compliances;
 use crate::grid::Grid;
@@ -65,7 +65,7 @@ impl Symbols {
 impl Component {
     /// The symbol of bodies, or its imaginary part, of the wave vector.
     fn symbol(self, kernel: &Kernel, [x, y]: [f64; 2]) -> f64 {
-        if let Some(Given::Orthotropic(response)) = kernel.given() {
+        if let Some(KernelSource::Orthotropic(response)) = kernel.given() {
             return response([x, y]).component(self);
         }
         let k = x.hypot(y);

@@ -7,9 +7,9 @@ use crate::bodies::kernel::Kernel;
 use crate::bodies::material::ElasticPair;
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::influence::{Added, Samples};
+use crate::influence::{KernelCorrection, Samples};
 use crate::parallel;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::support::debug::shown;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
@@ -33,7 +33,7 @@ pub struct Table {
     nx: usize,
     ny: usize,
     /// How the rows are dealt out to ranks, if they are, and the first row here.
-    share: Option<Arc<Share>>,
+    share: Option<Arc<RowPartition>>,
     first_row: usize,
     /// Weights and the integrals they multiply, row by row.
     parts: Vec<(f64, Arc<Vec<f64>>)>,
@@ -48,11 +48,11 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::KernelMissing`](crate::Error::KernelMissing) of a pair that stands
+    /// [`Error::Memory`](crate::Error::Memory); [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) of a pair that stands
     /// for a [`Kernel`].
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         pair.check_no_kernel()?;
-        let added = Added::of(&Kernel::from(*pair));
+        let added = KernelCorrection::of(&Kernel::from(*pair));
         let samples = Samples::new(grid, grid.size())?.coated(added);
         parallel::enter_with(grid.cells(), || samples.table(grid, pair, component))
     }
@@ -60,7 +60,7 @@ impl Table {
     pub(super) fn new(
         component: Component,
         [nx, ny]: [usize; 2],
-        share: Option<Arc<Share>>,
+        share: Option<Arc<RowPartition>>,
         scale: f64,
         parts: Vec<(f64, Arc<Vec<f64>>)>,
     ) -> Self {
@@ -68,7 +68,7 @@ impl Table {
             component,
             nx,
             ny,
-            first_row: share.as_ref().map_or(0, |share| share.own_rows().start),
+            first_row: share.as_ref().map_or(0, |share| share.local_rows().start),
             share,
             parts,
             scale,
@@ -102,7 +102,7 @@ impl Table {
     }
 
     /// How the rows are dealt out to ranks, if they are.
-    pub(crate) fn share(&self) -> Option<&Arc<Share>> {
+    pub(crate) fn share(&self) -> Option<&Arc<RowPartition>> {
         self.share.as_ref()
     }
 

@@ -14,11 +14,11 @@ use super::text::excerpt;
 use super::{Place, Sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::replace;
-use crate::files::{Cursor, Number, Order};
+use crate::files::{ByteOrder, Cursor, Number};
 use crate::files::{Format, in_file, refused};
 use crate::grid::Grid;
 use crate::grid::field::Field;
-use crate::parallel::ranks::Team;
+use crate::parallel::ranks::RankGroup;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
@@ -129,7 +129,7 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
 }
 
 /// Writes a field of which every rank holds a slab to one file, as [`to_bytes`] of the whole: all of it, or nothing.
-pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&Team>) -> Result<()> {
+pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&RankGroup>) -> Result<()> {
     let grid = field.grid();
     let is_first = team.is_none_or(|team| team.rank() == 0);
     let first_cell = grid.rows().start * grid.nx();
@@ -171,7 +171,7 @@ fn header(grid: Grid) -> Vec<u8> {
 #[derive(Debug)]
 struct Array {
     number: Number,
-    order: Order,
+    order: ByteOrder,
     is_fortran: bool,
     /// Rows and columns.
     shape: [usize; 2],
@@ -287,11 +287,11 @@ impl Array {
 }
 
 /// The kind of number behind a quoted code such as `'<f8'`.
-fn number(descr: &str) -> Option<(Number, Order)> {
+fn number(descr: &str) -> Option<(Number, ByteOrder)> {
     let (code, _) = descr.strip_prefix('\'')?.split_once('\'')?;
     let (order, kind) = match code.strip_prefix('>') {
-        Some(kind) => (Order::GreatestFirst, kind),
-        None => (Order::LeastFirst, code.strip_prefix(['<', '|'])?),
+        Some(kind) => (ByteOrder::GreatestFirst, kind),
+        None => (ByteOrder::LeastFirst, code.strip_prefix(['<', '|'])?),
     };
     let number = match kind {
         "i1" => Number::I8,

@@ -18,9 +18,9 @@ const FORMAT: Format = Format("PVD");
 /// aborted.
 ///
 /// ```no_run
-/// use stickslip::io::{pvd::Series, vti::Array};
+/// use stickslip::io::{pvd::PvdWriter, vti::Array};
 /// # fn run(history: &stickslip::History) -> stickslip::Result<()> {
-/// let mut series = Series::new("target/run.pvd")?;
+/// let mut series = PvdWriter::new("target/run.pvd")?;
 /// series.write(
 ///     0.5,
 ///     &[("pressure", Array::from(history.pressure())), ("traction", history.traction().into())],
@@ -29,14 +29,14 @@ const FORMAT: Format = Format("PVD");
 /// # }
 /// ```
 #[derive(Debug, Clone)]
-pub struct Series {
+pub struct PvdWriter {
     path: PathBuf,
     /// Name of the series, without its ending.
     name: String,
     times: Vec<f64>,
 }
 
-impl Series {
+impl PvdWriter {
     /// An empty series in a file, which is replaced.
     ///
     /// # Errors

@@ -11,10 +11,10 @@ use std::path::Path;
 use super::vti::{Array, check, escape, extent, piece, place};
 use crate::error::Result;
 use crate::files::{Format, refused};
-use crate::files::{Part, replace_bytes};
+use crate::files::{PartialFile, replace_bytes};
 use crate::grid::Grid;
-use crate::parallel::ranks::Team;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::RankGroup;
+use crate::parallel::ranks::partition::RowPartition;
 
 const FORMAT: Format = Format("PVTI");
 
@@ -24,16 +24,16 @@ pub(crate) fn write(
     path: &Path,
     slab: Grid,
     arrays: &[(&str, Array<'_>)],
-    share: Option<&Share>,
+    share: Option<&RowPartition>,
 ) -> Result<()> {
     let team = share.map(|share| &**share.team());
-    let rank = team.map_or(0, Team::rank);
+    let rank = team.map_or(0, RankGroup::rank);
     let of_first = |work: &dyn Fn() -> Result<()>| if rank == 0 { work() } else { Ok(()) };
     let name = name(path).and_then(|name| {
         slab.expect("an array to be written", check(arrays)?)?;
         Ok(name)
     });
-    let name = Team::agreed_of(team, name)?;
+    let name = RankGroup::agreed_of(team, name)?;
 
     let own = path.with_file_name(piece_of(name, rank));
     let part = if slab.ny() > 0 {
@@ -41,10 +41,10 @@ pub(crate) fn write(
     } else {
         Ok(None)
     };
-    let part = Team::agreed_of(team, part)?;
+    let part = RankGroup::agreed_of(team, part)?;
     // Until all pieces have their names an earlier list would be that of a mixture.
-    Team::agreed_of(team, of_first(&|| removed(path)))?;
-    Team::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;
+    RankGroup::agreed_of(team, of_first(&|| removed(path)))?;
+    RankGroup::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;
 
     let rows = match share {
         Some(share) => (0..share.team().size())
@@ -53,7 +53,7 @@ pub(crate) fn write(
         None => vec![slab.rows()],
     };
     let list = list(slab.whole(), arrays, name, &rows);
-    Team::agreed_of(team, of_first(&|| replace_bytes(path, list.as_bytes())))
+    RankGroup::agreed_of(team, of_first(&|| replace_bytes(path, list.as_bytes())))
 }
 
 /// The name of a list without its ending.
@@ -71,8 +71,8 @@ fn piece_of(name: &str, rank: usize) -> String {
 }
 
 /// A file that has yet to take its name.
-fn written<'a>(path: &'a Path, bytes: &[u8]) -> Result<Part<'a>> {
-    let part = Part::beside(path)?;
+fn written<'a>(path: &'a Path, bytes: &[u8]) -> Result<PartialFile<'a>> {
+    let part = PartialFile::beside(path)?;
     part.write(|file| file.write_all(bytes))?;
     Ok(part)
 }

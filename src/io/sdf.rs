@@ -12,7 +12,7 @@ use super::text::{Separator, excerpt, lines};
 use super::{Place, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::Format;
-use crate::files::{Cursor, Number, Order};
+use crate::files::{ByteOrder, Cursor, Number};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
@@ -145,7 +145,7 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
         return Err(FORMAT.at_byte(flags + 2, format!("checksum {check_type} is not supported")));
     }
     let stored = bytes.take("the samples", grid.cells() * number.size())?;
-    let mut samples = number.decode(Order::LeastFirst, stored);
+    let mut samples = number.decode(ByteOrder::LeastFirst, stored);
     for sample in &mut samples {
         // Only the least number of the type, or minus infinity, satisfies this.
         *sample = if *sample <= missing {

@@ -18,7 +18,7 @@ impl HalfSpace {
     /// [`io::npy::parse`](npy::parse), and for an array of another shape; [`Error::Ranks`](crate::Error::Ranks) if
     /// another rank has failed.
     pub fn read_npy(&self, path: impl AsRef<Path>) -> Result<Field> {
-        self.agreed(npy::read_slab(path.as_ref(), self.grid()))
+        self.collective_result(npy::read_slab(path.as_ref(), self.grid()))
     }
 
     /// Writes a field to one NPY file of the whole grid: all ranks call this alike, and each writes its own rows only. The
@@ -53,7 +53,7 @@ impl HalfSpace {
     /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::File`](crate::Error::File) if the file cannot be
     /// written; [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn write_npy(&self, path: impl AsRef<Path>, field: &Field) -> Result<()> {
-        self.agreed(self.grid().expect("the field to be written", field.grid()))?;
+        self.collective_result(self.grid().expect("the field to be written", field.grid()))?;
         npy::write_slab(path.as_ref(), field, self.sharing().map(|team| &**team))
     }
 

@@ -12,7 +12,7 @@ use super::text::excerpt;
 use super::{Place, parse_file};
 use crate::error::Result;
 use crate::files::Format;
-use crate::files::{Cursor, Number, Order};
+use crate::files::{ByteOrder, Cursor, Number};
 use crate::grid::field::Field;
 
 const FORMAT: Format = Format("SUR");
@@ -106,7 +106,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
 
     let number = if bits == 16 { Number::I16 } else { Number::I32 };
     let stored = bytes.take("the samples", grid.cells() * number.size())?;
-    let mut samples = number.decode(Order::LeastFirst, stored);
+    let mut samples = number.decode(ByteOrder::LeastFirst, stored);
     let missing = f64::from(least) - 2.0;
     for sample in &mut samples {
         // Both are integers.

@@ -10,7 +10,7 @@ use std::io::{BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use crate::error::Result;
-use crate::files::Part;
+use crate::files::PartialFile;
 use crate::files::refused;
 use crate::grid::Grid;
 
@@ -29,14 +29,14 @@ pub(crate) type Array = (&'static str, &'static [&'static str]);
 
 /// Where the numbers of planes go.
 #[derive(Debug)]
-pub(crate) struct Planes<'a> {
+pub(crate) struct PlaneValues<'a> {
     file: BufWriter<File>,
     path: &'a Path,
     /// Where the numbers of each array begin, and how many a plane of it has.
     places: Vec<(u64, u64)>,
 }
 
-impl Planes<'_> {
+impl PlaneValues<'_> {
     /// Writes the numbers of an array in one plane, point by point with x fastest.
     pub(crate) fn write(
         &mut self,
@@ -61,17 +61,17 @@ pub(crate) fn write(
     path: &Path,
     shape: &Shape,
     arrays: &[Array],
-    fill: impl FnOnce(&mut Planes<'_>) -> Result<()>,
+    fill: impl FnOnce(&mut PlaneValues<'_>) -> Result<()>,
 ) -> Result<()> {
-    let part = Part::beside(path)?;
-    let mut volume = Planes {
+    let part = PartialFile::beside(path)?;
+    let mut volume = PlaneValues {
         file: BufWriter::new(part.open()?),
         path,
         places: Vec::new(),
     };
     let end = volume.begin(shape, arrays)?;
     fill(&mut volume)?;
-    let Planes { mut file, .. } = volume;
+    let PlaneValues { mut file, .. } = volume;
     let closed = file.seek(SeekFrom::Start(end)).and_then(|_| {
         file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")?;
         file.into_inner()?.sync_all()
@@ -80,7 +80,7 @@ pub(crate) fn write(
     part.take_name()
 }
 
-impl Planes<'_> {
+impl PlaneValues<'_> {
     /// Writes all but the numbers; where they end.
     fn begin(&mut self, shape: &Shape, arrays: &[Array]) -> Result<u64> {
         let Shape {

@@ -141,8 +141,8 @@ pub(super) fn is_like_points(bytes: &[u8]) -> bool {
 }
 
 /// The field through points, on the finest grid that they fit.
-fn gridded(points: &[Point]) -> Result<Field> {
-    let axes = [0, 1].map(|axis| Axis::candidates(points, axis));
+fn gridded(points: &[SamplePoint]) -> Result<Field> {
+    let axes = [0, 1].map(|axis| PlaceAxis::candidates(points, axis));
     let mut refused = None;
     for coarseness in 0..axes[0].len() + axes[1].len() - 1 {
         for (index, &x) in axes[0].iter().enumerate().take(coarseness + 1) {
@@ -167,7 +167,11 @@ fn gridded(points: &[Point]) -> Result<Field> {
 }
 
 /// The field on the grid of two axes. The error comes with whether a point is off the grid.
-fn on_grid(points: &[Point], x: Axis, y: Axis) -> std::result::Result<Field, (Error, bool)> {
+fn on_grid(
+    points: &[SamplePoint],
+    x: PlaceAxis,
+    y: PlaceAxis,
+) -> std::result::Result<Field, (Error, bool)> {
     let cells = x.count * y.count;
     let limit = (CELLS_PER_POINT * points.len()) as f64;
     if cells.is_nan() || cells > limit {
@@ -220,13 +224,13 @@ fn on_grid(points: &[Point], x: Axis, y: Axis) -> std::result::Result<Field, (Er
 
 /// One line of a file.
 #[derive(Debug)]
-struct Point {
+struct SamplePoint {
     line: usize,
     position: [f64; 2],
     height: f64,
 }
 
-fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<Point>> {
+fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
     check_encoding(FORMAT, bytes)?;
     let mut separator = None;
     let mut width = 0;
@@ -272,7 +276,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<Point>> {
         if !position.iter().all(|coordinate| coordinate.is_finite()) {
             return Err(FORMAT.on_line(number, "the position of a point is not finite"));
         }
-        points.push(Point {
+        points.push(SamplePoint {
             line: number,
             position,
             height,
@@ -285,7 +289,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<Point>> {
 }
 
 /// A problem with a line, with the remedy if the line may belong to a header.
-fn hinted(problem: String, points: &[Point], number: usize) -> String {
+fn hinted(problem: String, points: &[SamplePoint], number: usize) -> String {
     if points.is_empty() {
         format!("{problem}; skip a header by the option skip_rows = {number}")
     } else {
@@ -302,7 +306,7 @@ fn has_no_number(number: usize, line: &str) -> bool {
 
 /// The places of a grid along one axis, `least + i * spacing` with `i < count`.
 #[derive(Debug, Clone, Copy)]
-struct Axis {
+struct PlaceAxis {
     least: f64,
     /// Zero if there is one place only.
     spacing: f64,
@@ -310,13 +314,13 @@ struct Axis {
     count: f64,
 }
 
-impl Axis {
+impl PlaceAxis {
     /// The grids that may pass through the coordinates of points, the finest first. They differ in the step that
     /// leads to a new place.
     ///
     /// The finest takes steps of [`NOISE`] of the widest. Points that scatter about their places take short steps too,
     /// which a jump separates from the steps between places.
-    fn candidates(points: &[Point], axis: usize) -> Vec<Self> {
+    fn candidates(points: &[SamplePoint], axis: usize) -> Vec<Self> {
         let mut sorted: Vec<f64> = points.iter().map(|point| point.position[axis]).collect();
         sorted.sort_unstable_by(f64::total_cmp);
         let mut steps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();

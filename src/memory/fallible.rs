@@ -14,7 +14,7 @@ pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
 /// Zeros, in pages that the system provides when they are first written to, to the thread that writes.
 pub(crate) fn zeros<T: Zeroable>(len: usize) -> Result<Vec<T>> {
     let zeros = bytemuck::allocation::try_zeroed_vec(len);
-    zeros.map_err(|()| lacking(len.saturating_mul(size_of::<T>())))
+    zeros.map_err(|()| out_of_memory(len.saturating_mul(size_of::<T>())))
 }
 
 /// Zeros for each of N components.
@@ -44,11 +44,11 @@ pub(crate) fn with_room<T>(items: usize) -> Result<Vec<T>> {
 pub(crate) fn make_room<T>(buffer: &mut Vec<T>, items: usize) -> Result<()> {
     let more = items.saturating_sub(buffer.len());
     let outcome = buffer.try_reserve_exact(more);
-    outcome.map_err(|_| lacking(items.saturating_mul(size_of::<T>())))
+    outcome.map_err(|_| out_of_memory(items.saturating_mul(size_of::<T>())))
 }
 
 /// The error of a buffer of so many bytes that cannot be had.
-pub(crate) fn lacking(bytes: usize) -> Error {
+pub(crate) fn out_of_memory(bytes: usize) -> Error {
     Error::Memory {
         quantity: "a buffer of the cells",
         bytes: bytes as u128,
@@ -58,7 +58,7 @@ pub(crate) fn lacking(bytes: usize) -> Error {
 /// `Vec::push` with memory that may not be had; the buffer is then as it was.
 pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
     let outcome = buffer.try_reserve(1);
-    outcome.map_err(|_| lacking((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
+    outcome.map_err(|_| out_of_memory((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
     buffer.push(item);
     Ok(())
 }
@@ -102,7 +102,7 @@ pub(crate) fn try_each<T, const N: usize>(
 }
 
 /// The value; without memory the end of the program, as where a `Vec` has none: for signatures that cannot fail.
-pub(crate) fn or_abort<T>(outcome: Result<T>) -> T {
+pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     outcome.unwrap_or_else(|error| {
         let bytes = match error {
             Error::Memory { bytes, .. } => usize::try_from(bytes).unwrap_or(0),

@@ -70,12 +70,12 @@ impl<T: Clone> Clone for Pool<T> {
 
 /// A piece of a pool from its first use until it is given back.
 #[derive(Debug)]
-pub(crate) struct Lease<T> {
+pub(crate) struct PooledBuffer<T> {
     pool: Arc<Pool<T>>,
     piece: Option<T>,
 }
 
-impl<T> Lease<T> {
+impl<T> PooledBuffer<T> {
     pub(crate) fn new(pool: Arc<Pool<T>>) -> Self {
         Self { pool, piece: None }
     }
@@ -113,7 +113,7 @@ impl<T> Lease<T> {
 }
 
 /// Another user of the same pool, without a piece.
-impl<T> Clone for Lease<T> {
+impl<T> Clone for PooledBuffer<T> {
     fn clone(&self) -> Self {
         Self::new(Arc::clone(&self.pool))
     }

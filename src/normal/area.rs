@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::contact::map::ContactMap;
 use crate::error::Result;
-use crate::memory::fallible::or_abort;
+use crate::memory::fallible::unwrap_or_abort;
 use crate::normal::NormalSolution;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::warning::Warning;
 
 impl NormalSolution {
@@ -66,7 +66,7 @@ impl NormalSolution {
     /// Remarks that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        or_abort(self.try_warnings())
+        unwrap_or_abort(self.try_warnings())
     }
 
     /// [`Self::warnings`] where memory may run out.
@@ -125,7 +125,7 @@ impl NormalSolution {
     }
 
     /// How the cells are dealt out to ranks, if they are.
-    pub(crate) fn share(&self) -> Option<&Arc<Share>> {
+    pub(crate) fn share(&self) -> Option<&Arc<RowPartition>> {
         self.whole.as_ref().map(|whole| &whole.share)
     }
 }

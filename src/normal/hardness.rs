@@ -47,7 +47,7 @@ const ROOM: f64 = 1.01;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawHardness")
 )]
 pub struct Hardness {
     limit: PerCell<Field>,
@@ -61,15 +61,15 @@ try_clone!(Hardness { limit });
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Unchecked {
+struct RawHardness {
     limit: PerCell<Field>,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for Hardness {
+impl TryFrom<RawHardness> for Hardness {
     type Error = Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawHardness) -> Result<Self> {
         match read.limit {
             PerCell::Uniform(limit) => Self::uniform(limit),
             PerCell::Cells(limits) => Self::per_cell(limits),

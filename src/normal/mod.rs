@@ -19,16 +19,16 @@
 mod area;
 mod hardness;
 mod over_ranks;
+mod pressure_problem;
 mod pressure_solver;
 mod problem;
 mod scale;
-mod scene;
 mod solution;
 mod solver;
 mod window_solver;
 
 pub use hardness::Hardness;
-pub(crate) use pressure_solver::{Pressing, PressureSolver};
+pub(crate) use pressure_solver::{NormalInput, PressureSolver};
 pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
 pub(crate) use scale::Scale;
 pub use solution::NormalSolution;

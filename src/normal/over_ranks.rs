@@ -3,31 +3,31 @@
 use std::sync::Arc;
 
 use crate::cgm::reduce;
-use crate::contact::survey::Survey;
+use crate::contact::contact_counts::ContactCounts;
 use crate::half_space::HalfSpace;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// Counts and sums of the whole grid, as every rank knows it.
 #[derive(Debug, Clone)]
-pub(super) struct Whole {
-    pub(super) contact: Survey,
+pub(super) struct PressureSums {
+    pub(super) contact: ContactCounts,
     /// Sums of the pressure, and of x and y times it.
     pub(super) sums: [f64; 3],
     /// Cells beyond what the softer body bears.
     pub(super) overloaded: usize,
     /// How the grid is dealt out.
-    pub(super) share: Arc<Share>,
+    pub(super) share: Arc<RowPartition>,
 }
 
 /// Whether the answers are equal, whoever has found them.
-impl PartialEq for Whole {
+impl PartialEq for PressureSums {
     fn eq(&self, other: &Self) -> bool {
         let of = |whole: &Self| (whole.contact, whole.sums, whole.overloaded);
         of(self) == of(other)
     }
 }
 
-impl Whole {
+impl PressureSums {
     /// Of the pressure of every rank; `None` of bodies that are not shared.
     pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();

@@ -3,18 +3,19 @@
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
-use crate::cgm::{Iteration, Known, Method, Settings, UNLIMITED, reduce};
-use crate::contact::{
-    Ahead, Conditions, OnWindow, Reached, Scene, Seen, Trend, Windows, multipliers,
-};
+use crate::cgm::{InitialGuess, Iteration, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{Cancellation, has_iterate, known_of_start, nested_start, with_counts_of};
+use crate::contact::{
+    LoadIncrement, LoadPoint, LoadTrend, MultilevelProblem, PassOutcome, SolveContext,
+    WindowEngine, Windows, multipliers,
+};
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
-use crate::normal::scene::PressureScene;
-use crate::normal::window_solver::Engine;
+use crate::normal::pressure_problem::PressureProblem;
+use crate::normal::window_solver::NormalEngine;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
@@ -28,7 +29,7 @@ const ROOM: [usize; 2] = [2; 2];
 
 /// What is pressed, and how.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Pressing<'a> {
+pub(crate) struct NormalInput<'a> {
     pub(crate) bodies: &'a HalfSpace,
     pub(crate) gap: &'a Field,
     pub(crate) hardness: Option<&'a Hardness>,
@@ -36,7 +37,7 @@ pub(crate) struct Pressing<'a> {
     pub(crate) settings: &'a Settings,
 }
 
-impl<'a> Pressing<'a> {
+impl<'a> NormalInput<'a> {
     /// Cells at their hardness.
     fn yielded(&self, pressure: &[f64]) -> usize {
         self.hardness
@@ -50,9 +51,9 @@ impl<'a> Pressing<'a> {
     }
 
     /// As the engine takes it.
-    fn scene(&self) -> Result<PressureScene<&'a [f64]>> {
-        let (datum, total) = self.control.posed(self.bodies, self.gap)?;
-        Ok(PressureScene {
+    fn scene(&self) -> Result<PressureProblem<&'a [f64]>> {
+        let (datum, total) = self.control.to_datum_and_total(self.bodies, self.gap)?;
+        Ok(PressureProblem {
             gap: self.gap.as_slice(),
             datum,
             limits: self.limits(),
@@ -69,13 +70,13 @@ impl<'a> Pressing<'a> {
 #[derive(Debug, Clone)]
 pub(crate) struct PressureSolver {
     /// What the last solve worked with, on its window.
-    windows: Windows<Engine>,
+    windows: Windows<NormalEngine>,
     /// Whether its answer is a start.
     is_start: bool,
     /// The approach that belongs to the pressure.
     approach: f64,
-    /// The largest sum and the largest approach that [`Self::forget_if_outgrown`] has seen on these windows.
-    held: Reached,
+    /// The largest sum and the largest approach that [`Self::discard_if_window_too_small`] has seen on these windows.
+    held: LoadPoint,
     report: Report,
 }
 
@@ -101,7 +102,7 @@ impl PressureSolver {
     }
 
     /// Writes how the pressure changed with the load on that window, in the cells held here.
-    pub(crate) fn write_trend(&self, trend: &mut Trend<1>) {
+    pub(crate) fn write_trend(&self, trend: &mut LoadTrend<1>) {
         if let Some(engine) = &self.windows.present {
             engine.write_trend(trend);
         }
@@ -109,12 +110,15 @@ impl PressureSolver {
 
     /// Cells of that trend held here.
     pub(crate) fn trend_cells(&self) -> usize {
-        self.windows.present.as_ref().map_or(0, Engine::trend_cells)
+        self.windows
+            .present
+            .as_ref()
+            .map_or(0, NormalEngine::trend_cells)
     }
 
     /// Counts a step, whether or not it solves.
-    pub(crate) fn age(&mut self) {
-        self.windows.age();
+    pub(crate) fn tick(&mut self) {
+        self.windows.tick();
     }
 
     /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
@@ -124,7 +128,7 @@ impl PressureSolver {
         bodies: &HalfSpace,
         approach: f64,
         window: Option<Window>,
-        trend: &Trend<1>,
+        trend: &LoadTrend<1>,
     ) -> Result<()> {
         (self.approach, self.is_start) = (approach, true);
         if let Some(engine) = &mut self.windows.present {
@@ -151,7 +155,11 @@ impl PressureSolver {
     /// Forgets it where the contact will leave its window: found anew, on coarser cells first, it takes a fourth of the
     /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window. What
     /// the window has held before it holds again.
-    pub(super) fn forget_if_outgrown(&mut self, of: &Pressing<'_>, pressure: &[f64]) -> Result<()> {
+    pub(super) fn discard_if_window_too_small(
+        &mut self,
+        of: &NormalInput<'_>,
+        pressure: &[f64],
+    ) -> Result<()> {
         let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
         let window = self.window().filter(|_| self.is_start);
         let Some(window) = window.filter(|window| *window != Window::whole(bodies.grid())) else {
@@ -160,7 +168,9 @@ impl PressureSolver {
         let sum = reduce::total(&layout, pressure);
         self.held = [self.held[0].max(sum), self.held[1].max(self.approach)];
         let scene = of.scene()?;
-        let (Ahead::Total(beyond) | Ahead::Motion(beyond)) = scene.ahead(self.held) else {
+        let (LoadIncrement::Total(beyond) | LoadIncrement::Motion(beyond)) =
+            scene.remaining_load(self.held)
+        else {
             return Ok(());
         };
         if beyond <= 0.0 {
@@ -168,11 +178,11 @@ impl PressureSolver {
         }
         let least = bodies.least(of.gap);
         let depth = self.approach - least;
-        let growth = match scene.ahead([sum, self.approach]) {
+        let growth = match scene.remaining_load([sum, self.approach]) {
             // As under a sphere, whose force is as the depth to the power 3/2.
-            Ahead::Total(change) => (1.0 + change / sum).cbrt().powi(2),
-            Ahead::Motion(change) => 1.0 + change / depth,
-            Ahead::Nothing | Ahead::Spring { .. } => 1.0,
+            LoadIncrement::Total(change) => (1.0 + change / sum).cbrt().powi(2),
+            LoadIncrement::Motion(change) => 1.0 + change / depth,
+            LoadIncrement::Nothing | LoadIncrement::Spring { .. } => 1.0,
         };
         if depth > 0.0 && growth > 1.0 {
             let (gap, first) = (of.gap.as_slice(), bodies.first_cell());
@@ -188,10 +198,10 @@ impl PressureSolver {
     }
 
     /// Writes what was found to a solution that has the pressure, and rests.
-    pub(crate) fn finish(&mut self, of: &Pressing<'_>, solution: &mut NormalSolution) {
+    pub(crate) fn finish(&mut self, of: &NormalInput<'_>, solution: &mut NormalSolution) {
         let engine = &mut self.windows.present;
-        let displacement = engine.as_ref().map_or(&[][..], Engine::displacement);
-        let Pressing { bodies, gap, .. } = of;
+        let displacement = engine.as_ref().map_or(&[][..], NormalEngine::displacement);
+        let NormalInput { bodies, gap, .. } = of;
         solution.fill(bodies, gap, displacement, self.approach, &self.report);
         let pressure = solution.pressure().as_slice();
         let yielded = of.yielded(pressure);
@@ -205,11 +215,11 @@ impl PressureSolver {
     /// The solution with this pressure; all else is given up.
     pub(super) fn into_solution(
         self,
-        of: &Pressing<'_>,
+        of: &NormalInput<'_>,
         pressure: Vec<f64>,
     ) -> Result<NormalSolution> {
         let yielded = of.yielded(&pressure);
-        let displacement = self.windows.present.map(Engine::into_displacement);
+        let displacement = self.windows.present.map(NormalEngine::into_displacement);
         let fields = [pressure, displacement.unwrap_or_default()];
         let mut solution =
             NormalSolution::of(of.bodies, of.gap, fields, self.approach, self.report)?;
@@ -224,13 +234,13 @@ impl PressureSolver {
     /// [`Error::NotConverged`] with the last feasible iterate; others, after which the next solve starts from nothing.
     pub(crate) fn solve(
         &mut self,
-        of: &Pressing<'_>,
+        of: &NormalInput<'_>,
         pressure: &mut [f64],
         observer: Observer<'_>,
     ) -> Result<()> {
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
-        let mut conditions = Conditions::new(of.settings, &mut observer);
+        let mut conditions = SolveContext::new(of.settings, &mut observer);
         let outcome = self.find(of, pressure, &mut conditions);
         let outcome = cancellation.applied(of.bodies, outcome, || self.report.cancelled());
         if !has_iterate(&outcome) {
@@ -241,9 +251,9 @@ impl PressureSolver {
 
     fn find(
         &mut self,
-        of: &Pressing<'_>,
+        of: &NormalInput<'_>,
         pressure: &mut [f64],
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let mut scene = of.scene()?;
         let layout = of.bodies.grid_layout();
@@ -280,7 +290,7 @@ impl PressureSolver {
         self.report.time = conditions.start.elapsed();
         let [multiplier] = engine.solver.multiplier();
         self.approach = scene.datum + multiplier;
-        if outcome.is_ok() && has_start && known == Known::Near {
+        if outcome.is_ok() && has_start && known == InitialGuess::Interpolated {
             let to = [reduce::total(&layout, pressure), self.approach];
             engine.note(pressure, from, to)?;
         }
@@ -295,9 +305,9 @@ impl PressureSolver {
     fn bring_within_limits(
         &mut self,
         bodies: &HalfSpace,
-        scene: PressureScene<&[f64]>,
+        scene: PressureProblem<&[f64]>,
         pressure: &mut [f64],
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let may_go_on = matches!(self.report.status, Status::Converged | Status::Stalled)
             && conditions.check_iterations_left(&mut self.report).is_ok();
@@ -307,17 +317,17 @@ impl PressureSolver {
             let from = (pressure, known);
             return self.solve_on_window(bodies, scene, from, conditions);
         }
-        let engine = Engine::new(bodies, Window::whole(bodies.grid()))?;
+        let engine = NormalEngine::new(bodies, Window::whole(bodies.grid()))?;
         self.windows.present = Some(engine);
         let status = self.report.status;
         let mut refuse = |_: &Iteration| ControlFlow::Break(());
         let steps = self.report.iterations + 1;
-        let mut no_step = Conditions {
+        let mut no_step = SolveContext {
             settings: &conditions.settings.max_iterations(steps),
             start: conditions.start,
             observer: &mut refuse,
         };
-        let from = (pressure, Known::Nothing);
+        let from = (pressure, InitialGuess::Nothing);
         let outcome = self.solve_on_window(bodies, scene, from, &mut no_step);
         if matches!(outcome, Err(Error::NotConverged(_))) {
             self.report.status = status;
@@ -329,44 +339,46 @@ impl PressureSolver {
     fn solve_on_window(
         &mut self,
         bodies: &HalfSpace,
-        scene: PressureScene<&[f64]>,
-        (pressure, mut known): (&mut [f64], Known<1>),
-        conditions: &mut Conditions<'_, '_>,
+        scene: PressureProblem<&[f64]>,
+        (pressure, mut known): (&mut [f64], InitialGuess<1>),
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let (windows, report) = (&mut self.windows, &mut self.report);
         let tolerance = conditions.settings.tolerance;
         windows.solve(bodies, |engine, part| {
-            let left = conditions.left(report).tolerance(part * tolerance);
+            let left = conditions
+                .with_remaining_limits(report)
+                .tolerance(part * tolerance);
             let mut observer = with_counts_of(report, &mut *conditions.observer);
             let outcome = engine.solve(scene, (pressure, known), &left, &mut observer);
             if !has_iterate(&outcome) {
-                return outcome.map(|()| Seen::Answer);
+                return outcome.map(|()| PassOutcome::Accepted);
             }
             drop(observer);
             report.add_pass(engine.solver.report());
             let Some((findings, bound)) = engine.examine(scene, pressure)? else {
-                return outcome.map(|()| Seen::Answer);
+                return outcome.map(|()| PassOutcome::Accepted);
             };
             report.double_precision_products += 1;
             findings.write_to(report);
             report.eigenvalue_bound = bound;
-            let missed = engine.missed(scene, findings.displacement, bodies);
+            let missed = engine.overlap_outside(scene, findings.displacement, bodies);
             // What has stalled may have done so because the contact is elsewhere.
             let may_go_on = matches!(report.status, Status::Converged | Status::Stalled);
             let is_wide_enough = missed.is_none();
             if !may_go_on || is_wide_enough && (outcome.is_err() || report.is_within(tolerance)) {
-                return outcome.map(|()| Seen::Answer);
+                return outcome.map(|()| PassOutcome::Accepted);
             }
-            known = Known::Answer(engine.solver.multiplier());
+            known = InitialGuess::PreviousSolution(engine.solver.multiplier());
             // While the engine can still show what the iterate does.
             conditions.check_iterations_left(report)?;
             match missed {
-                Some(missed) => Ok(Seen::Missed(missed)),
+                Some(missed) => Ok(PassOutcome::OverlapOutside(missed)),
                 None if part < STRICTEST => {
                     report.status = Status::Stalled;
                     Err(Error::NotConverged(Box::new(report.clone())))
                 }
-                None => Ok(Seen::Loose),
+                None => Ok(PassOutcome::BoundTooWide),
             }
         })
     }
@@ -374,18 +386,20 @@ impl PressureSolver {
 
 /// From the last answer: as it is under the same load, moved on where the load has changed.
 fn set_out(
-    engine: &mut Engine,
-    scene: PressureScene<&[f64]>,
-    from: Reached,
+    engine: &mut NormalEngine,
+    scene: PressureProblem<&[f64]>,
+    from: LoadPoint,
     approach: f64,
     pressure: &mut [f64],
-) -> Result<Known<1>> {
-    Ok(match scene.ahead(from) {
-        Ahead::Nothing => Known::Answer(multipliers([scene.total], [approach - scene.datum])),
+) -> Result<InitialGuess<1>> {
+    Ok(match scene.remaining_load(from) {
+        LoadIncrement::Nothing => {
+            InitialGuess::PreviousSolution(multipliers([scene.total], [approach - scene.datum]))
+        }
         ahead => {
             let parts = engine.parts(ahead).unwrap_or(0.0);
             engine.extrapolate(parts, pressure)?;
-            Known::Near
+            InitialGuess::Interpolated
         }
     })
 }
@@ -393,12 +407,12 @@ fn set_out(
 /// From nothing: the answer on coarser cells, the engine set up around its contact, and what is known of that start.
 fn start_cold(
     bodies: &HalfSpace,
-    scene: PressureScene<&[f64]>,
+    scene: PressureProblem<&[f64]>,
     pressure: &mut [f64],
-    conditions: &mut Conditions<'_, '_>,
-) -> Result<(Engine, Known<1>)> {
+    conditions: &mut SolveContext<'_, '_>,
+) -> Result<(NormalEngine, InitialGuess<1>)> {
     let (grid, whole) = (bodies.grid(), Window::whole(bodies.grid()));
-    let own = PressureScene {
+    let own = PressureProblem {
         gap: Cow::Borrowed(scene.gap),
         datum: scene.datum,
         limits: scene.limits.map(|limits| Cow::Borrowed(*limits)),
@@ -406,7 +420,10 @@ fn start_cold(
     };
     let is_plain = conditions.settings.method == Method::PolonskyKeer;
     let ([start], known) = if is_plain {
-        (own.plain_start(&bodies.grid_layout())?, Known::Nothing)
+        (
+            own.plain_start(&bodies.grid_layout())?,
+            InitialGuess::Nothing,
+        )
     } else {
         let start = nested_start(bodies, whole.size, &own, conditions)?;
         (start, known_of_start(bodies, whole.size))
@@ -416,5 +433,5 @@ fn start_cold(
         Some(contact) if !is_plain => contact.widened(grid).with_margins(grid, ROOM),
         _ => whole,
     };
-    Ok((Engine::new(bodies, window)?, known))
+    Ok((NormalEngine::new(bodies, window)?, known))
 }

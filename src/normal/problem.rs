@@ -9,7 +9,7 @@ use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, try_clone};
-use crate::normal::pressure_solver::Pressing;
+use crate::normal::pressure_solver::NormalInput;
 use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
 /// What presses the bodies together.
@@ -34,14 +34,18 @@ pub enum NormalControl {
 impl NormalControl {
     /// The number that a gap is measured from, and what is prescribed of the sum of the pressures: without a datum far from
     /// the contact the sums keep their last digits.
-    pub(crate) fn posed(self, bodies: &HalfSpace, gap: &Field) -> Result<(f64, Total)> {
+    pub(crate) fn to_datum_and_total(
+        self,
+        bodies: &HalfSpace,
+        gap: &Field,
+    ) -> Result<(f64, Total)> {
         match self {
             Self::Force(force) => {
                 let sum = Total::Sum(force / bodies.grid().cell_area());
                 Ok((bodies.least(gap), sum))
             }
             Self::Approach(approach) => Ok((approach, Total::Free)),
-            Self::Hold => Err(Error::NothingToHold),
+            Self::Hold => Err(Error::NoPressureToHold),
         }
     }
 
@@ -70,7 +74,7 @@ impl NormalControl {
                 let depth = (approach - bodies.least(gap)).max(0.0);
                 check_size(depth, [depth / bodies.cell_compliance(), depth])?;
             }
-            Self::Hold => return Err(Error::NothingToHold),
+            Self::Hold => return Err(Error::NoPressureToHold),
         }
         hardness.map_or(Ok(()), |hardness| hardness.check_load(bodies, self))
     }
@@ -145,8 +149,8 @@ impl NormalProblem {
     }
 
     /// What is to be solved.
-    pub(super) fn pressing(&self) -> Pressing<'_> {
-        Pressing {
+    pub(super) fn pressing(&self) -> NormalInput<'_> {
+        NormalInput {
             bodies: &self.bodies,
             gap: &self.gap,
             hardness: self.hardness.as_ref(),
@@ -187,13 +191,13 @@ impl NormalProblemBuilder<'_> {
     ///
     /// # Errors
     /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
-    /// finite, [`Error::Negative`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
+    /// finite, [`Error::NegativeOrNotFinite`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
     /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
     /// [`Error::BeyondHardness`]; [`Error::ExtremeNumber`] if the load is not zero, and the pressure or the displacement that
     /// it causes lies outside 1e-130 to 1e130; [`Error::Ranks`].
     pub fn build(self) -> Result<NormalProblem> {
         let hardness = self.hardness.as_ref();
-        self.bodies.agreed_alike(
+        self.bodies.collective_result_checked(
             self.check(),
             &[
                 ("normal load", &self.load),

@@ -1,6 +1,6 @@
 //! Lengths and slopes of a contact compared with the limits of the small-slope theory.
 
-use crate::cgm::reduce::{self, Tally};
+use crate::cgm::reduce::{self, Reduction};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::warning::Warning;

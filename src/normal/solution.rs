@@ -13,7 +13,7 @@ use crate::grid::discretisation::estimate;
 use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, try_clone};
-use crate::normal::over_ranks::Whole;
+use crate::normal::over_ranks::PressureSums;
 use crate::normal::scale::Scale;
 use crate::operator::Operator;
 use crate::parallel;
@@ -40,7 +40,7 @@ pub struct NormalSolution {
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) whole: Option<Box<Whole>>,
+    pub(super) whole: Option<Box<PressureSums>>,
 }
 
 shown!(NormalSolution: grid(), approach(), force(), contact_cells(), discretisation_estimate(), report);
@@ -92,7 +92,7 @@ impl PartialEq for NormalSolution {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "NormalSolution")]
-struct Unchecked {
+struct RawNormalSolution {
     pressure: Field,
     gap: Field,
     boundary: Boundary,
@@ -105,13 +105,13 @@ struct Unchecked {
     scale: Scale,
     report: Report,
     #[serde(skip)]
-    whole: Option<Box<Whole>>,
+    whole: Option<Box<PressureSums>>,
 }
 
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for NormalSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawNormalSolution::deserialize(deserializer)?, |read| {
             all_non_negative("pressure", read.pressure.as_slice())?;
             read.gap.check("gap", read.grid())?;
             finite("approach", read.approach).map(|_| ())
@@ -161,7 +161,7 @@ impl NormalSolution {
             }
         });
         Ok(Self {
-            whole: Whole::of(bodies, &pressure),
+            whole: PressureSums::of(bodies, &pressure),
             scale: Scale::of(bodies, initial_gap, &pressure, approach),
             pressure: Field::from_vec(initial.grid(), pressure)?,
             gap: Field::from_vec(initial.grid(), gap)?,
@@ -177,7 +177,7 @@ impl NormalSolution {
 
     /// With what all ranks have found, which is not among the fields of a slab.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
-        self.whole = Whole::of(bodies, self.pressure.as_slice());
+        self.whole = PressureSums::of(bodies, self.pressure.as_slice());
     }
 
     /// Measures approach, radius and slopes over the gap before loading.
@@ -329,7 +329,7 @@ impl NormalSolution {
     /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
     /// [`Error::MaterialMismatch`] for bodies that the solution is not of; as [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
-        bodies.agreed(self.check_bodies(bodies))?;
+        bodies.collective_result(self.check_bodies(bodies))?;
         let operator = bodies.operator(Component::ZZ)?;
         let mut displacement = Field::try_zeros(self.grid())?;
         operator.apply(

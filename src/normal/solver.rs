@@ -49,7 +49,7 @@ impl NormalSolver {
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
         // A kernel that cannot be computed is better known now.
         bodies.compliance([Direction::Z], grid.whole().size())?;
-        let pressure = bodies.agreed(fallible::zeros(grid.cells()))?;
+        let pressure = bodies.collective_result(fallible::zeros(grid.cells()))?;
         Ok(Self {
             problem,
             press: PressureSolver::new(),
@@ -73,7 +73,7 @@ impl NormalSolver {
             hardness,
             ..
         } = &self.problem;
-        bodies.agreed_alike(Ok(()), &[("normal load", &load)])?;
+        bodies.collective_result_checked(Ok(()), &[("normal load", &load)])?;
         load.check(bodies, gap, hardness.as_ref())?;
         self.problem.load = load;
         Ok(())
@@ -90,7 +90,7 @@ impl NormalSolver {
     /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the gap, which is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.agreed(check_gap(bodies, gap))?;
+        bodies.collective_result(check_gap(bodies, gap))?;
         self.problem.load.check(bodies, gap, None)?;
         field::replace(&mut self.problem.gap, gap)
     }
@@ -120,7 +120,8 @@ impl NormalSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let of = self.problem.pressing();
-        self.press.forget_if_outgrown(&of, &self.pressure)?;
+        self.press
+            .discard_if_window_too_small(&of, &self.pressure)?;
         let outcome = self.press.solve(&of, &mut self.pressure, observer);
         if has_iterate(&outcome) {
             parallel::copy(&self.pressure, solution.pressure_mut());

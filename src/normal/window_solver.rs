@@ -1,14 +1,16 @@
 //! The engine of a normal contact: around the contact, with a look at the rest of the grid.
 
 use crate::bodies::component::Direction;
-use crate::cgm::{self, Interval, Iterate, Known};
-use crate::contact::{self, Ahead, ElasticSolver, OnWindow, Reached, Trend, has_iterate};
+use crate::cgm::{self, InitialGuess, Interval, Iterate};
+use crate::contact::{
+    self, ElasticSolver, LoadIncrement, LoadPoint, LoadTrend, WindowEngine, has_iterate,
+};
 use crate::error::Result;
 use crate::grid::window::Window;
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
 use crate::memory::fallible::{self, TryClone};
-use crate::memory::pool::Lease;
-use crate::normal::scene::PressureScene;
+use crate::memory::pool::PooledBuffer;
+use crate::normal::pressure_problem::PressureProblem;
 use crate::observer::Observer;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::{self, Blocks};
@@ -17,26 +19,26 @@ use std::borrow::Cow;
 
 /// The engine, set up where it works: around the contact, if that is much smaller than the grid.
 #[derive(Debug, Clone)]
-pub(super) struct Engine {
+pub(super) struct NormalEngine {
     region: Region,
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// How the pressure of the window changed with the load.
-    trend: Trend<1>,
+    trend: LoadTrend<1>,
     /// Whether the trend holds what the pressure was, until it is noted what it has become.
     is_extrapolated: bool,
     /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
-    part: Option<Part>,
+    part: Option<NormalPart>,
 }
 
 #[derive(Debug, Clone)]
-struct Part {
+struct NormalPart {
     /// Of the whole grid.
     operator: ElasticOperator<1>,
-    fields: Lease<PartFields>,
+    fields: PooledBuffer<NormalPartFields>,
 }
 
 #[derive(Debug)]
-struct PartFields {
+struct NormalPartFields {
     /// Of the window.
     gap: Vec<f64>,
     pressure: Vec<f64>,
@@ -47,12 +49,12 @@ struct PartFields {
     scratch: Scratch,
 }
 
-impl Part {
+impl NormalPart {
     /// Its fields, for a window of so many cells.
-    fn fields(&mut self, cells: usize) -> Result<&mut PartFields> {
+    fn fields(&mut self, cells: usize) -> Result<&mut NormalPartFields> {
         let operator = &self.operator;
         self.fields.take(|| {
-            Ok(PartFields {
+            Ok(NormalPartFields {
                 gap: fallible::zeros(cells)?,
                 pressure: fallible::zeros(cells)?,
                 limits: Vec::new(),
@@ -63,21 +65,21 @@ impl Part {
     }
 }
 
-impl OnWindow for Engine {
+impl WindowEngine for NormalEngine {
     fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let (window, whole) = (bodies.place(window), Window::whole(bodies.grid()));
         let part = if window == whole {
             None
         } else {
             let Compliance { operator, .. } = bodies.compliance([Direction::Z], whole.size)?;
-            Some(Part {
+            Some(NormalPart {
                 operator,
-                fields: Lease::new(bodies.pool(&[], window.size)?),
+                fields: PooledBuffer::new(bodies.pool(&[], window.size)?),
             })
         };
         Ok(Self {
             solver: ElasticSolver::new(bodies, [Direction::Z], window.size)?,
-            trend: Trend::default(),
+            trend: LoadTrend::default(),
             is_extrapolated: false,
             region: Region::new(bodies, window),
             part,
@@ -104,12 +106,12 @@ impl OnWindow for Engine {
     }
 }
 
-impl Engine {
+impl NormalEngine {
     /// Takes a trend of the cells held here.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    pub(super) fn set_trend(&mut self, trend: &Trend<1>) -> Result<()> {
+    pub(super) fn set_trend(&mut self, trend: &LoadTrend<1>) -> Result<()> {
         if self.region.is_shared() && !trend.is_known() {
             self.trend.forget();
             return Ok(());
@@ -127,7 +129,7 @@ impl Engine {
     }
 
     /// Writes the trend of the cells held here.
-    pub(super) fn write_trend(&self, trend: &mut Trend<1>) {
+    pub(super) fn write_trend(&self, trend: &mut LoadTrend<1>) {
         trend.clone_from(&self.trend);
         if self.region.is_shared() && !trend.is_known() {
             return trend.forget();
@@ -138,7 +140,7 @@ impl Engine {
     }
 
     /// How many times the last change the load lies ahead.
-    pub(super) fn parts(&self, ahead: Ahead) -> Option<f64> {
+    pub(super) fn parts(&self, ahead: LoadIncrement) -> Option<f64> {
         self.trend.parts([ahead])
     }
 
@@ -166,8 +168,8 @@ impl Engine {
     /// Solves on the window, from the pressure of the whole grid into it.
     pub(super) fn solve(
         &mut self,
-        scene: PressureScene<&[f64]>,
-        (pressure, known): (&mut [f64], Known<1>),
+        scene: PressureProblem<&[f64]>,
+        (pressure, known): (&mut [f64], InitialGuess<1>),
         settings: &cgm::Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
@@ -181,7 +183,7 @@ impl Engine {
         region.gather(scene.gap, &mut fields.gap);
         region.gather(pressure, &mut fields.pressure);
         let own_limits = &mut fields.limits;
-        let inside = PressureScene {
+        let inside = PressureProblem {
             gap: &*fields.gap,
             limits: scene.limits.try_map(|limits| {
                 fallible::resize(own_limits, cells, 0.0)?;
@@ -190,7 +192,7 @@ impl Engine {
             })?,
             ..scene
         };
-        let problem = inside.problem(solver).examined_elsewhere();
+        let problem = inside.problem(solver).verified_by_caller();
         let from = ([&mut *fields.pressure], known);
         let outcome = solver.minimise(&problem, from, settings, observer);
         if has_iterate(&outcome) {
@@ -204,7 +206,7 @@ impl Engine {
     /// the grid.
     pub(super) fn examine(
         &mut self,
-        scene: PressureScene<&[f64]>,
+        scene: PressureProblem<&[f64]>,
         pressure: &[f64],
     ) -> Result<Option<(cgm::Certificate, EigenvalueBound)>> {
         let multiplier = self.solver.multiplier();
@@ -212,7 +214,7 @@ impl Engine {
             return Ok(None);
         };
         let operator = part.operator.clone();
-        let PartFields {
+        let NormalPartFields {
             displacement,
             scratch,
             ..
@@ -235,14 +237,14 @@ impl Engine {
     }
 
     /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.
-    pub(super) fn missed(
+    pub(super) fn overlap_outside(
         &self,
-        scene: PressureScene<&[f64]>,
+        scene: PressureProblem<&[f64]>,
         largest: f64,
         bodies: &HalfSpace,
     ) -> Option<Window> {
         let ([multiplier], displacement) = (self.solver.multiplier(), self.displacement());
-        contact::missed(bodies, self.window(), largest, |i| {
+        contact::overlap_outside(bodies, self.window(), largest, |i| {
             displacement[i] + (scene.gap[i] - scene.datum) - multiplier
         })
     }
@@ -266,7 +268,7 @@ impl Engine {
     }
 
     /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
-    pub(super) fn note(&mut self, pressure: &[f64], from: Reached, to: Reached) -> Result<()> {
+    pub(super) fn note(&mut self, pressure: &[f64], from: LoadPoint, to: LoadPoint) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
         // One that was widened since has no start to tell the change from.

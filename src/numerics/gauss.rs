@@ -1,7 +1,7 @@
 //! Gauss-Legendre rules.
 
 /// Nodes and weights on [-1, 1].
-pub(crate) type Rule = &'static [[f64; 2]];
+pub(crate) type QuadratureRule = &'static [[f64; 2]];
 
 pub(crate) const GAUSS_2: [[f64; 2]; 2] = [[-0.5773502691896257, 1.0], [0.5773502691896257, 1.0]];
 
@@ -87,7 +87,7 @@ mod tests {
     /// With n nodes, to the degree 2 n - 1.
     #[test]
     fn polynomials_are_integrated_exactly() {
-        let rules: [Rule; 8] = [
+        let rules: [QuadratureRule; 8] = [
             &GAUSS_2, &GAUSS_3, &GAUSS_4, &GAUSS_5, &GAUSS_6, &GAUSS_8, &GAUSS_12, &GAUSS_16,
         ];
         for rule in rules {

@@ -4,8 +4,8 @@ use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
 use crate::error::Result;
-use crate::parallel::ranks::partition::Share;
-use crate::parallel::ranks::{Team, Words};
+use crate::parallel::ranks::partition::RowPartition;
+use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::parallel::{self, Blocks, CHUNK, Combine, Split, Work};
 use crate::report::Status;
 
@@ -27,9 +27,9 @@ use crate::report::Status;
 pub struct Layout {
     cells: usize,
     chunk: usize,
-    share: Option<Arc<Share>>,
+    share: Option<Arc<RowPartition>>,
     /// Those that share the cells, or that all do the same on cells of their own.
-    team: Option<Arc<Team>>,
+    team: Option<Arc<RankGroup>>,
 }
 
 impl Layout {
@@ -63,7 +63,7 @@ impl Layout {
     }
 
     /// The part of this rank.
-    pub(crate) fn shared(share: Arc<Share>) -> Self {
+    pub(crate) fn shared(share: Arc<RowPartition>) -> Self {
         Self {
             cells: share.cells(),
             chunk: share.chunk(),
@@ -73,7 +73,7 @@ impl Layout {
     }
 
     /// The same cells, of a team, if there is one, that shares them or of which every rank has all and does the same.
-    pub(crate) fn alike(mut self, team: Option<&Arc<Team>>) -> Self {
+    pub(crate) fn alike(mut self, team: Option<&Arc<RankGroup>>) -> Self {
         self.team = team.cloned();
         self
     }
@@ -108,19 +108,19 @@ impl Layout {
     }
 
     /// The result of a step that every rank takes by itself; an error if it failed on any.
-    pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        Team::agreed_of(self.team.as_deref(), result)
+    pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
+        RankGroup::agreed_of(self.team.as_deref(), result)
     }
 
     /// What the values of all ranks that share the cells come to.
-    pub(crate) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+    pub(crate) fn combined<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         let team = self.share.as_ref().map(|share| &**share.team());
-        Team::combined_of(team, own, combine)
+        RankGroup::combined_of(team, own, combine)
     }
 
     /// `Ok` without ranks, of what they cannot do together.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
-        Team::check_alone(self.team.as_deref(), quantity)
+        RankGroup::check_alone(self.team.as_deref(), quantity)
     }
 
     /// What the first rank says of going on, for all. Ranks that have lost each other have stalled.
@@ -155,7 +155,7 @@ impl Layout {
 
     /// Runs `work(chunk, its part of data)` on all chunks held here and combines the results of all ranks pairwise in
     /// the tree.
-    pub(crate) fn sweep<D: Split, T: Words>(
+    pub(crate) fn sweep<D: Split, T: WireFormat>(
         &self,
         data: D,
         work: impl Fn(usize, D) -> T + Sync,
@@ -164,7 +164,7 @@ impl Layout {
         self.sweep_any(data, &work, &combine)
     }
 
-    fn sweep_any<D: Split, T: Words>(
+    fn sweep_any<D: Split, T: WireFormat>(
         &self,
         data: D,
         work: &Work<'_, D, T>,
@@ -187,13 +187,13 @@ impl Layout {
         let work = |task: usize, ()| leaf(self.range(task));
         let at = |node| parallel::sweep_cells(self.cells, node, (), &work, &combine);
         match &self.share {
-            Some(share) => share.own_nodes().into_iter().map(at).collect(),
+            Some(share) => share.local_subtrees().into_iter().map(at).collect(),
             None => vec![at(0..self.tasks())],
         }
     }
 
     /// The value of the whole tree, from those of [`Layout::at_nodes`].
-    pub(crate) fn finished<T: Words>(
+    pub(crate) fn finished<T: WireFormat>(
         &self,
         mut own: impl Iterator<Item = T>,
         combine: impl Fn(T, T) -> T + Sync,
@@ -205,7 +205,7 @@ impl Layout {
     }
 
     /// The same of ranges of cells, read-only.
-    pub(crate) fn fold<T: Words>(
+    pub(crate) fn fold<T: WireFormat>(
         &self,
         leaf: impl Fn(Range<usize>) -> T + Sync,
         combine: impl Fn(T, T) -> T + Sync,

@@ -4,7 +4,7 @@
 //! threads, so the bits of a result do not depend on it either. Only `rayon::join` is used: it runs in
 //! the caller's pool and allocates nothing there.
 //!
-//! The way into a pool is [`enter`], and [`enter_with`] for work on more than [`CELLS_ON_ONE_THREAD`] cells. Everything
+//! The way into a pool is [`enter`], and [`enter_with`] for work on more than [`SERIAL_CELL_LIMIT`] cells. Everything
 //! else shares its tasks in the pool that its thread belongs to, and on a thread of no pool does them one after the other.
 
 pub(crate) mod layout;
@@ -29,10 +29,10 @@ pub(crate) const CHUNK: usize = 4096;
 /// ([`at_points`](crate::subsurface::at_points)) are shared.
 ///
 /// ```
-/// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::CELLS_ON_ONE_THREAD);
+/// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::SERIAL_CELL_LIMIT);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
-pub const CELLS_ON_ONE_THREAD: usize = CHUNK;
+pub const SERIAL_CELL_LIMIT: usize = CHUNK;
 
 /// Whether work outside of pools stays on its thread.
 #[cfg(feature = "parallel")]
@@ -40,14 +40,14 @@ static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 
 /// Keeps work that is called outside of rayon's pools on the thread that calls, in this process from now on.
 ///
-/// Without this, work on more than [`CELLS_ON_ONE_THREAD`] cells that is called outside of a pool goes to rayon's global
+/// Without this, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool goes to rayon's global
 /// pool, whose threads are made at its first use. They do not live on in a forked process, which would wait for them for
 /// ever: a program that forks, or that is to start no thread, calls this first. Work that is called in a pool, by
 /// `rayon::ThreadPool::install`, is shared there as before. Results have the same bits either way.
 ///
 /// ```
 /// use stickslip::*;
-/// avoid_global_pool();
+/// disable_global_pool();
 /// let grid = Grid::square(80, 8.0)?;
 /// let steel = Material::new(1.0, 0.3)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
@@ -56,7 +56,7 @@ static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 /// assert!((contact.force() / 0.5 - 1.0).abs() < 1e-9);
 /// # Ok::<(), Error>(())
 /// ```
-pub fn avoid_global_pool() {
+pub fn disable_global_pool() {
     #[cfg(feature = "parallel")]
     STAYS_OUTSIDE.store(true, Ordering::Relaxed);
 }
@@ -122,7 +122,7 @@ fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
 }
 
 /// Runs work inside the caller's pool, where cutting it further costs next to nothing; on a thread of no pool in the
-/// global one, unless the program [avoids](avoid_global_pool) it.
+/// global one, unless the program [avoids](disable_global_pool) it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     if is_in_pool() || is_alone() {
         work()
@@ -164,7 +164,7 @@ pub(crate) fn apart<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) ->
 
 /// Whether work on so many cells is too short to share.
 pub(crate) fn is_short(cells: usize) -> bool {
-    cells <= CELLS_ON_ONE_THREAD
+    cells <= SERIAL_CELL_LIMIT
 }
 
 /// [`enter`] for work on so many cells, which is done at once where it is too short to share.
@@ -202,12 +202,12 @@ impl<T: Send> Split for Blocks<'_, T> {
 
 /// A mutable slice of which task `t` owns the items `starts[t]..starts[t + 1]`.
 #[derive(Debug)]
-pub(crate) struct Ragged<'a, T> {
+pub(crate) struct UnevenChunks<'a, T> {
     pub(crate) items: &'a mut [T],
     pub(crate) starts: &'a [usize],
 }
 
-impl<T: Send> Split for Ragged<'_, T> {
+impl<T: Send> Split for UnevenChunks<'_, T> {
     fn split(self, tasks: usize) -> (Self, Self) {
         let (low, high) = self.items.split_at_mut(self.starts[tasks] - self.starts[0]);
         (

@@ -7,31 +7,31 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::Words;
+use crate::parallel::ranks::WireFormat;
 
 /// Quantities that add up: numbers, and arrays and tuples of them.
-pub(crate) trait Tally: Words {
+pub(crate) trait Reduction: WireFormat {
     fn plus(self, other: Self) -> Self;
 }
 
-impl Tally for () {
+impl Reduction for () {
     fn plus(self, (): Self) -> Self {}
 }
 
-impl Tally for f64 {
+impl Reduction for f64 {
     #[inline]
     fn plus(self, other: Self) -> Self {
         self + other
     }
 }
 
-impl Tally for usize {
+impl Reduction for usize {
     fn plus(self, other: Self) -> Self {
         self + other
     }
 }
 
-impl<T: Tally, const K: usize> Tally for [T; K] {
+impl<T: Reduction, const K: usize> Reduction for [T; K] {
     #[inline]
     fn plus(mut self, other: Self) -> Self {
         for (a, b) in self.iter_mut().zip(other) {
@@ -44,7 +44,7 @@ impl<T: Tally, const K: usize> Tally for [T; K] {
 /// A tuple adds up part by part.
 macro_rules! tally_of_tuple {
     ($($part:ident $place:tt),+) => {
-        impl<$($part: Tally),+> Tally for ($($part,)+) {
+        impl<$($part: Reduction),+> Reduction for ($($part,)+) {
             #[inline]
             fn plus(self, other: Self) -> Self {
                 ($(self.$place.plus(other.$place),)+)
@@ -58,7 +58,10 @@ tally_of_tuple!(A 0, B 1, C 2);
 tally_of_tuple!(A 0, B 1, C 2, D 3);
 
 /// What the chunks add up to.
-pub(crate) fn over_chunks<T: Tally>(layout: &Layout, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
+pub(crate) fn over_chunks<T: Reduction>(
+    layout: &Layout,
+    leaf: impl Fn(Range<usize>) -> T + Sync,
+) -> T {
     layout.fold(leaf, T::plus)
 }
 
@@ -94,13 +97,13 @@ pub(crate) fn in_lanes(values: &[f64]) -> f64 {
 }
 
 /// `sum f(i)` over the cells.
-pub(crate) fn sum<T: Tally>(layout: &Layout, f: impl Fn(usize) -> T + Sync) -> T {
+pub(crate) fn sum<T: Reduction>(layout: &Layout, f: impl Fn(usize) -> T + Sync) -> T {
     over_chunks(layout, |range| range.map(&f).fold(T::ZERO, T::plus))
 }
 
 /// Sums by groups, `sum f(i).1` over the cells with `f(i).0 = group`, of groups from zero to `count`. The groups of
 /// neighbouring cells lie near each other.
-pub(crate) fn grouped<T: Tally>(
+pub(crate) fn grouped<T: Reduction>(
     layout: &Layout,
     count: usize,
     f: impl Fn(usize) -> Option<(usize, T)> + Sync,
@@ -136,7 +139,7 @@ impl<T> Default for Groups<T> {
     }
 }
 
-impl<T: Tally> Groups<T> {
+impl<T: Reduction> Groups<T> {
     fn with(mut self, (group, value): (usize, T)) -> Self {
         if self.sums.is_empty() {
             self.first = group;
@@ -172,7 +175,7 @@ pub(crate) fn max(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
 }
 
 /// The least of the values `f(i)` where they are given, and what is told of its cell; the first of equals.
-pub(crate) fn least<T: Words>(
+pub(crate) fn least<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<(f64, T)> + Sync,
 ) -> Option<(f64, T)> {
@@ -184,7 +187,10 @@ pub(crate) fn least<T: Words>(
 }
 
 /// The first of the values `f(i)` that is given.
-pub(crate) fn first<T: Words>(layout: &Layout, f: impl Fn(usize) -> Option<T> + Sync) -> Option<T> {
+pub(crate) fn first<T: WireFormat>(
+    layout: &Layout,
+    f: impl Fn(usize) -> Option<T> + Sync,
+) -> Option<T> {
     layout.fold(|mut range| range.find_map(&f), Option::or)
 }
 
@@ -194,7 +200,7 @@ pub(crate) fn any(layout: &Layout, holds: impl Fn(usize) -> bool + Sync) -> bool
 }
 
 /// Any other quantity of chunks, combined pairwise in the tree.
-pub(crate) fn fold<T: Words>(
+pub(crate) fn fold<T: WireFormat>(
     layout: &Layout,
     leaf: impl Fn(Range<usize>) -> T + Sync,
     combine: impl Fn(T, T) -> T + Sync,

@@ -2,13 +2,15 @@
 
 use crate::grid::neighbours::neighbours;
 use crate::normal::NormalSolution;
-use crate::rolling::Passage;
-use crate::tangential::{OwnCompliance, Pressed, own_compliance, ratios_of_compliances};
+use crate::rolling::WindowShift;
+use crate::tangential::{
+    EntryCompliance, PressureOnWindow, entry_compliance, ratios_of_compliances,
+};
 
 /// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
 ///
 /// ```math
-/// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
+/// \kappa = n\,n' + \with_remaining_limits(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
 /// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
@@ -20,15 +22,15 @@ pub(crate) fn compliance(
     before: usize,
     gap: f64,
     pressure: f64,
-) -> OwnCompliance {
+) -> EntryCompliance {
     if gap <= 0.0 {
-        return OwnCompliance::NONE;
+        return EntryCompliance::NONE;
     }
     let [through, along] = ratios_of_compliances(normal.pair(), normal.grid());
-    let most = own_compliance(along * gap, pressure);
+    let most = entry_compliance(along * gap, pressure);
     let [xx, xy, yy] = across(normal, before);
     let less = most * (1.0 - through / along);
-    OwnCompliance {
+    EntryCompliance {
         xx: most - less * xx,
         xy: -less * xy,
         yy: most - less * yy,
@@ -38,11 +40,11 @@ pub(crate) fn compliance(
 /// Writes the own compliance of each cell of a window under a pressure that does not change.
 pub(crate) fn entering(
     normal: &NormalSolution,
-    pressed: &Pressed,
-    step: Passage,
-    own: &mut [OwnCompliance],
+    pressed: &PressureOnWindow,
+    step: WindowShift,
+    own: &mut [EntryCompliance],
 ) {
-    own.fill(OwnCompliance::NONE);
+    own.fill(EntryCompliance::NONE);
     let (gap, window) = (normal.gap().as_slice(), pressed.window());
     let pressure = normal.pressure().as_slice();
     for (cell, own) in own.iter_mut().enumerate() {

@@ -23,8 +23,8 @@
 //! A particle ahead of the contact moves with the free surface: by B q less than one that sticks, $`B = \kappa\,g/p`$, with
 //! the gap g where the particle was, the pressure p of the cell it enters, and $`\kappa`$ from 1 across the edge of the
 //! contact to $`1/(1 - \nu)`$ along it (of bodies of one material). It is the law of
-//! [growing contacts](crate::guide::growing_contacts). With it the error of the force falls with the square of the size of
-//! the cells, without it ([`TouchRule::WholeStep`], as CONTACT) in proportion.
+//! [growing contacts](crate::guide::load_steps). With it the error of the force falls with the square of the size of
+//! the cells, without it ([`EntryRule::WholeStep`], as CONTACT) in proportion.
 //!
 //! # Loads
 //!
@@ -58,7 +58,7 @@
 //! outside the contact,
 //!
 //! ```math
-//! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
+//! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \with_remaining_limits(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
 //! where $`\lambda`$ bounds from below the eigenvalues of C on a window one step longer than the contact, and m cells, a
@@ -121,7 +121,7 @@
 //! [`History`](crate::History) have no correction.
 //!
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
-//! <https://doi.org/10.1007/978-94-015-7889-9>; the law of entering cells and the bound are derived here.
+//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry rule and the bound are derived here.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;
@@ -132,7 +132,7 @@ mod passage;
 mod steady;
 
 #[doc(no_inline)]
-pub use crate::tangential::entering::TouchRule;
+pub use crate::tangential::entry_rule::EntryRule;
 #[cfg(all(feature = "history", feature = "rolling"))]
 #[cfg_attr(docsrs, doc(cfg(all(feature = "history", feature = "rolling"))))]
 pub use coupled::{
@@ -141,7 +141,7 @@ pub use coupled::{
 };
 #[doc(no_inline)]
 pub use leading_edge::LeadingEdge;
-pub(crate) use passage::{Passage, Travel};
+pub(crate) use passage::{RollingShift, WindowShift};
 #[cfg(feature = "rolling")]
 #[cfg_attr(docsrs, doc(cfg(feature = "rolling")))]
 pub use steady::control::{RollingControl, SpinControl};

@@ -13,13 +13,13 @@ const LINES: usize = 4;
 
 /// The way through a rectangle of cells.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Passage {
+pub(crate) struct WindowShift {
     pub(crate) size: [usize; 2],
     pub(crate) edge: LeadingEdge,
     pub(crate) cells: usize,
 }
 
-impl Passage {
+impl WindowShift {
     /// Where the particle of a cell was before, if that is in the rectangle.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
         let [line, way] = self.line();
@@ -33,7 +33,7 @@ impl Passage {
 
     /// `T f` in place, each value where its particle is after the step; zero in cells whose particles come from beyond the
     /// rectangle.
-    pub(crate) fn carry(&self, field: &mut [f64]) {
+    pub(crate) fn shift_with_particles(&self, field: &mut [f64]) {
         let [line, way] = self.line();
         let way = way.min(line);
         for line in field.chunks_exact_mut(line) {
@@ -111,7 +111,7 @@ impl Passage {
 
 /// The way on a grid.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Travel {
+pub(crate) struct RollingShift {
     grid: Grid,
     edge: LeadingEdge,
     cells: usize,
@@ -121,7 +121,7 @@ pub(crate) struct Travel {
     pub(crate) back: [f64; 2],
 }
 
-impl Travel {
+impl RollingShift {
     pub(crate) fn new(grid: Grid, edge: LeadingEdge, cells: usize) -> Self {
         let axis = edge.axis().index();
         let length = [grid.dx(), grid.dy()][axis] * cells as f64;
@@ -142,7 +142,7 @@ impl Travel {
         let length = finite("length of a rolled step", self.length)?;
         bodies.kernel().check_no_operators("rolling")?;
         if bodies.boundary().repeats()[self.edge.axis().index()] {
-            return Err(Error::NotModelled {
+            return Err(Error::UnsupportedByModel {
                 model: "the model of rolling",
                 quantity: "a step along an axis on which the grid repeats",
                 value: length,
@@ -153,8 +153,8 @@ impl Travel {
     }
 
     /// The way through a rectangle of cells.
-    pub(crate) fn through(&self, size: [usize; 2]) -> Passage {
-        Passage {
+    pub(crate) fn through(&self, size: [usize; 2]) -> WindowShift {
+        WindowShift {
             size,
             edge: self.edge,
             cells: self.cells,
@@ -182,7 +182,7 @@ impl Travel {
     }
 
     /// What a turn moves a particle beyond the turn of where it is after the step, because it was elsewhere before.
-    pub(crate) fn turned(&self, turn: f64) -> [f64; 2] {
+    pub(crate) fn rotation_correction(&self, turn: f64) -> [f64; 2] {
         [-turn * self.back[1], turn * self.back[0]]
     }
 
@@ -195,7 +195,7 @@ impl Travel {
     /// `Ok` if the particles of a contact at the end of the step were on the grid before it.
     pub(crate) fn check_ahead(&self, bodies: &HalfSpace, pressure: &Field) -> Result<()> {
         let contact = contact_of(bodies, pressure);
-        contact.map_or(Ok(()), |contact| self.ahead(contact).map(|_| ()))
+        contact.map_or(Ok(()), |contact| self.shifted_upstream(contact).map(|_| ()))
     }
 
     /// The window of a step, with where the particles in the contact of its end were before, and where those of the contact
@@ -208,7 +208,7 @@ impl Travel {
     ) -> Result<Window> {
         let mut reach = window;
         if let Some(contact) = contact_of(bodies, after) {
-            reach = reach.union(self.ahead(contact)?);
+            reach = reach.union(self.shifted_upstream(contact)?);
         }
         if let Some(contact) = contact_of(bodies, before) {
             reach = reach.union(contact).union(self.behind(contact)?);
@@ -216,11 +216,11 @@ impl Travel {
         if reach == window {
             return Ok(window);
         }
-        Ok(bodies.confined(reach.widened(self.grid)))
+        Ok(bodies.restrict_to_window(reach.widened(self.grid)))
     }
 
     /// Where the particles of a window were before the step.
-    pub(crate) fn ahead(&self, window: Window) -> Result<Window> {
+    pub(crate) fn shifted_upstream(&self, window: Window) -> Result<Window> {
         self.moved(window, true, "ahead of")
     }
 
@@ -265,5 +265,5 @@ fn contact_of(bodies: &HalfSpace, pressure: &Field) -> Option<Window> {
     let samples = pressure.as_slice();
     bodies
         .around(|i| samples[i] > 0.0)
-        .map(|window| bodies.confined(window))
+        .map(|window| bodies.restrict_to_window(window))
 }

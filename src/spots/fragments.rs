@@ -7,13 +7,13 @@ use crate::grid::Grid;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
-use crate::parallel::ranks::{Team, Words};
+use crate::parallel::ranks::partition::RowPartition;
+use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::tangential::Zone;
 
 /// What is summed up over cells, in whole numbers: no order of them changes a bit.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sums {
+pub(super) struct SpotSums {
     pub(super) cells: usize,
     pub(super) stick: usize,
     /// Sides of cells along y and along x beyond which the contact ends.
@@ -29,7 +29,7 @@ pub(super) struct Sums {
 /// Parts of the unit of the pressure, which is the power of two next below the largest one: 2^47 cells have room.
 const PARTS: f64 = (1_u128 << 80) as f64;
 
-impl Sums {
+impl SpotSums {
     /// Of the pressure.
     pub(super) fn pressure(&self, unit: f64) -> f64 {
         self.parts as f64 / PARTS * unit
@@ -49,10 +49,10 @@ impl Sums {
 }
 
 /// As they travel, with the parts of the pressure in halves.
-type Travelling = ([usize; 4], [f64; 3], [u64; 2]);
+type FragmentMessage = ([usize; 4], [f64; 3], [u64; 2]);
 
-impl Words for Sums {
-    const COUNT: usize = Travelling::COUNT;
+impl WireFormat for SpotSums {
+    const COUNT: usize = FragmentMessage::COUNT;
     const ZERO: Self = Self {
         cells: 0,
         stick: 0,
@@ -71,7 +71,7 @@ impl Words for Sums {
     }
 
     fn read(words: &mut &[u64]) -> Self {
-        let (counts, [x, y, largest], [low, high]) = Travelling::read(words);
+        let (counts, [x, y, largest], [low, high]) = FragmentMessage::read(words);
         let [cells, stick, along_y, along_x] = counts;
         Self {
             cells,
@@ -88,13 +88,13 @@ impl Words for Sums {
 pub(super) struct Fragments<'a> {
     grid: Grid,
     repeats: [bool; 2],
-    share: Option<&'a Arc<Share>>,
+    share: Option<&'a Arc<RowPartition>>,
     layout: Layout,
     /// Of the pressure.
     pub(super) unit: f64,
     /// The number of the fragment of every cell, counted from one; zero outside the contact.
     labels: Vec<u32>,
-    sums: Vec<Sums>,
+    sums: Vec<SpotSums>,
 }
 
 /// Where fragments meet: across the end of a slab, or across the edge of the grid in x or in y.
@@ -123,7 +123,7 @@ impl<'a> Fragments<'a> {
             map.walk_spots(|fragment, cell| {
                 labels[cell] = label(fragment);
                 if sums.len() <= fragment {
-                    fallible::push(&mut sums, Sums::default())?;
+                    fallible::push(&mut sums, SpotSums::default())?;
                 }
                 let (column, row) = (cell % grid.nx(), grid.rows().start + cell / grid.nx());
                 let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
@@ -133,7 +133,7 @@ impl<'a> Fragments<'a> {
                     reason = "no pressure is negative, and less than a part counts for nothing"
                 )]
                 let parts = (pressure[cell] / unit * PARTS) as u128;
-                let own = Sums {
+                let own = SpotSums {
                     cells: 1,
                     stick: usize::from(sticks),
                     open_sides: map.open_sides(cell),
@@ -146,7 +146,7 @@ impl<'a> Fragments<'a> {
             })?;
             Ok((labels, sums))
         };
-        let (labels, sums) = layout.agreed(walk())?;
+        let (labels, sums) = layout.collective_result(walk())?;
         Ok(Self {
             grid,
             repeats: normal.boundary().repeats(),
@@ -159,18 +159,20 @@ impl<'a> Fragments<'a> {
     }
 
     /// The number of the spot of every cell, counted from one, and the sums of all spots, in the order of their first cells.
-    pub(super) fn joined(mut self) -> Result<(Vec<u32>, Vec<Sums>)> {
+    pub(super) fn joined(mut self) -> Result<(Vec<u32>, Vec<SpotSums>)> {
         let team = self.share.map(|share| &**share.team());
-        let (fragments, lengths) = Team::gathered_of(team, std::mem::take(&mut self.sums))?;
-        let before = team.map_or(0, Team::rank);
+        let (fragments, lengths) = RankGroup::gathered_of(team, std::mem::take(&mut self.sums))?;
+        let before = team.map_or(0, RankGroup::rank);
         let first: usize = lengths.iter().take(before).sum();
         let below = self.row_below(first, fragments.len());
-        let links = self.layout.agreed(self.links(first, &below))?;
-        let (mut links, _) = Team::gathered_of(team, links)?;
+        let links = self.layout.collective_result(self.links(first, &below))?;
+        let (mut links, _) = RankGroup::gathered_of(team, links)?;
         // Where a spot closes around the grid, the order of the links decides which way its cells are counted.
         links.sort_by_key(|(_, (across, _))| *across);
         let whole = self.grid.whole().size();
-        let (spots, sums) = self.layout.agreed(join(fragments, &links, whole))?;
+        let (spots, sums) = self
+            .layout
+            .collective_result(join(fragments, &links, whole))?;
         for label in self.labels.iter_mut().filter(|label| **label > 0) {
             *label = spots[first + *label as usize - 1];
         }
@@ -257,12 +259,12 @@ fn label(number: usize) -> u32 {
 
 /// The number of the spot of every fragment, counted from one, and the sums of the spots, on so many columns and rows.
 fn join(
-    mut fragments: Vec<Sums>,
+    mut fragments: Vec<SpotSums>,
     links: &[Link],
     whole: [usize; 2],
-) -> Result<(Vec<u32>, Vec<Sums>)> {
+) -> Result<(Vec<u32>, Vec<SpotSums>)> {
     let alone = (0..fragments.len()).map(|fragment| (fragment, [0.0; 2]));
-    let mut forest = Forest(fallible::collected(fragments.len(), alone)?);
+    let mut forest = DisjointSets(fallible::collected(fragments.len(), alone)?);
     for (ends, (across, pairs)) in links {
         let beyond = match *across {
             EDGE_X => [whole[0] as f64, 0.0],
@@ -279,7 +281,7 @@ fn join(
         let (root, beyond) = forest.root(fragment);
         if root == fragment {
             spots.push(label(sums.len()));
-            fallible::push(&mut sums, Sums::default())?;
+            fallible::push(&mut sums, SpotSums::default())?;
         } else {
             spots.push(spots[root]);
         }
@@ -290,9 +292,9 @@ fn join(
 
 /// Fragments that are one spot: of each another one of it, the first one of itself, and how many columns and rows beyond its
 /// own place it lies from there.
-struct Forest(Vec<(usize, [f64; 2])>);
+struct DisjointSets(Vec<(usize, [f64; 2])>);
 
-impl Forest {
+impl DisjointSets {
     /// The first fragment of a spot, and how far beyond its place this one lies from there.
     fn root(&mut self, fragment: usize) -> (usize, [f64; 2]) {
         let (mut at, mut beyond) = (fragment, [0.0; 2]);

@@ -8,10 +8,10 @@ use crate::error::{at_least, length};
 use crate::grid::Grid;
 #[cfg(feature = "history")]
 use crate::history::History;
-use crate::memory::fallible::{self, or_abort};
+use crate::memory::fallible::{self, unwrap_or_abort};
 use crate::normal::NormalSolution;
-use crate::parallel::ranks::Team;
-use crate::spots::fragments::{Fragments, Sums};
+use crate::parallel::ranks::RankGroup;
+use crate::spots::fragments::{Fragments, SpotSums};
 use crate::support::debug::shown;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
@@ -52,7 +52,7 @@ shown!(ContactSpots: grid, largest());
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "ContactSpots")]
-struct Unchecked {
+struct RawContactSpots {
     grid: Grid,
     labels: Vec<u32>,
     spots: Vec<Spot>,
@@ -63,7 +63,7 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
     fn deserialize<D: serde::Deserializer<'de>>(
         deserializer: D,
     ) -> std::result::Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawContactSpots::deserialize(deserializer)?, |read| {
             length("labels", read.grid.cells(), read.labels.len())?;
             let largest = read.labels.iter().copied().max().unwrap_or(0);
             at_least(
@@ -151,7 +151,7 @@ impl ContactSpots {
     }
 }
 
-impl Sums {
+impl SpotSums {
     fn spot(&self, grid: Grid, unit: f64, has_zones: bool) -> Spot {
         let (whole, cells) = (grid.whole().size(), self.cells as f64);
         let (area, load) = (
@@ -178,10 +178,10 @@ impl Sums {
 }
 
 /// For signatures that cannot fail.
-fn or_end(outcome: Result<ContactSpots>) -> ContactSpots {
+fn spots_or_abort(outcome: Result<ContactSpots>) -> ContactSpots {
     match outcome {
         Err(error @ Error::Ranks(_)) => panic!("{error}"),
-        outcome => or_abort(outcome),
+        outcome => unwrap_or_abort(outcome),
     }
 }
 
@@ -192,7 +192,7 @@ impl NormalSolution {
     /// If ranks have lost each other.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
-        or_end(self.try_spots())
+        spots_or_abort(self.try_spots())
     }
 
     /// [`Self::spots`] where memory may run out, or a rank be lost.
@@ -211,7 +211,7 @@ impl TangentialSolution {
     /// [`Error::GridMismatch`] for a pressure on another grid; as [`NormalSolution::try_spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
         let checked = self.grid().expect("normal contact", normal.grid());
-        Team::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
+        RankGroup::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
         ContactSpots::new(normal, Some(self.zones()))
     }
 }
@@ -224,7 +224,7 @@ impl History {
     /// If ranks have lost each other.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
-        or_end(self.try_spots())
+        spots_or_abort(self.try_spots())
     }
 
     /// [`Self::spots`] where memory may run out, or a rank be lost.

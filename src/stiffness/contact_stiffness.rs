@@ -14,8 +14,8 @@ use crate::report::Iteration;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::normal::press;
 use crate::stiffness::system::times;
-use crate::stiffness::tangential::{LastStep, Sheared};
-use crate::stiffness::workspace::Course;
+use crate::stiffness::tangential::{LastStep, ShearedContact};
+use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
 use crate::tangential::{Axis, Friction, TangentialSolution};
 
@@ -46,7 +46,7 @@ pub struct TangentialStiffness {
     /// [Cattaneo's and Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
     /// Cells that came into contact in the step follow the motion with their [own
-    /// compliance](crate::guide::growing_contacts). After a step that presses a ball from zero load, loading is therefore
+    /// compliance](crate::guide::load_steps). After a step that presses a ball from zero load, loading is therefore
     /// about two thirds of Mindlin's stiffness, although all cells stick. The stiffness of the next step is an
     /// [option](crate::stiffness::StiffnessWorkspace::next_step): there these cells resist fully.
     pub loading: [[Option<f64>; 3]; 3],
@@ -86,7 +86,7 @@ impl TangentialStiffness {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for a spring.
-    pub fn through_springs(&self, springs: [f64; 2]) -> Result<Self> {
+    pub fn in_series_with(&self, springs: [f64; 2]) -> Result<Self> {
         for stiffness in springs {
             positive("stiffness of the spring", stiffness)?;
         }
@@ -179,8 +179,8 @@ impl TangentialSolution {
         let checked = self
             .check_bodies(bodies)
             .and_then(|()| self.check_uncoupled());
-        bodies.agreed(checked)?;
-        let sheared = Sheared {
+        bodies.collective_result(checked)?;
+        let sheared = ShearedContact {
             zones: self.zones(),
             traction: self.traction(),
             last: LastStep::from_rest(self.grid(), self.slip()),
@@ -225,27 +225,27 @@ impl ContactStiffness {
         let checked = shear
             .check_bodies(bodies)
             .and_then(|()| shear.check_uncoupled());
-        bodies.agreed(checked)?;
-        let sheared = Sheared {
+        bodies.collective_result(checked)?;
+        let sheared = ShearedContact {
             zones: shear.zones(),
             traction: shear.traction(),
             last: LastStep::from_rest(shear.grid(), shear.slip()),
             window: None,
         };
         let (axis, workspace) = (shear.axis(), &mut StiffnessWorkspace::new());
-        let pressed = Pressed::new(normal, friction);
+        let pressed = NormalContact::new(normal, friction);
         Self::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
     }
 
     pub(crate) fn of(
         bodies: &HalfSpace,
-        pressed: &Pressed<'_>,
-        sheared: &Sheared<'_>,
+        pressed: &NormalContact<'_>,
+        sheared: &ShearedContact<'_>,
         axis: Option<Axis>,
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<Self> {
-        bodies.agreed(pressed.friction.check(bodies.grid()))?;
+        bodies.collective_result(pressed.friction.check(bodies.grid()))?;
         workspace.check_alike(bodies)?;
         let (mut course, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
@@ -255,11 +255,11 @@ impl ContactStiffness {
 
     fn found(
         bodies: &HalfSpace,
-        pressed: &Pressed<'_>,
-        sheared: &Sheared<'_>,
+        pressed: &NormalContact<'_>,
+        sheared: &ShearedContact<'_>,
         axis: Option<Axis>,
         buffers: &mut Buffers,
-        course: &mut Course<'_>,
+        course: &mut LinearSolveContext<'_>,
     ) -> Result<Self> {
         let (contact, on) = (pressed.normal, (bodies, pressed.window));
         let Buffers { normal, growth, .. } = &mut *buffers;
@@ -279,7 +279,7 @@ impl ContactStiffness {
 pub(super) fn without_contact(
     axis: Option<Axis>,
     boundary: Boundary,
-    course: &mut Course<'_>,
+    course: &mut LinearSolveContext<'_>,
 ) -> (TangentialStiffness, [Option<f64>; 3]) {
     let has = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
     let none = has.map(|has| has.then_some(0.0));
@@ -299,7 +299,7 @@ pub(super) fn without_contact(
 
 /// What is known of a pressed contact.
 #[derive(Clone, Copy)]
-pub(crate) struct Pressed<'a> {
+pub(crate) struct NormalContact<'a> {
     pub(crate) normal: &'a NormalSolution,
     /// Where it was found, if that is known.
     pub(crate) window: Option<Window>,
@@ -309,7 +309,7 @@ pub(crate) struct Pressed<'a> {
     pub(crate) is_drawn: bool,
 }
 
-impl<'a> Pressed<'a> {
+impl<'a> NormalContact<'a> {
     /// Of elastic bodies whose pressure moves the surfaces normally alone.
     fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
         Self {
@@ -325,5 +325,5 @@ impl<'a> Pressed<'a> {
 /// The window in which a contact was found, whose operators are at hand, or the smallest around it.
 pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
     let found = found.filter(|window| window.covers(contact));
-    found.unwrap_or_else(|| bodies.confined(contact))
+    found.unwrap_or_else(|| bodies.restrict_to_window(contact))
 }

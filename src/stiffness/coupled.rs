@@ -1,8 +1,8 @@
 //! The stiffness of a contact whose pressure and shear are found together.
 
 use crate::bodies::component::Direction;
-use crate::cgm::cone::{ConeProblem, ConeWorkspace, Stand};
-use crate::cgm::{Held, Own, Total, UNLIMITED, reduce};
+use crate::cgm::cone::{ConeProblem, ConeWorkspace, FrozenState};
+use crate::cgm::{CellCompliance, FixedSetSystem, Total, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::{Result, finite};
 use crate::grid::boundary::Boundary;
@@ -19,8 +19,8 @@ use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::contact_stiffness::{window_of, without_contact};
 use crate::stiffness::motions::kinds;
-use crate::stiffness::workspace::Course;
-use crate::stiffness::workspace::{Buffers, provide};
+use crate::stiffness::workspace::LinearSolveContext;
+use crate::stiffness::workspace::{Buffers, get_or_create};
 use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
 };
@@ -48,11 +48,11 @@ pub(crate) struct Coupled<'a> {
 }
 
 /// Normal force, tangential forces and moment by a motion.
-type Loads = [f64; 4];
+type LoadVector = [f64; 4];
 
 /// The buffers of coupled contacts on a window.
 #[derive(Debug)]
-pub(super) struct Joint {
+pub(super) struct CoupledBuffers {
     compliance: Compliance<N>,
     /// How far a unit tangential traction displaces its own cell.
     self_compliance: f64,
@@ -63,9 +63,9 @@ pub(super) struct Joint {
     unknowns: Vec<[f64; N]>,
 }
 
-impl Joint {
+impl CoupledBuffers {
     /// Those of a window, in the buffers there are if they are of it.
-    fn provide<'a>(
+    fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,
         compliance: Compliance<N>,
@@ -75,7 +75,7 @@ impl Joint {
         let is_own = |own: &Self| {
             own.compliance.operator.is(&operator) && own.compliance.inverse.is(&inverse)
         };
-        provide(slot, is_own, || {
+        get_or_create(slot, is_own, || {
             let (x, y) = (Direction::X, Direction::Y);
             let plane = bodies.compliance([x, y], bodies.grid().whole().size())?;
             Ok(Self {
@@ -119,7 +119,7 @@ impl Coupled<'_> {
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
             let compliance = bodies.compliance([z, x, y], window.size)?;
-            let joint = Joint::provide(joint, bodies, compliance)?;
+            let joint = CoupledBuffers::get_or_create(joint, bodies, compliance)?;
             let loading = self.loads(bodies, window, true, joint, &mut course)?;
             let reversal = if course.has_reversal {
                 Some(self.loads(bodies, window, false, joint, &mut course)?)
@@ -136,13 +136,13 @@ impl Coupled<'_> {
         bodies: &HalfSpace,
         window: Window,
         slips: bool,
-        joint: &mut Joint,
-        course: &mut Course<'_>,
-    ) -> Result<[Loads; 4]> {
+        joint: &mut CoupledBuffers,
+        course: &mut LinearSolveContext<'_>,
+    ) -> Result<[LoadVector; 4]> {
         let (grid, region) = (bodies.grid(), Region::new(bodies, window));
         let layout = region.layout().clone().alike(bodies.team());
         let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
-        let Joint {
+        let CoupledBuffers {
             compliance: Compliance { operator, inverse },
             self_compliance,
             workspace,
@@ -181,17 +181,17 @@ impl Coupled<'_> {
             self_compliance: *self_compliance,
             coupling: 0.0,
         };
-        let stand = Stand {
+        let stand = FrozenState {
             x: [p, qx, qy],
             slip: [sx, sy],
             own,
             slips,
         };
-        let held = Held {
+        let held = FixedSetSystem {
             operator: &*operator,
             preconditioner: &*inverse,
             layout: &layout,
-            own: Own::default(),
+            own: CellCompliance::default(),
         };
         let linear = workspace.hold(&problem, stand)?;
         let mut loads = [[0.0; 4]; 4];
@@ -258,7 +258,7 @@ impl CoupledSolution {
         let (normal, tangential) = (self.normal(), self.tangential());
         let checked = normal.check_bodies(bodies);
         let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
-        bodies.agreed(checked.and_then(|()| friction.check(bodies.grid())))?;
+        bodies.collective_result(checked.and_then(|()| friction.check(bodies.grid())))?;
         let contact = Coupled {
             pressure: normal.pressure(),
             traction: tangential.traction(),
@@ -284,7 +284,7 @@ fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
 
 impl ContactStiffness {
     /// Zero of what the model in the plane has.
-    fn without_contact(boundary: Boundary, course: &mut Course<'_>) -> Self {
+    fn without_contact(boundary: Boundary, course: &mut LinearSolveContext<'_>) -> Self {
         let (tangential, none) = without_contact(None, boundary, course);
         Self {
             normal: NormalStiffness {
@@ -301,11 +301,11 @@ impl ContactStiffness {
 /// The stiffness by the loads of each motion.
 fn whole(
     boundary: Boundary,
-    loading: &[Loads; 4],
-    reversal: Option<&[Loads; 4]>,
+    loading: &[LoadVector; 4],
+    reversal: Option<&[LoadVector; 4]>,
 ) -> ContactStiffness {
     let has = kinds(Axis::BOTH, boundary);
-    let matrix = |loads: &[Loads; 4]| {
+    let matrix = |loads: &[LoadVector; 4]| {
         let entry = |load: usize, motion: usize| loads[1 + motion][1 + load];
         [0, 1, 2].map(|load| {
             [0, 1, 2].map(|motion| (has[load] && has[motion]).then(|| entry(load, motion)))

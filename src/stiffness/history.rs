@@ -8,9 +8,9 @@ use crate::history::History;
 use crate::numerics::cell_vector::slices;
 use crate::observer::unwatched;
 use crate::report::Iteration;
-use crate::stiffness::contact_stiffness::Pressed;
+use crate::stiffness::contact_stiffness::NormalContact;
 use crate::stiffness::coupled::Coupled;
-use crate::stiffness::tangential::{LastStep, Sheared};
+use crate::stiffness::tangential::{LastStep, ShearedContact};
 use crate::stiffness::{ContactStiffness, StiffnessWorkspace};
 
 impl History {
@@ -18,7 +18,7 @@ impl History {
     /// approach; see [`crate::stiffness`].
     ///
     /// Loading is the derivative of the force of the last step by its motion, the sets held. In the vector model the slip
-    /// of that step adds to the stiffness of cells that slip. The cells that [entered](crate::guide::growing_contacts) the
+    /// of that step adds to the stiffness of cells that slip. The cells that [entered](crate::guide::load_steps) the
     /// contact in that step follow the motion by a compliance of their own. The [state](Self::state) keeps both, so that
     /// the stiffness after [`set_state`](Self::set_state) or a restart has the same bits. Cells that come into contact
     /// during further motion are not included.
@@ -81,13 +81,13 @@ impl History {
             };
             return coupled.stiffness(&self.bodies, workspace, &mut observer);
         }
-        let sheared = Sheared {
+        let sheared = ShearedContact {
             zones: self.zones(),
             traction: self.traction(),
             last,
             window: memory.map(|memory| memory.window),
         };
-        let pressed = Pressed {
+        let pressed = NormalContact {
             normal: self.normal(),
             window: self.state.press_window,
             friction: self.friction(),

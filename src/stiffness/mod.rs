@@ -17,7 +17,7 @@
 //! more:
 //!
 //! - in steps in which the contact grows, cells that entered follow the motion by their [own
-//!   compliance](crate::guide::growing_contacts): the stiffness is the derivative of the force of the step by the motion at
+//!   compliance](crate::guide::load_steps): the stiffness is the derivative of the force of the step by the motion at
 //!   its end. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully;
 //! - cells that have reached the hardness carry no more, as long as the bodies are pressed further;
 //! - where pressure moves the surfaces one way, pressing shears;

@@ -9,8 +9,8 @@ use crate::memory::fallible;
 use crate::normal::{Hardness, NormalSolution};
 use crate::stiffness::contact_stiffness::{NormalStiffness, window_of};
 use crate::stiffness::system::{CellMotions, System};
-use crate::stiffness::tangential::{Growth, collect};
-use crate::stiffness::workspace::Course;
+use crate::stiffness::tangential::{ApproachSensitivity, collect};
+use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::SystemOf;
 
 /// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness
@@ -20,14 +20,14 @@ pub(super) fn press(
     normal: &NormalSolution,
     hardness: Option<&Hardness>,
     slot: &mut Option<SystemOf<Interval, 1>>,
-    course: &mut Course<'_>,
-    growth: &mut Growth,
+    course: &mut LinearSolveContext<'_>,
+    growth: &mut ApproachSensitivity,
 ) -> Result<NormalStiffness> {
     let is_elastic = || hardness.map_or_else(|| normal.check_elastic("the stiffness"), |_| Ok(()));
     let checked = normal.check_bodies(bodies);
     let checked = checked.and_then(|()| normal.check_uncoupled());
-    bodies.agreed(checked.and_then(|()| is_elastic()))?;
-    let Growth {
+    bodies.collective_result(checked.and_then(|()| is_elastic()))?;
+    let ApproachSensitivity {
         pressure: growth,
         follows,
         ..
@@ -44,7 +44,7 @@ pub(super) fn press(
     };
     let region = Region::new(bodies, window_of(bodies, found, window));
     let compliance = bodies.compliance([Direction::Z], region.window().size)?;
-    let system = System::provide(slot, bodies, compliance)?;
+    let system = System::get_or_create(slot, bodies, compliance)?;
     let is_free = |i: usize| {
         let limits = hardness.map(Hardness::limits);
         let yields = limits.is_some_and(|limits| limits.are_reached(i, pressure[i]));

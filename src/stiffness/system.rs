@@ -32,7 +32,7 @@
 //! The sum over the shifts bounds $`\sum_c \epsilon_c^2`$ first.
 
 use crate::cgm::reduce::{self, larger};
-use crate::cgm::{Held, LinearWorkspace, Own, Row};
+use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row};
 use crate::error::{Result, finite};
 use crate::grid::boundary::Boundary;
 use crate::half_space::{Compliance, HalfSpace};
@@ -42,9 +42,9 @@ use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
-use crate::stiffness::workspace::Course;
-use crate::stiffness::workspace::provide;
-use crate::tangential::Drawing;
+use crate::stiffness::workspace::LinearSolveContext;
+use crate::stiffness::workspace::get_or_create;
+use crate::tangential::CouplingDisplacement;
 
 /// Relative bound that a stiffness must have, unless its tolerance is wider.
 const ALLOWED: f64 = 1e-10;
@@ -60,7 +60,7 @@ pub(super) struct System<R, const N: usize> {
     linear: LinearWorkspace<R, N>,
     /// Compliance that cells have of their own beside the operator; of no cells where none has.
     own: Vec<f64>,
-    columns: [Column<N>; 3],
+    columns: [ResponseColumn<N>; 3],
     /// Number of cells that move, of all ranks.
     moving: f64,
     restricted: Vec<[f64; N]>,
@@ -68,12 +68,12 @@ pub(super) struct System<R, const N: usize> {
     pub(super) forced: Vector<N>,
     pub(super) displacement: Vector<N>,
     /// How pressure moves the surfaces tangentially, once that is asked for.
-    drawing: Option<Drawing>,
+    drawing: Option<CouplingDisplacement>,
 }
 
 /// A solution of `A y = P b` of the unknowns of the cells that move.
 #[derive(Debug, Default)]
-struct Column<const N: usize> {
+struct ResponseColumn<const N: usize> {
     right: Vec<[f64; N]>,
     y: Vec<[f64; N]>,
     /// `P b - A y`.
@@ -96,7 +96,7 @@ pub(super) struct CellMotions<F> {
 
 impl<R: Row<N>, const N: usize> System<R, N> {
     /// That of a window, in the buffers there are if they are of it.
-    pub(super) fn provide<'a>(
+    pub(super) fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,
         compliance: Compliance<N>,
@@ -106,7 +106,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         let is_own = |own: &Self| {
             own.compliance.operator.is(&operator) && own.compliance.inverse.is(&inverse)
         };
-        provide(slot, is_own, || {
+        get_or_create(slot, is_own, || {
             Ok(Self {
                 layout: operator.layout().alike(bodies.team()),
                 linear: LinearWorkspace::new(&operator, &inverse)?,
@@ -154,13 +154,13 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     pub(super) fn stiffness(
         &mut self,
         motions: &CellMotions<impl Fn(usize, usize) -> [f64; N] + Sync>,
-        course: &mut Course<'_>,
+        course: &mut LinearSolveContext<'_>,
     ) -> Result<Stiffness> {
-        let held = Held {
+        let held = FixedSetSystem {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
-            own: Own::isotropic(&self.own),
+            own: CellCompliance::isotropic(&self.own),
         };
         for (a, column) in self.columns.iter_mut().enumerate().take(motions.count) {
             self.linear
@@ -168,12 +168,12 @@ impl<R: Row<N>, const N: usize> System<R, N> {
             course.respond(&held, &column.right, &mut column.y, &mut self.linear)?;
             column.left.clear();
             fallible::make_room(&mut column.left, column.right.len())?;
-            column.left.extend_from_slice(self.linear.left());
+            column.left.extend_from_slice(self.linear.residual_rows());
         }
         let matrix = self.matrix(motions.count);
         let bound = self.bound(motions.count, &matrix);
         // The bound decides, wherever round-off has left the residuals.
-        course.rest_on(self.compliance.operator.eigenvalue_bound());
+        course.require_eigenvalue_bound(self.compliance.operator.eigenvalue_bound());
         course.report.status = if bound <= ALLOWED.max(course.tolerance) {
             Status::Converged
         } else {
@@ -220,7 +220,11 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Computes a number of every two of the first columns, and zero of the others.
-    fn table(&self, count: usize, entry: impl Fn(&Column<N>, &Column<N>) -> f64) -> [[f64; 3]; 3] {
+    fn table(
+        &self,
+        count: usize,
+        entry: impl Fn(&ResponseColumn<N>, &ResponseColumn<N>) -> f64,
+    ) -> [[f64; 3]; 3] {
         let entry = |a: usize, b: usize| {
             if a < count && b < count {
                 entry(&self.columns[a], &self.columns[b])
@@ -246,8 +250,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// The displacement that the forced tractions cause.
-    pub(super) fn displace(&mut self, course: &mut Course<'_>) -> Result<()> {
-        course.ask(&self.layout)?;
+    pub(super) fn displace(&mut self, course: &mut LinearSolveContext<'_>) -> Result<()> {
+        course.notify_observer(&self.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
         self.linear.displace(&self.compliance.operator, forced, out);
         Ok(())
@@ -256,14 +260,14 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     /// Adds the displacement that pressures of the window cause.
     pub(super) fn draw(
         &mut self,
-        make: impl FnOnce() -> Result<Drawing>,
+        make: impl FnOnce() -> Result<CouplingDisplacement>,
         pressures: impl Iterator<Item = f64>,
-        course: &mut Course<'_>,
+        course: &mut LinearSolveContext<'_>,
     ) -> Result<()> {
         for _ in 0..N {
-            course.ask(&self.layout)?;
+            course.notify_observer(&self.layout)?;
         }
-        let drawing = provide(&mut self.drawing, |_| true, make)?;
+        let drawing = get_or_create(&mut self.drawing, |_| true, make)?;
         let mut parts = self.displacement.iter_mut();
         drawing.displace(pressures, |_, drawn| {
             // The axes of both are the same, in order.

@@ -1,6 +1,6 @@
 //! The tangential stiffness of a contact, and its loads by the approach.
 
-use crate::cgm::{Ball, Linearised, Motion, Row, Within, reduce};
+use crate::cgm::{Ball, CellMotion, LinearisedSet, NormBound, Row, reduce};
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::Field;
@@ -9,22 +9,22 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{dot, norm};
 use crate::stiffness::contact_stiffness::{
-    Pressed, TangentialStiffness, window_of, without_contact,
+    NormalContact, TangentialStiffness, window_of, without_contact,
 };
 use crate::stiffness::motions::Motions;
 use crate::stiffness::system::{CellMotions, Stiffness, System};
-use crate::stiffness::workspace::Course;
+use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::{Buffers, SystemOf};
-use crate::tangential::{Axis, Drawing, Zone, centre};
+use crate::tangential::{Axis, CouplingDisplacement, Zone, centre};
 
 /// The set of what friction holds of `N` tractions.
-type BallOf<const N: usize> = <Within as Ball<N>>::Set;
+type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 
 /// The stiffness, and the loads by the approach.
-type Found = (TangentialStiffness, [Option<f64>; 3]);
+type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
 /// What is known of a sheared contact.
-pub(crate) struct Sheared<'a> {
+pub(crate) struct ShearedContact<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
     pub(crate) last: LastStep<'a>,
@@ -61,7 +61,7 @@ impl<'a> LastStep<'a> {
 
 /// The same of the cells of a window that are solved here, and what the approach changes in them for each unit.
 #[derive(Debug, Default)]
-pub(super) struct Growth {
+pub(super) struct ApproachSensitivity {
     /// Of the pressures of the cells of the grid held here.
     pub(super) pressure: Vec<f64>,
     /// One in cells whose pressure follows the approach, else zero.
@@ -94,7 +94,7 @@ pub(super) fn collect(
 }
 
 impl Cells {
-    fn take(&mut self, region: &Region, sheared: &Sheared<'_>) -> Result<()> {
+    fn take(&mut self, region: &Region, sheared: &ShearedContact<'_>) -> Result<()> {
         let zone = |i: usize| match sheared.zones[i] {
             Zone::Separated => 0.0,
             Zone::Stick => 1.0,
@@ -111,10 +111,10 @@ impl Cells {
         collect(region, |i| last.of(last.entered, i), &mut self.entered)
     }
 
-    fn take_growth(
+    fn set_approach_sensitivity(
         &mut self,
         region: &Region,
-        pressed: &Pressed<'_>,
+        pressed: &NormalContact<'_>,
         growth: &[f64],
     ) -> Result<()> {
         let pressure = pressed.normal.pressure().as_slice();
@@ -155,9 +155,9 @@ impl Cells {
         axes: [Axis; N],
         cell: usize,
         self_compliance: f64,
-    ) -> <BallOf<N> as Linearised<N>>::Motion
+    ) -> <BallOf<N> as LinearisedSet<N>>::CellMotion
     where
-        Within: Ball<N>,
+        NormBound: Ball<N>,
     {
         if !self.slips(cell) {
             return self.sticking(cell);
@@ -166,9 +166,9 @@ impl Cells {
             self.traction(axes, cell),
             axes.map(|axis| self.slip[axis.index()][cell]),
         );
-        let limit = Within::of_radius(norm(q));
+        let limit = NormBound::of_radius(norm(q));
         let turning = limit.measured(limit.motion(q), slip);
-        turning.weighed(self_compliance, self.entered[cell])
+        turning.with_preconditioner_weight(self_compliance, self.entered[cell])
     }
 
     /// Forces upon cells that slip the tractions by which their limits grow.
@@ -207,16 +207,16 @@ impl Cells {
         &self,
         (bodies, region): (&HalfSpace, &Region),
         axes: [Axis; N],
-        pressed: Option<&Pressed<'_>>,
+        pressed: Option<&NormalContact<'_>>,
         slot: &mut Option<SystemOf<BallOf<N>, N>>,
-        course: &mut Course<'_>,
-    ) -> Result<Found>
+        course: &mut LinearSolveContext<'_>,
+    ) -> Result<FoundStiffness>
     where
-        Within: Ball<N>,
+        NormBound: Ball<N>,
     {
         let (grid, boundary, size) = (bodies.grid(), bodies.boundary(), region.window().size);
         let compliance = bodies.compliance(axes.map(Axis::direction), size)?;
-        let system = System::provide(slot, bodies, compliance)?;
+        let system = System::get_or_create(slot, bodies, compliance)?;
         let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
         let motions = Motions::new(axes, boundary, region.layout(), |cell| {
             self.touches(cell).then(|| place(cell))
@@ -246,7 +246,7 @@ impl Cells {
             self.force(axes, system);
             system.displace(course)?;
             if pressed.is_drawn {
-                let make = || Drawing::new(bodies, &axes, size);
+                let make = || CouplingDisplacement::new(bodies, &axes, size);
                 system.draw(make, self.pressure.iter().copied(), course)?;
             }
             self.add_own(axes, system);
@@ -272,17 +272,17 @@ impl Cells {
     }
 }
 
-impl Sheared<'_> {
+impl ShearedContact<'_> {
     /// The stiffness; and the loads by the approach, if the pressed contact is given, whose pressures grow as the buffers
     /// say.
     pub(super) fn stiffness(
         &self,
         bodies: &HalfSpace,
         axis: Option<Axis>,
-        pressed: Option<&Pressed<'_>>,
+        pressed: Option<&NormalContact<'_>>,
         buffers: &mut Buffers,
-        course: &mut Course<'_>,
-    ) -> Result<Found> {
+        course: &mut LinearSolveContext<'_>,
+    ) -> Result<FoundStiffness> {
         let Some(window) = bodies.around(|i| self.zones[i] != Zone::Separated) else {
             return Ok(without_contact(axis, bodies.boundary(), course));
         };
@@ -297,7 +297,7 @@ impl Sheared<'_> {
         if let Some(pressed) = pressed {
             growth
                 .cells
-                .take_growth(&region, pressed, &growth.pressure)?;
+                .set_approach_sensitivity(&region, pressed, &growth.pressure)?;
         }
         let (cells, on) = (&growth.cells, (bodies, &region));
         match axis {

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Disc, Held, Interval, LinearWorkspace, Linearised, Row};
+use crate::cgm::{Disc, FixedSetSystem, Interval, LinearWorkspace, LinearisedSet, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result, positive};
 use crate::half_space::HalfSpace;
@@ -10,12 +10,12 @@ use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::report::{EigenvalueBound, Iteration, Report, Status};
 #[cfg(feature = "history")]
-use crate::stiffness::coupled::Joint;
+use crate::stiffness::coupled::CoupledBuffers;
 use crate::stiffness::system::System;
-use crate::stiffness::tangential::Growth;
+use crate::stiffness::tangential::ApproachSensitivity;
 
 /// The system of a kind of set.
-pub(super) type SystemOf<S, const N: usize> = System<<S as Linearised<N>>::Motion, N>;
+pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
 /// Buffers, tolerance and report of stiffnesses that are found one after the other.
 ///
@@ -59,8 +59,8 @@ pub(super) struct Buffers {
     pub(super) along: Option<SystemOf<Interval, 1>>,
     pub(super) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
-    pub(super) joint: Option<Joint>,
-    pub(super) growth: Growth,
+    pub(super) joint: Option<CoupledBuffers>,
+    pub(super) growth: ApproachSensitivity,
 }
 
 impl Default for StiffnessWorkspace {
@@ -153,13 +153,16 @@ impl StiffnessWorkspace {
     /// `Ok` if all ranks ask for the same.
     pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
         let settings = (self.tolerance, self.has_reversal, self.is_of_next_step);
-        bodies.agreed_alike(Ok(()), &[("settings of the stiffness", &settings)])
+        bodies.collective_result_checked(Ok(()), &[("settings of the stiffness", &settings)])
     }
 
     /// Begins another stiffness.
-    pub(super) fn begin<'a>(&'a mut self, observer: Observer<'a>) -> (Course<'a>, &'a mut Buffers) {
+    pub(super) fn begin<'a>(
+        &'a mut self,
+        observer: Observer<'a>,
+    ) -> (LinearSolveContext<'a>, &'a mut Buffers) {
         self.report.clear();
-        let course = Course {
+        let course = LinearSolveContext {
             tolerance: self.tolerance,
             has_reversal: self.has_reversal,
             report: &mut self.report,
@@ -170,7 +173,7 @@ impl StiffnessWorkspace {
 }
 
 /// What is in a slot, if it is the one that is asked for, else what `make` makes.
-pub(super) fn provide<T>(
+pub(super) fn get_or_create<T>(
     slot: &mut Option<T>,
     is_own: impl Fn(&T) -> bool,
     make: impl FnOnce() -> Result<T>,
@@ -180,7 +183,7 @@ pub(super) fn provide<T>(
 }
 
 /// What is asked of the solves, and their report.
-pub(super) struct Course<'a> {
+pub(super) struct LinearSolveContext<'a> {
     pub(super) tolerance: f64,
     /// Whether the stiffness at reversal is asked for too.
     pub(super) has_reversal: bool,
@@ -188,11 +191,11 @@ pub(super) struct Course<'a> {
     pub(super) observer: Observer<'a>,
 }
 
-impl Course<'_> {
+impl LinearSolveContext<'_> {
     /// Finds the unknowns that answer a right side, to the tolerance or to where round-off leaves them.
     pub(super) fn respond<R: Row<N>, const N: usize>(
         &mut self,
-        held: &Held<'_, N>,
+        held: &FixedSetSystem<'_, N>,
         right: &[[f64; N]],
         unknowns: &mut Vec<[f64; N]>,
         workspace: &mut LinearWorkspace<R, N>,
@@ -210,7 +213,7 @@ impl Course<'_> {
     }
 
     /// A bound rests on an eigenvalue known so, beside those found before.
-    pub(super) fn rest_on(&mut self, known: EigenvalueBound) {
+    pub(super) fn require_eigenvalue_bound(&mut self, known: EigenvalueBound) {
         let report = &mut *self.report;
         report.eigenvalue_bound = match report.eigenvalue_bound {
             EigenvalueBound::Unknown => known,
@@ -234,7 +237,7 @@ impl Course<'_> {
     }
 
     /// Asks the observer, the same of all ranks, before a product beside the solves, and counts it.
-    pub(super) fn ask(&mut self, layout: &Layout) -> Result<()> {
+    pub(super) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
         let report = &mut *self.report;
         let shown = Iteration {
             iteration: report.iterations,

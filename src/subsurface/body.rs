@@ -46,7 +46,7 @@ pub(super) struct Constants {
 /// `Ok` for bodies of which it is known how they respond below the surface.
 pub(super) fn check_described(pair: &ElasticPair) -> Result<()> {
     if pair.stands_for_kernel() {
-        return Err(Error::Coated {
+        return Err(Error::UnsupportedForCoatings {
             quantity: "stress below the surface",
             bodies: "kernels",
             remedy: "describe the bodies by materials and layers",

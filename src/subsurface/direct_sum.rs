@@ -10,7 +10,7 @@ use crate::memory::fallible;
 use crate::subsurface::body::Constants;
 use crate::subsurface::distances::{Distances, depth_in};
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
-use crate::subsurface::points::Response;
+use crate::subsurface::points::PointResult;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::strip::Strips;
 
@@ -50,7 +50,7 @@ impl<'a> Loaded<'a> {
         &self,
         [x, y, depth]: [f64; 3],
         constants: &Constants,
-    ) -> Result<Response> {
+    ) -> Result<PointResult> {
         let z = depth_in(self.grid, depth);
         let sums = self.sums([x, y, z])?;
         let weights = Weights::new(constants.poisson_ratio, z);
@@ -65,7 +65,7 @@ impl<'a> Loaded<'a> {
             }
             constants.factor_out(component) * sum
         };
-        Ok(Response {
+        Ok(PointResult {
             displacement: [Component::Ux, Component::Uy, Component::Uz].map(of),
             stress: Stress {
                 xx: of(Component::Sxx),

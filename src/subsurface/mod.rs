@@ -72,6 +72,6 @@ mod volume;
 pub use body::Body;
 pub use plane::Plane;
 pub use planes::Planes;
-pub use points::{Response, at_points, at_points_observed};
+pub use points::{PointResult, at_points, at_points_observed};
 pub use stress::{Principal, Stress};
 pub use tractions::Tractions;

@@ -9,7 +9,7 @@ use crate::error::{Result, length, samples_obey};
 use crate::fft::{Superposition, Torus};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::observer::{Observer, Watch, unwatched};
+use crate::observer::{Observer, WorkObserver, unwatched};
 use crate::parallel;
 use crate::parallel::ranks::Input;
 use crate::report::Iteration;
@@ -129,7 +129,7 @@ impl Planes {
     ///
     /// # Errors
     /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or more than 1e60 of the shorter
-    /// side of a cell; [`Error::Coated`](crate::Error::Coated) of a [`Kernel`](crate::Kernel);
+    /// side of a cell; [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) of a [`Kernel`](crate::Kernel);
     /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         let rule = "must be non-negative and finite";
@@ -144,7 +144,7 @@ impl Planes {
                     reach(bodies.grid(), depth)
                 })
             });
-        bodies.agreed_alike(checked, &[("depths", &depths)])?;
+        bodies.collective_result_checked(checked, &[("depths", &depths)])?;
         let size = bodies.grid().whole().size();
         let torus = Torus::new(size, bodies.boundary().repeats(), bodies.share(size));
         Ok(Self {
@@ -152,7 +152,7 @@ impl Planes {
             depths: depths.into(),
             kernels: no_kernels(depths),
             with_displacements: false,
-            transforms: bodies.agreed(Superposition::new(&torus))?,
+            transforms: bodies.collective_result(Superposition::new(&torus))?,
             torus,
         })
     }
@@ -205,7 +205,7 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Plane> {
-        let mut plane = self.bodies.agreed(self.plane(body))?;
+        let mut plane = self.bodies.collective_result(self.plane(body))?;
         self.solve_watched(index, body, tractions.into(), &mut plane, &mut observer)?;
         Ok(plane)
     }
@@ -235,13 +235,13 @@ impl Planes {
         observer: Observer<'_>,
     ) -> Result<()> {
         let loads = self.begin(Some(index), body, &tractions, plane.grid())?;
-        let watch = &mut Watch::new(observer).shared(self.bodies.team());
+        let watch = &mut WorkObserver::new(observer).shared(self.bodies.team());
         let kernels = Arc::clone(&self.kernels);
         let kept = &kernels[index][loads.constants.place()];
         let made = || self.spectra(index, &loads.constants, watch);
         let solved = parallel::get_or_make(kept, made).and_then(|spectra| {
             self.bodies
-                .agreed(plane.prepare(body, self.with_displacements))?;
+                .collective_result(plane.prepare(body, self.with_displacements))?;
             self.load(&loads, watch)?;
             self.fill(plane, spectra, &loads, watch)
         });
@@ -276,8 +276,8 @@ impl Planes {
     ) -> Result<()> {
         let tractions = tractions.into();
         let loads = self.begin(None, body, &tractions, self.bodies.grid())?;
-        let mut plane = self.bodies.agreed(self.plane(body))?;
-        let watch = &mut Watch::new(&mut observer).shared(self.bodies.team());
+        let mut plane = self.bodies.collective_result(self.plane(body))?;
+        let watch = &mut WorkObserver::new(&mut observer).shared(self.bodies.team());
         let kernels = Arc::clone(&self.kernels);
         let mut visited = || {
             self.load(&loads, watch)?;
@@ -290,7 +290,7 @@ impl Planes {
                     &made
                 };
                 self.fill(&mut plane, spectra, &loads, watch)?;
-                self.bodies.agreed_on(|| visit(&plane))?;
+                self.bodies.run_collectively(|| visit(&plane))?;
             }
             Ok(())
         };
@@ -321,7 +321,7 @@ impl Planes {
         body: Body,
         tractions: &Tractions<'a>,
         grid: Grid,
-    ) -> Result<Loads<'a>> {
+    ) -> Result<BodyLoads<'a>> {
         let bodies = &self.bodies;
         let check = || {
             let constants = body.constants(bodies.pair())?;
@@ -337,12 +337,12 @@ impl Planes {
         };
         let plane = (index, body, self.with_displacements);
         let inputs: [Input<'_>; 2] = [("plane", &plane), ("tractions", &tractions.shown())];
-        let (constants, fields, uniform) = bodies.agreed_alike(check(), &inputs)?;
+        let (constants, fields, uniform) = bodies.collective_result_checked(check(), &inputs)?;
         let edge = edge(fields.each_ref().map(Option::as_deref));
         let edge = bodies
             .grid_layout()
             .combined(edge, |one, other| from_fn(|k| one[k] || other[k]));
-        Ok(Loads {
+        Ok(BodyLoads {
             constants,
             fields,
             uniform,
@@ -355,7 +355,7 @@ impl Planes {
         &self,
         index: usize,
         constants: &Constants,
-        watch: &mut Watch<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<Spectra> {
         let (depth, with_displacements) = (self.depths[index], self.with_displacements);
         let (bodies, torus) = (&self.bodies, &self.torus);
@@ -366,8 +366,8 @@ impl Planes {
     }
 
     /// Hands the transforms the tractions of a body.
-    fn load(&mut self, loads: &Loads<'_>, watch: &mut Watch<'_>) -> Result<()> {
-        watch.ask()?;
+    fn load(&mut self, loads: &BodyLoads<'_>, watch: &mut WorkObserver<'_>) -> Result<()> {
+        watch.notify_observer()?;
         let factors = Load::ALL.map(|load| loads.constants.factor_in(load));
         let fields = loads.fields.each_ref().map(Option::as_deref);
         self.transforms
@@ -380,13 +380,13 @@ impl Planes {
         &mut self,
         plane: &mut Plane,
         spectra: &Spectra,
-        loads: &Loads<'_>,
-        watch: &mut Watch<'_>,
+        loads: &BodyLoads<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<()> {
         let constants = &loads.constants;
         self.transforms.enter(|transforms| {
             let mut convolve = |components, fields: [&mut [f64]; 3]| {
-                watch.ask()?;
+                watch.notify_observer()?;
                 let kernels = spectra.compose(components, constants.poisson_ratio);
                 let factors = components.map(|component| constants.factor_out(component));
                 transforms.convolve(&kernels, fields, factors);
@@ -407,7 +407,7 @@ impl Planes {
 }
 
 /// What acts on a body, and whether shear tractions end at an edge.
-struct Loads<'a> {
+struct BodyLoads<'a> {
     constants: Constants,
     fields: [Option<Cow<'a, [f64]>>; 3],
     uniform: Stress,

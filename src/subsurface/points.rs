@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::observer::{Watch, unwatched};
+use crate::observer::{WorkObserver, unwatched};
 use crate::parallel::{self, Blocks};
 use crate::report::Iteration;
 use crate::subsurface::body::Body;
@@ -22,7 +22,7 @@ const PORTION: usize = 100_000;
 ///
 /// ```
 /// use std::f64::consts::PI;
-/// use stickslip::subsurface::{Body, Response, Tractions, at_points};
+/// use stickslip::subsurface::{Body, PointResult, Tractions, at_points};
 /// use stickslip::*;
 /// let body = Material::from_shear_modulus(1.0, 0.25)?;
 /// let pair = ElasticPair::new(body, Material::rigid())?;
@@ -30,7 +30,7 @@ const PORTION: usize = 100_000;
 /// let pressure = Field::constant(bodies.grid(), 1e4);
 /// // Far away it is Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free there.
 /// let far = at_points(&bodies, Body::One, Tractions::new(&pressure), &[[3.0, 4.0, 0.0]])?;
-/// let Response { displacement: [_, _, uz], stress } = far[0];
+/// let PointResult { displacement: [_, _, uz], stress } = far[0];
 /// let force = pressure.integral();
 /// assert!((uz / (0.75 * force / (2.0 * PI * 5.0)) - 1.0).abs() < 1e-5);
 /// assert!(stress.zz.abs() < 1e-12 && stress.xx.abs() > 1e-3);
@@ -38,7 +38,7 @@ const PORTION: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Response {
+pub struct PointResult {
     /// Along x, y and z (lengths), of the body itself, not relative to the other; zero at infinity,
     /// relative to the datum where the grid repeats along y.
     pub displacement: [f64; 3],
@@ -59,7 +59,7 @@ pub struct Response {
 ///
 /// The cost of a point is about 0.3 microseconds for each loaded cell (some fifty times that where several rows repeat along y).
 /// For a whole plane use [`Planes`](crate::subsurface::Planes). More than
-/// [`CELLS_ON_ONE_THREAD`](crate::CELLS_ON_ONE_THREAD) points, and those of as many cells, are shared by the threads of the
+/// [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) points, and those of as many cells, are shared by the threads of the
 /// caller's pool; the bits do not depend on their number.
 ///
 /// ```
@@ -84,14 +84,14 @@ pub struct Response {
 /// [`Error::Sample`] for a depth that is negative, a coordinate, traction or uniform stress that is not finite, or a point
 /// farther away than 1e60 of the shorter side of a cell;
 /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
-/// those of these bodies; [`Error::RigidBody`]; [`Error::Coated`] for a coated body, which has [`Planes`](crate::subsurface::Planes);
-/// [`Error::Repeats`] if the grid repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
+/// those of these bodies; [`Error::RigidBody`]; [`Error::UnsupportedForCoatings`] for a coated body, which has [`Planes`](crate::subsurface::Planes);
+/// [`Error::DivergentPeriodicSum`] if the grid repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
     tractions: impl Into<Tractions<'a>>,
     points: &[[f64; 3]],
-) -> Result<Vec<Response>> {
+) -> Result<Vec<PointResult>> {
     at_points_observed(bodies, body, tractions, points, unwatched)
 }
 
@@ -106,11 +106,11 @@ pub fn at_points_observed<'a>(
     tractions: impl Into<Tractions<'a>>,
     points: &[[f64; 3]],
     mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-) -> Result<Vec<Response>> {
+) -> Result<Vec<PointResult>> {
     bodies.check_alone("stresses at points")?;
     let constants = body.constants(bodies.pair())?;
     if constants.coated().is_some() {
-        return Err(Error::Coated {
+        return Err(Error::UnsupportedForCoatings {
             quantity: "stress at points",
             bodies: "coated bodies",
             remedy: "take planes of cell centres (subsurface::Planes)",
@@ -121,7 +121,7 @@ pub fn at_points_observed<'a>(
     let fields = fields.each_ref().map(Option::as_deref);
     let uniform = tractions.checked_uniform()?;
     if bodies.boundary() == Boundary::Periodic {
-        return Err(Error::Repeats("the sum over loaded cells"));
+        return Err(Error::DivergentPeriodicSum("the sum over loaded cells"));
     }
     for (index, &[x, y, depth]) in points.iter().enumerate() {
         let refused = |value, rule| {
@@ -145,14 +145,14 @@ pub fn at_points_observed<'a>(
         }
     }
     let loaded = Loaded::new(bodies, fields);
-    let mut responses = fallible::filled(Response::default(), points.len())?;
+    let mut responses = fallible::filled(PointResult::default(), points.len())?;
     let cells = bodies.grid().cells();
-    let watch = &mut Watch::new(&mut observer);
+    let watch = &mut WorkObserver::new(&mut observer);
     parallel::enter_with(cells.max(points.len()), || {
         let portion = (PORTION / cells).max(parallel::lanes());
         for (first, items) in (0..).step_by(portion).zip(responses.chunks_mut(portion)) {
-            watch.ask()?;
-            let work = |point: usize, response: Blocks<'_, Response>| {
+            watch.notify_observer()?;
+            let work = |point: usize, response: Blocks<'_, PointResult>| {
                 for response in response.items {
                     *response = loaded.response(points[first + point], &constants)?;
                     response.stress += uniform;

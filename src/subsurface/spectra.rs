@@ -9,11 +9,11 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::observer::Watch;
+use crate::observer::WorkObserver;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::distances::depth_in;
 use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
-use crate::subsurface::layered::{Entry, Layered};
+use crate::subsurface::layered::{Layered, StressEntry};
 use crate::subsurface::strip::Strips;
 
 /// The spectra of the kernels at one depth.
@@ -22,7 +22,7 @@ pub(super) struct Spectra {
     depth: f64,
     /// Where the integrals are taken.
     z: f64,
-    values: Values,
+    values: SpectrumValues,
     /// The first wave along x here, and waves along y.
     first: usize,
     height: usize,
@@ -31,18 +31,18 @@ pub(super) struct Spectra {
 
 /// Those of the displacements only where they are asked for; otherwise they are empty.
 #[derive(Debug)]
-enum Values {
+enum SpectrumValues {
     /// The integrals, which depend on the cells, not on the materials, so that homogeneous bodies have them in common.
     Integrals([Vec<f64>; Integral::COUNT]),
     /// The components in a coated body under each traction, and Poisson's ratio at the depth.
-    Layered([Vec<f64>; Entry::COUNT], f64),
+    Layered([Vec<f64>; StressEntry::COUNT], f64),
 }
 
 /// What the integrals take while they are made, per sampled distance: all of them, the rows of one and the spectrum of
 /// one.
 const BYTES: usize = (Integral::COUNT + 2) * size_of::<f64>();
 /// What the components of a coated body take.
-const LAYERED_BYTES: usize = (Entry::COUNT + 2) * size_of::<f64>();
+const LAYERED_BYTES: usize = (StressEntry::COUNT + 2) * size_of::<f64>();
 
 impl Spectra {
     pub(super) fn new(
@@ -50,15 +50,15 @@ impl Spectra {
         torus: &Torus,
         depth: f64,
         with_displacements: bool,
-        watch: &mut Watch<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
         let room = memory("kernels of a depth", [waves_here.len(), height], BYTES);
-        bodies.agreed(room)?;
+        bodies.collective_result(room)?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let z = depth_in(grid, depth);
-        watch.ask()?;
-        let mut values = bodies.agreed(match boundary {
+        watch.notify_observer()?;
+        let mut values = bodies.collective_result(match boundary {
             Boundary::Periodic => waves(
                 grid,
                 torus,
@@ -79,7 +79,7 @@ impl Spectra {
         Ok(Self::of(
             depth,
             z,
-            Values::Integrals(values),
+            SpectrumValues::Integrals(values),
             torus,
             boundary,
         ))
@@ -92,26 +92,27 @@ impl Spectra {
         torus: &Torus,
         depth: f64,
         with_displacements: bool,
-        watch: &mut Watch<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
         let size = [waves_here.len(), height];
-        bodies.agreed(memory("kernels of a depth", size, LAYERED_BYTES))?;
+        bodies.collective_result(memory("kernels of a depth", size, LAYERED_BYTES))?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
-        watch.ask()?;
+        watch.notify_observer()?;
         let layered = Layered::new(body, depth_in(grid, depth));
-        let is_odd = |n: usize| Entry::of(n).is_odd();
-        let mut values = bodies.agreed(match boundary {
+        let is_odd = |n: usize| StressEntry::of(n).is_odd();
+        let mut values = bodies.collective_result(match boundary {
             Boundary::Periodic => waves(grid, torus, |k| layered.symbols(k), is_odd),
             _ => layered.samples(grid, boundary, torus),
         })?;
-        let keeps = |n: usize| with_displacements || !Entry::of(n).component.is_displacement();
+        let keeps =
+            |n: usize| with_displacements || !StressEntry::of(n).component.is_displacement();
         transform(&mut values, boundary, torus, keeps, is_odd, watch)?;
-        let values = Values::Layered(values, layered.poisson_ratio());
+        let values = SpectrumValues::Layered(values, layered.poisson_ratio());
         Ok(Self::of(depth, 0.0, values, torus, boundary))
     }
 
-    fn of(depth: f64, z: f64, values: Values, torus: &Torus, boundary: Boundary) -> Self {
+    fn of(depth: f64, z: f64, values: SpectrumValues, torus: &Torus, boundary: Boundary) -> Self {
         let [_, height] = torus.quarter();
         Self {
             depth,
@@ -128,9 +129,13 @@ impl Spectra {
     }
 
     /// The kernels of three components.
-    pub(super) fn compose(&self, components: [Component; 3], poisson_ratio: f64) -> Composed<'_> {
+    pub(super) fn compose(
+        &self,
+        components: [Component; 3],
+        poisson_ratio: f64,
+    ) -> ComposedSpectra<'_> {
         let weights = Weights::new(poisson_ratio, self.z);
-        Composed {
+        ComposedSpectra {
             spectra: self,
             weights,
             components,
@@ -146,14 +151,14 @@ fn transform<const N: usize>(
     torus: &Torus,
     keeps: impl Fn(usize) -> bool,
     is_odd: impl Fn(usize) -> [bool; 2],
-    watch: &mut Watch<'_>,
+    watch: &mut WorkObserver<'_>,
 ) -> Result<()> {
     let ([width, _], first) = (torus.quarter(), torus.own_distances().start);
     for (n, values) in values.iter_mut().enumerate() {
         if !keeps(n) {
             *values = Vec::new();
         } else if boundary != Boundary::Periodic {
-            watch.ask()?;
+            watch.notify_observer()?;
             *values = torus.spectrum(is_odd(n), |i, j| values[(j - first) * width + i])?;
         }
     }
@@ -264,20 +269,20 @@ fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
 
 /// Three components under each traction, of a homogeneous body as sums of the integrals.
 #[derive(Debug)]
-pub(super) struct Composed<'a> {
+pub(super) struct ComposedSpectra<'a> {
     spectra: &'a Spectra,
     weights: Weights,
     components: [Component; 3],
     poisson_ratio: f64,
 }
 
-impl Composed<'_> {
+impl ComposedSpectra<'_> {
     /// What a unit mean traction causes on a grid that repeats along both axes: the stresses of a body whose sides do
     /// not move, and no displacement.
     fn mean(&self, component: Component, load: Load) -> f64 {
         let nu = match self.spectra.values {
-            Values::Integrals(_) => self.poisson_ratio,
-            Values::Layered(_, nu) => nu,
+            SpectrumValues::Integrals(_) => self.poisson_ratio,
+            SpectrumValues::Layered(_, nu) => nu,
         };
         match (component, load) {
             (Component::Szz, Load::P) | (Component::Sxz, Load::Qx) | (Component::Syz, Load::Qy) => {
@@ -289,10 +294,10 @@ impl Composed<'_> {
     }
 }
 
-impl Kernels for Composed<'_> {
+impl Kernels for ComposedSpectra<'_> {
     fn is_odd(&self) -> [[[bool; 2]; 3]; 3] {
         self.components
-            .map(|component| Load::ALL.map(|load| Entry { load, component }.is_odd()))
+            .map(|component| Load::ALL.map(|load| StressEntry { load, component }.is_odd()))
     }
 
     fn add(&self, out: &mut [f64], [i, j]: [usize; 2], factor: f64, kx: usize) {
@@ -304,14 +309,16 @@ impl Kernels for Composed<'_> {
             }
         };
         match &self.spectra.values {
-            Values::Integrals(values) => {
+            SpectrumValues::Integrals(values) => {
                 for (weight, values) in self.weights.of(load, component).iter().zip(values) {
                     if *weight != 0.0 {
                         add(factor * weight, values);
                     }
                 }
             }
-            Values::Layered(values, _) => add(factor, &values[Entry { load, component }.index()]),
+            SpectrumValues::Layered(values, _) => {
+                add(factor, &values[StressEntry { load, component }.index()]);
+            }
         }
         if kx == 0 && self.spectra.repeats {
             out[0] = factor * self.mean(component, load);

@@ -46,7 +46,7 @@ const REACH: f64 = 1.7;
 /// their weights (zero-order regression): a constant is exact up to the edge, a tilt or a curvature is not, so
 /// [`level`](super::level()) the surface first. Of the weight of a line, 0.4 % lies beyond half a nesting index on either
 /// side, and 5e-8 beyond a whole one: heights closer to an edge or a hole than half an index, that of the L filter if there
-/// are both, are affected. [`unaffected`](Self::unaffected) has the rest, for [`crop`](super::crop()).
+/// are both, are affected. [`valid_range`](Self::valid_range) has the rest, for [`crop`](super::crop()).
 ///
 /// Missing heights (NaN) have no weight and stay missing: filter before [`fill_missing`](super::fill_missing).
 ///
@@ -173,7 +173,7 @@ impl GaussianFilter {
     ///
     /// The index is that of the L filter if there is one. A range is empty if the surface is shorter than the index.
     #[must_use]
-    pub fn unaffected(&self, grid: Grid) -> [Range<usize>; 2] {
+    pub fn valid_range(&self, grid: Grid) -> [Range<usize>; 2] {
         let [nx, ny] = grid.size();
         let range = |axis: usize, cells: usize, side: f64| {
             let has_edges = cells > 1 && self.along[axis] && !self.is_periodic;
@@ -187,7 +187,7 @@ impl GaussianFilter {
     /// Filters a surface; a slab of what ranks share as a surface by itself.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a nesting index; [`Error::Below`] if it is shorter than two cells or longer than the side
+    /// [`Error::NotPositive`] for a nesting index; [`Error::BelowMinimum`] if it is shorter than two cells or longer than the side
     /// of the surface along an axis that is filtered, or if that of the S filter is longer than that of the L filter;
     /// [`Error::Sample`] for the first infinite height; [`Error::Undetermined`] if all are missing;
     /// [`Error::NotFinite`] if their range overflows; [`Error::Memory`].

@@ -81,7 +81,7 @@ pub struct PowerSpectrum {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "PowerSpectrum")]
-struct Unchecked {
+struct RawPowerSpectrum {
     wave_numbers: Vec<f64>,
     values: Vec<f64>,
     modes: Vec<usize>,
@@ -91,7 +91,7 @@ struct Unchecked {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for PowerSpectrum {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawPowerSpectrum::deserialize(deserializer)?, |read| {
             let rings = read.wave_numbers.len();
             length("values", rings, read.values.len())?;
             length("modes", rings, read.modes.len())
@@ -112,7 +112,8 @@ impl PowerSpectrum {
 
     /// The spectrum of a surface of which ranks may hold a slab each.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
-        slab.layout().agreed(complete("heights", heights))?;
+        slab.layout()
+            .collective_result(complete("heights", heights))?;
         let waves = parallel::enter_with(heights.grid().cells(), || {
             let (deviations, _) = about_mean(heights, slab);
             Waves::of_slab(&deviations, slab)

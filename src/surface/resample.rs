@@ -41,12 +41,12 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
     complete("heights", heights)?;
     memory("resampled surface", grid.size(), size_of::<f64>())?;
     let source = heights.grid();
-    let columns = Axis {
+    let columns = SourceAxis {
         name: "x",
         count: source.nx(),
         side: source.dx(),
     };
-    let rows = Axis {
+    let rows = SourceAxis {
         name: "y",
         count: source.ny(),
         side: source.dy(),
@@ -68,13 +68,13 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
 }
 
 /// One axis of the source.
-struct Axis {
+struct SourceAxis {
     name: &'static str,
     count: usize,
     side: f64,
 }
 
-impl Axis {
+impl SourceAxis {
     /// The samples from which the values at the centres of another axis are interpolated.
     fn stencils(&self, count: usize, centre: impl Fn(usize) -> f64) -> Result<Vec<Stencil>> {
         // Centres are symmetric about the middle, so the last is the farthest.

@@ -40,7 +40,7 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// A cylinder along y, touching a plane along the line `x = 0`: `h = x^2 / (2 R)`, lengths.
 ///
 /// A cylinder of another direction is a [`paraboloid`]. On a grid that does not repeat it ends with the grid, and its ends
-/// bear peaks of pressure: [`Warning::ContactAcross`](crate::Warning::ContactAcross). A line contact in plane strain is on
+/// bear peaks of pressure: [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). A line contact in plane strain is on
 /// bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
@@ -69,7 +69,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// Curvatures of two bodies add up: two crossed cylinders of radius `R` make a sphere of radius `R`.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for a curvature; [`Error::Negative`]
+/// [`Error::NotFinite`] for a curvature; [`Error::NegativeOrNotFinite`]
 /// if a principal curvature is negative: a saddle would penetrate the plane.
 ///
 /// ```

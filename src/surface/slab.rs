@@ -8,22 +8,22 @@ use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 
 /// The rows of a surface that are held here: all, or a slab of what ranks share.
 #[derive(Debug)]
 pub(crate) struct Slab {
     whole: Grid,
     first_row: usize,
-    share: Option<Arc<Share>>,
+    share: Option<Arc<RowPartition>>,
     layout: Layout,
 }
 
 impl Slab {
     /// Of a grid whose rows are dealt out so, if they are.
-    pub(crate) fn new(whole: Grid, share: Option<Arc<Share>>) -> Self {
+    pub(crate) fn new(whole: Grid, share: Option<Arc<RowPartition>>) -> Self {
         let (first_row, layout) = match &share {
-            Some(share) => (share.own_rows().start, Layout::shared(Arc::clone(share))),
+            Some(share) => (share.local_rows().start, Layout::shared(Arc::clone(share))),
             None => (0, whole.layout()),
         };
         Self {
@@ -74,7 +74,7 @@ impl Slab {
     }
 
     /// Whose waves are held where, and how rows travel there: none without ranks.
-    pub(super) fn shares(&self) -> Option<[Arc<Share>; 2]> {
+    pub(super) fn shares(&self) -> Option<[Arc<RowPartition>; 2]> {
         let rows = self.share.as_ref()?;
         let columns = shared_columns(self.whole, rows.team());
         Some([Arc::clone(rows), Arc::new(columns)])

@@ -37,7 +37,7 @@ impl HalfSpace {
     /// index is one of the slab; [`Error::Ranks`](crate::Error::Ranks), also for a polynomial on bodies that ranks share.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
         let checked = self.grid().expect("the field", heights.grid());
-        self.agreed_alike(checked, &[("form", &form)])?;
+        self.collective_result_checked(checked, &[("form", &form)])?;
         level_slab(heights, &self.slab(), form)
     }
 

@@ -75,7 +75,8 @@ impl Statistics {
 
     /// The statistics of a surface of which ranks may hold a slab each.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
-        slab.layout().agreed(complete("heights", heights))?;
+        slab.layout()
+            .collective_result(complete("heights", heights))?;
         let (deviations, mean_height) = about_mean(heights, slab);
         let highest_peak = slab.layout().combined(deviations.max(), f64::max);
         let deepest_valley = -slab.layout().combined(deviations.min(), f64::min);

@@ -13,9 +13,9 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::Team;
-use crate::parallel::ranks::partition::Share;
-use crate::parallel::reduce::{self, Tally};
+use crate::parallel::ranks::RankGroup;
+use crate::parallel::ranks::partition::RowPartition;
+use crate::parallel::reduce::{self, Reduction};
 
 /// Complex amplitudes `a(i, j)` of a periodic field,
 ///
@@ -56,10 +56,10 @@ impl Waves {
     }
 
     /// The same of columns that are dealt out to ranks, if they are.
-    pub(super) fn none_on(grid: Grid, columns: Option<&Arc<Share>>) -> Self {
+    pub(super) fn none_on(grid: Grid, columns: Option<&Arc<RowPartition>>) -> Self {
         let (first, layout) = match columns {
             Some(columns) => (
-                columns.own_rows().start,
+                columns.local_rows().start,
                 Layout::shared(Arc::clone(columns)),
             ),
             None => (0, Layout::of(size_of_waves(grid))),
@@ -126,9 +126,9 @@ impl Waves {
 
     /// The rows of that field which a slab of the grid holds, of waves whose columns are dealt out to ranks, as
     /// [`shared_columns`] does it, and the rows as `rows` does it.
-    pub(super) fn into_slab(self, columns: &Share, rows: &Share) -> Field {
+    pub(super) fn into_slab(self, columns: &RowPartition, rows: &RowPartition) -> Field {
         let (grid, count) = (self.grid, self.grid.nx() / 2 + 1);
-        let slab = grid.slab(rows.own_rows());
+        let slab = grid.slab(rows.local_rows());
         let height = slab.ny();
         let amplitudes = self.summed_along_y();
         // A column of complex numbers is a row of twice as many reals.
@@ -179,7 +179,7 @@ impl Waves {
     }
 
     /// Sums over the amplitudes of all ranks, by groups of modes.
-    pub(super) fn grouped<T: Tally>(
+    pub(super) fn grouped<T: Reduction>(
         &self,
         count: usize,
         f: impl Fn(Mode, Complex<f64>) -> Option<(usize, T)> + Sync,
@@ -227,8 +227,8 @@ impl Waves {
 }
 
 /// How the columns of waves of a grid are dealt out to the ranks that share it.
-pub(super) fn shared_columns(grid: Grid, team: &Arc<Team>) -> Share {
-    Share::new(team, size_of_waves(grid))
+pub(super) fn shared_columns(grid: Grid, team: &Arc<RankGroup>) -> RowPartition {
+    RowPartition::new(team, size_of_waves(grid))
 }
 
 /// The rows of a field, from the amplitudes of their waves along x, by column and row.

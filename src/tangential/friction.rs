@@ -25,7 +25,7 @@ use crate::memory::fallible::try_clone;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawFriction")
 )]
 pub struct Friction {
     coefficient: PerCell<Field>,
@@ -37,16 +37,16 @@ pub struct Friction {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Unchecked {
+struct RawFriction {
     coefficient: PerCell<Field>,
     max_shear_stress: Option<f64>,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for Friction {
+impl TryFrom<RawFriction> for Friction {
     type Error = crate::error::Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawFriction) -> Result<Self> {
         let friction = match read.coefficient {
             PerCell::Uniform(coefficient) => Self::coulomb(coefficient)?,
             PerCell::Cells(coefficients) => Self::per_cell(coefficients)?,
@@ -69,7 +69,7 @@ impl Friction {
     /// One coefficient of friction mu >= 0 for all cells (dimensionless).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative).
+    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite).
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
             coefficient: PerCell::Uniform(non_negative("coefficient of friction", coefficient)?),
@@ -197,7 +197,7 @@ impl Friction {
 
     /// `Ok` if the coefficients fit the cells held here, on all ranks, which must have the same but for these.
     pub(crate) fn check_on(&self, bodies: &HalfSpace) -> Result<()> {
-        bodies.agreed_alike(self.check(bodies.grid()), &[("friction", &self.common())])
+        bodies.collective_result_checked(self.check(bodies.grid()), &[("friction", &self.common())])
     }
 
     /// That of it which is the same on all ranks: coefficient, unless it is one per cell, and cap.

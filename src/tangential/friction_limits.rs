@@ -22,14 +22,14 @@ const NOTHING: f64 = 1e-30;
 
 /// The part of a normal contact that a tangential one needs: a window around it, pressure and limits there.
 #[derive(Debug, Clone)]
-pub(crate) struct Pressed {
+pub(crate) struct PressureOnWindow {
     pub(crate) region: Region,
     /// Pressure of the cells of the region.
     pub(crate) pressure: Vec<f64>,
     pub(crate) limits: Limits,
 }
 
-impl Pressed {
+impl PressureOnWindow {
     /// Without pressure.
     pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let region = Region::new(bodies, window);
@@ -78,7 +78,7 @@ impl Pressed {
     }
 }
 
-try_clone!(Pressed { pressure, limits } { region });
+try_clone!(PressureOnWindow { pressure, limits } { region });
 
 /// The friction limit of every cell of a window, and their sum.
 #[derive(Debug, Clone)]

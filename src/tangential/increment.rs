@@ -3,22 +3,22 @@
 use std::borrow::Cow;
 
 use crate::bodies::coupling::Coupling;
-use crate::cgm::{Own, Total, reduce};
-use crate::contact::{Conditions, Trend, multipliers};
+use crate::cgm::{CellCompliance, Total, reduce};
+use crate::contact::{LoadTrend, SolveContext, multipliers};
 use crate::error::{Result, has_squares};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
-use crate::tangential::answer::Answer;
-use crate::tangential::load::Demand;
-use crate::tangential::one_way::Drawing;
-use crate::tangential::rigid_motion::{Motion, centre};
+use crate::tangential::load::TangentialTarget;
+use crate::tangential::one_way::CouplingDisplacement;
+use crate::tangential::rigid_motion::{RigidMotion, centre};
+use crate::tangential::step_solution::StepSolution;
 use crate::tangential::traction_solver::{
-    PlaneVector, TangentialEngine, Task, at, engine_along, zeros,
+    TangentialEngine, TangentialRequest, TangentialVector, at, engine_along, zeros,
 };
-use crate::tangential::{Axis, Pressed};
+use crate::tangential::{Axis, PressureOnWindow};
 
 /// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
 ///
@@ -26,17 +26,17 @@ use crate::tangential::{Axis, Pressed};
 /// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it, and the
 /// diagonal $`B`$ of the cells that enter the contact in the step, for which $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
-pub(crate) struct Increment {
+pub(crate) struct TangentialIncrement {
     pub(super) bodies: HalfSpace,
     pub(super) axes: &'static [Axis],
-    pub(crate) pressed: Pressed,
+    pub(crate) pressed: PressureOnWindow,
     pub(super) engine: Box<dyn TangentialEngine>,
     /// The start of the next step, and the answer of the last.
-    pub(super) traction: PlaneVector,
+    pub(super) traction: TangentialVector,
     /// Offset of every cell in this step.
-    pub(super) offset: PlaneVector,
+    pub(super) offset: TangentialVector,
     /// What a solve asks of each cell; it is written first, and serves before as a buffer.
-    pub(super) linear: PlaneVector,
+    pub(super) linear: TangentialVector,
     /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
     pub(super) diagonal: Vec<f64>,
     /// `[a, b]` of what they have beside it in the plane, the rows `[a, b]` and `[b, -a]`; empty where it is the same in
@@ -45,9 +45,9 @@ pub(crate) struct Increment {
     /// Whether a cell does, of any rank.
     pub(super) has_entered: bool,
     /// How pressure moves the surfaces, if it is to.
-    pub(super) drawing: Option<Drawing>,
+    pub(super) drawing: Option<CouplingDisplacement>,
     /// Motion of body 2 at the end of the last step.
-    motion: Motion,
+    motion: RigidMotion,
 }
 
 /// How a step begins.
@@ -61,17 +61,17 @@ pub(crate) enum Start {
     Near,
 }
 
-impl Increment {
+impl TangentialIncrement {
     /// Without traction.
     pub(crate) fn new(
         bodies: &HalfSpace,
         axes: &'static [Axis],
-        pressed: Pressed,
+        pressed: PressureOnWindow,
         coupling: Coupling,
     ) -> Result<Self> {
         let (size, cells) = (pressed.window().size, pressed.region.cells());
         let is_drawn = coupling.is_one_way(bodies.pair());
-        let drawing = is_drawn.then(|| Drawing::new(bodies, axes, size));
+        let drawing = is_drawn.then(|| CouplingDisplacement::new(bodies, axes, size));
         Ok(Self {
             drawing: drawing.transpose()?,
             bodies: bodies.clone(),
@@ -83,7 +83,7 @@ impl Increment {
             diagonal: Vec::new(),
             deviator: Vec::new(),
             has_entered: false,
-            motion: Motion::default(),
+            motion: RigidMotion::default(),
             pressed,
         })
     }
@@ -97,7 +97,7 @@ impl Increment {
     }
 
     /// Motion of body 2 at the end of the last step solved, converged or not.
-    pub(crate) fn motion(&self) -> Motion {
+    pub(crate) fn motion(&self) -> RigidMotion {
         self.motion
     }
 
@@ -132,7 +132,7 @@ impl Increment {
     }
 
     /// Moves the present tractions on by so many times a trend of the cells held here.
-    pub(crate) fn extrapolate(&mut self, trend: &Trend<2>, parts: f64) {
+    pub(crate) fn extrapolate(&mut self, trend: &LoadTrend<2>, parts: f64) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let change = self.pressed.region.taken(&trend.change[axis]);
             parallel::update(&mut self.traction[axis], |first, chunk| {
@@ -144,10 +144,10 @@ impl Increment {
     }
 
     /// What the last step has found.
-    pub(crate) fn answer(&self) -> Answer<'_> {
+    pub(crate) fn answer(&self) -> StepSolution<'_> {
         let (traction, offset) = (slices(&self.traction), slices(&self.offset));
         let found = [traction, self.engine.product(), offset];
-        Answer::new(&self.pressed, self.axes, found, self.motion)
+        StepSolution::new(&self.pressed, self.axes, found, self.motion)
     }
 
     /// Gives the buffers of the solve back: the displacements of the answer are gone.
@@ -173,22 +173,22 @@ impl Increment {
     /// wrong with the demand before any work.
     pub(crate) fn solve(
         &mut self,
-        demand: &Demand,
-        before: Motion,
+        demand: &TangentialTarget,
+        before: RigidMotion,
         start: Start,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
-        self.motion = Motion {
+        self.motion = RigidMotion {
             twist: demand.twist,
             ..before
         };
-        let totals = self.prescribe(demand)?;
+        let totals = self.compute_totals(demand)?;
         self.set_linear();
         self.check_size(demand, totals)?;
         let outcome = self.minimise(totals, start, conditions);
         let beyond = self.engine.multiplier();
         self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
-        self.lag_behind();
+        self.subtract_entry_lag();
         outcome
     }
 
@@ -196,12 +196,12 @@ impl Increment {
         &mut self,
         totals: [Total; 2],
         start: Start,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
-        let Pressed { region, limits, .. } = &self.pressed;
-        let mut task = Task {
+        let PressureOnWindow { region, limits, .. } = &self.pressed;
+        let mut task = TangentialRequest {
             limits: &limits.cells,
-            own: Own::new(&self.diagonal, &self.deviator),
+            own: CellCompliance::new(&self.diagonal, &self.deviator),
             linear: &self.linear,
             totals,
             known: None,
@@ -214,7 +214,7 @@ impl Increment {
                 task.known = Some(multipliers(totals, [0, 1].map(beyond)));
             }
             Start::Nested => {
-                let is_at_rest = self.motion == Motion::default();
+                let is_at_rest = self.motion == RigidMotion::default();
                 let is_drawn = |offset: [f64; 2]| offset.iter().any(|part| *part != 0.0);
                 let is_drawn = reduce::any(region.layout(), |i| is_drawn(at(&self.offset, i)));
                 let is_moved = !is_at_rest || is_drawn;
@@ -234,26 +234,26 @@ impl Increment {
                 };
             }
         }
-        let settings = conditions.in_time();
+        let settings = conditions.with_remaining_time();
         let observer = &mut *conditions.observer;
         self.engine
             .minimise(task, &mut self.traction, &settings, observer)
     }
 
     /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
-    fn prescribe(&mut self, demand: &Demand) -> Result<[Total; 2]> {
+    fn compute_totals(&mut self, demand: &TangentialTarget) -> Result<[Total; 2]> {
         let (cell_area, force) = (self.bodies.grid().cell_area(), demand.force());
         self.pressed.check(force, cell_area)?;
         let limits = &self.pressed.limits;
         let sums = (limits.sum > 0.0).then(|| limits.sums(force, cell_area));
         let measured = (self.datum(), cell_area);
-        demand.prescribe(self.axes, sums, measured, &mut self.motion)
+        demand.compute_totals(self.axes, sums, measured, &mut self.motion)
     }
 
     /// Returns an error if the squares of the tractions or of the displacements that the load causes leave the range of
     /// numbers. Tractions that are measured in a unit are compared with it.
-    fn check_size(&self, demand: &Demand, totals: [Total; 2]) -> Result<()> {
-        let Pressed { region, limits, .. } = &self.pressed;
+    fn check_size(&self, demand: &TangentialTarget, totals: [Total; 2]) -> Result<()> {
+        let PressureOnWindow { region, limits, .. } = &self.pressed;
         if limits.sum <= 0.0 {
             return Ok(());
         }
@@ -292,7 +292,7 @@ impl Increment {
     /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
     /// there, a contact that has nowhere slipped asks for exactly none.
     fn datum(&self) -> [f64; 2] {
-        let Pressed { region, limits, .. } = &self.pressed;
+        let PressureOnWindow { region, limits, .. } = &self.pressed;
         let (limits, own) = (&limits.cells, region.own());
         let grid = self.bodies.grid().whole();
         let largest = reduce::least(region.layout(), |cell| {
@@ -302,7 +302,7 @@ impl Increment {
         let Some((_, (shift, centre))) = largest else {
             return [0.0; 2];
         };
-        let motion = Motion {
+        let motion = RigidMotion {
             shift,
             ..self.motion
         };

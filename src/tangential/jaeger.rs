@@ -39,7 +39,7 @@ impl JaegerSuperposition {
     /// The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::Coated`]; [`Error::Negative`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
+    /// [`Error::UnsupportedForCoatings`]; [`Error::NegativeOrNotFinite`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
     /// [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts differ in these, [`Error::MaterialMismatch`] if
     /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
     /// [`Error::EmptyContact`] if `full` carries no pressure.
@@ -79,7 +79,7 @@ impl JaegerSuperposition {
         // Two contacts under the same load may differ by round-off.
         let force = friction * (full.force() - stick.force());
         if force < -1e-12 * friction * full.force() {
-            return Err(Error::Negative {
+            return Err(Error::NegativeOrNotFinite {
                 quantity: "tangential force of the superposition",
                 value: force,
             });

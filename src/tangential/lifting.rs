@@ -12,13 +12,13 @@ use crate::tangential::Axis;
 /// Operator of the normal displacement that tractions on a window cause.
 #[derive(Debug, Clone)]
 pub(crate) struct Lifting {
-    parts: [Part; 2],
+    parts: [LiftPart; 2],
     displacement: Vec<f64>,
 }
 
 /// Operator of the tractions along one axis.
 #[derive(Debug, Clone)]
-struct Part {
+struct LiftPart {
     operator: ElasticOperator<1>,
     scratch: Scratch,
 }
@@ -29,7 +29,7 @@ impl Lifting {
             let component = Component::of(Direction::Z, Axis::BOTH[axis].direction());
             let operator = bodies.operator_of([[component]], size)?;
             let scratch = operator.scratch()?;
-            Ok(Part { operator, scratch })
+            Ok(LiftPart { operator, scratch })
         })?;
         Ok(Self {
             parts,

@@ -1,10 +1,10 @@
 //! What moves the bodies tangentially, along each axis and about the normal.
 
 use crate::cgm::Total;
-use crate::contact::Ahead;
+use crate::contact::LoadIncrement;
 use crate::error::{Error, Result, finite, positive};
 use crate::grid::boundary::Boundary;
-use crate::tangential::{Axis, Motion, TangentialModel};
+use crate::tangential::{Axis, RigidMotion, TangentialModel};
 
 /// What is prescribed along one axis.
 ///
@@ -146,8 +146,8 @@ impl TangentialLoad {
     }
 
     /// As a step of a history from rest.
-    pub(crate) fn demand(&self) -> Demand {
-        Demand {
+    pub(crate) fn demand(&self) -> TangentialTarget {
+        TangentialTarget {
             controls: self.controls,
             twist: self.twist,
         }
@@ -169,27 +169,27 @@ impl TangentialLoad {
 
 /// What a step asks of the tangential contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Demand {
+pub(crate) struct TangentialTarget {
     pub(crate) controls: [TangentialControl; 2],
     /// Twist at the end of the step.
     pub(crate) twist: f64,
 }
 
-impl Demand {
+impl TangentialTarget {
     pub(crate) fn control(&self, axis: Axis) -> TangentialControl {
         self.controls[axis.index()]
     }
 
     /// How far it lies ahead of force and shift.
-    pub(crate) fn ahead(&self, force: [f64; 2], shift: [f64; 2]) -> [Ahead; 2] {
+    pub(crate) fn remaining_load(&self, force: [f64; 2], shift: [f64; 2]) -> [LoadIncrement; 2] {
         [0, 1].map(|axis| match self.controls[axis] {
-            TangentialControl::Hold => Ahead::Nothing,
-            TangentialControl::Force(end) => Ahead::Total(end - force[axis]),
-            TangentialControl::Shift(end) => Ahead::Motion(end - shift[axis]),
+            TangentialControl::Hold => LoadIncrement::Nothing,
+            TangentialControl::Force(end) => LoadIncrement::Total(end - force[axis]),
+            TangentialControl::Shift(end) => LoadIncrement::Motion(end - shift[axis]),
             TangentialControl::Spring {
                 position,
                 stiffness,
-            } => Ahead::Spring {
+            } => LoadIncrement::Spring {
                 far_end: position - shift[axis] - force[axis] / stiffness,
                 stiffness,
             },
@@ -208,7 +208,7 @@ impl Demand {
                     Axis::X => "build it with x as its axis, or with the vector model",
                     Axis::Y => "build it with y as its axis, or with the vector model",
                 };
-                return Err(Error::NotModelled {
+                return Err(Error::UnsupportedByModel {
                     model: "the model of this contact",
                     quantity,
                     value,
@@ -225,7 +225,7 @@ impl Demand {
         if value == 0.0 {
             return Ok(());
         }
-        Err(Error::NotModelled {
+        Err(Error::UnsupportedByModel {
             model: "the model of this contact",
             quantity,
             value,
@@ -236,12 +236,12 @@ impl Demand {
     /// What is prescribed of the sums of the tractions along these axes; the motion becomes the one that they are measured
     /// from, at `datum` where the shift follows. `sums` are those of the forces, none where nothing can be carried: the
     /// shift then is free, and stays.
-    pub(crate) fn prescribe(
+    pub(crate) fn compute_totals(
         &self,
         axes: &[Axis],
         sums: Option<[f64; 2]>,
         (datum, cell_area): ([f64; 2], f64),
-        motion: &mut Motion,
+        motion: &mut RigidMotion,
     ) -> Result<[Total; 2]> {
         let mut totals = [Total::Free; 2];
         for &axis in axes {
@@ -273,8 +273,12 @@ impl Demand {
     }
 
     /// The motion of body 2 before anything has touched: no force can act, and a spring is slack.
-    pub(crate) fn without_contact(&self, axes: &[Axis], before: Motion) -> Result<Motion> {
-        let mut motion = Motion {
+    pub(crate) fn without_contact(
+        &self,
+        axes: &[Axis],
+        before: RigidMotion,
+    ) -> Result<RigidMotion> {
+        let mut motion = RigidMotion {
             twist: self.twist,
             ..before
         };

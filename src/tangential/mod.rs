@@ -34,10 +34,10 @@
 //! The example `sphere` draws:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
-mod answer;
-pub(crate) mod entering;
+pub(crate) mod entry_rule;
 mod friction;
 mod friction_limits;
+mod friction_problem;
 mod increment;
 #[cfg(feature = "analytical")]
 mod jaeger;
@@ -50,35 +50,35 @@ mod pressure_source;
 mod problem;
 mod relative_displacement;
 mod rigid_motion;
-mod scene;
 mod solution;
 mod solver;
+mod step_solution;
 mod traction_solver;
 mod zone;
 
-pub(crate) use answer::Answer;
-pub(crate) use entering::TouchRule;
-pub(crate) use entering::{
-    OwnCompliance, own_compliance, ratio_of_compliances, ratios_of_compliances,
+pub(crate) use entry_rule::EntryRule;
+pub(crate) use entry_rule::{
+    EntryCompliance, entry_compliance, ratio_of_compliances, ratios_of_compliances,
 };
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
-pub(crate) use friction_limits::{Pressed, SLIDING, is_at_limit};
-pub(crate) use increment::{Increment, Start};
+pub(crate) use friction_limits::{PressureOnWindow, SLIDING, is_at_limit};
+pub(crate) use friction_problem::{prolongated_traction, reserve};
+pub(crate) use increment::{Start, TangentialIncrement};
 #[cfg(feature = "analytical")]
 #[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub use jaeger::JaegerSuperposition;
 pub(crate) use lifting::{Lifting, lift_residual};
-pub(crate) use load::Demand;
+pub(crate) use load::TangentialTarget;
 pub use load::{TangentialControl, TangentialLoad};
-pub(crate) use one_way::Drawing;
+pub(crate) use one_way::CouplingDisplacement;
 pub use pressure_source::PressureSource;
 pub(crate) use pressure_source::{check_bodies, contact_window};
 pub use problem::{TangentialProblem, TangentialProblemBuilder};
 pub use relative_displacement::RelativeDisplacement;
-pub(crate) use rigid_motion::{Motion, centre};
-pub(crate) use scene::{handed_down, reserve};
+pub(crate) use rigid_motion::{RigidMotion, centre};
 pub use solution::TangentialSolution;
 pub use solver::TangentialSolver;
-pub(crate) use traction_solver::{PlaneVector, at, check_axes, displacement, zeros};
+pub(crate) use step_solution::StepSolution;
+pub(crate) use traction_solver::{TangentialVector, at, check_axes, displacement, zeros};
 pub use zone::{Axis, TangentialModel, Zone};

@@ -1,11 +1,11 @@
 //! The offsets of a step: what displacement less motion is in a cell while it sticks.
 
 use crate::half_space::Region;
-use crate::tangential::{Increment, PlaneVector, RelativeDisplacement};
+use crate::tangential::{RelativeDisplacement, TangentialIncrement, TangentialVector};
 
-impl Increment {
+impl TangentialIncrement {
     /// Takes the offsets of a step from those of the cells held here.
-    pub(crate) fn set_offset(&mut self, offset: &PlaneVector) {
+    pub(crate) fn set_offset(&mut self, offset: &TangentialVector) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.offset[axis];
             self.pressed.region.take(&offset[axis], part);

@@ -6,31 +6,31 @@ use crate::half_space::{ElasticOperator, HalfSpace};
 use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
 use crate::tangential::Axis;
-use crate::tangential::traction_solver::PlaneVector;
+use crate::tangential::traction_solver::TangentialVector;
 
 /// How pressures on a window draw its surfaces along the axes of a model.
 #[derive(Debug, Clone)]
-pub(crate) struct Drawing {
-    parts: Vec<Part>,
+pub(crate) struct CouplingDisplacement {
+    parts: Vec<AxisPart>,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
 }
 
 /// Along one axis.
 #[derive(Debug, Clone)]
-struct Part {
+struct AxisPart {
     axis: Axis,
     operator: ElasticOperator<1>,
     scratch: Scratch,
 }
 
-impl Drawing {
+impl CouplingDisplacement {
     pub(crate) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
             let operator = bodies.operator_of([[component]], size)?;
             let scratch = operator.scratch()?;
-            Ok(Part {
+            Ok(AxisPart {
                 axis,
                 operator,
                 scratch,
@@ -48,7 +48,7 @@ impl Drawing {
     pub(super) fn subtract(
         &mut self,
         pressures: impl Iterator<Item = f64>,
-        field: &mut PlaneVector,
+        field: &mut TangentialVector,
     ) {
         self.displace(pressures, |axis, displacement| {
             for (value, displacement) in field[axis.index()].iter_mut().zip(displacement) {

@@ -1,7 +1,7 @@
 //! What all ranks together have found, kept with the slab of each.
 
 use crate::cgm::reduce;
-use crate::contact::survey::Survey;
+use crate::contact::contact_counts::ContactCounts;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::parallel::layout::Layout;
@@ -10,7 +10,7 @@ use crate::tangential::rigid_motion::centre;
 
 /// Sums over the cells of a tangential contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sums {
+pub(super) struct TractionSums {
     /// Of the tractions along x and along y.
     pub(super) force: [f64; 2],
     pub(super) moment: f64,
@@ -21,7 +21,7 @@ pub(super) struct Sums {
     pub(super) slip: usize,
 }
 
-impl Sums {
+impl TractionSums {
     /// Over cells that lie so.
     pub(super) fn of(
         layout: &Layout,
@@ -53,12 +53,12 @@ impl Sums {
 
 /// Counts and sums of the whole grid, as every rank knows it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Whole {
-    pub(super) contact: Survey,
-    pub(super) sums: Sums,
+pub(super) struct ShearSums {
+    pub(super) contact: ContactCounts,
+    pub(super) sums: TractionSums,
 }
 
-impl Whole {
+impl ShearSums {
     /// `None` of bodies that are not shared.
     pub(super) fn of(
         bodies: &HalfSpace,
@@ -67,7 +67,7 @@ impl Whole {
         zones: &[Zone],
     ) -> Option<Box<Self>> {
         let contact = bodies.survey(|i| zones[i] != Zone::Separated)?;
-        let sums = Sums::of(&bodies.grid_layout(), traction, slip, zones);
+        let sums = TractionSums::of(&bodies.grid_layout(), traction, slip, zones);
         Some(Box::new(Self { contact, sums }))
     }
 }

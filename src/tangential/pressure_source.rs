@@ -83,6 +83,6 @@ pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Resul
 pub(crate) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
     let contact = bodies.around(|i| pressure[i] > 0.0);
     contact
-        .map(|window| bodies.confined(window))
+        .map(|window| bodies.restrict_to_window(window))
         .ok_or(Error::EmptyContact)
 }

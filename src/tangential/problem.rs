@@ -8,8 +8,8 @@ use crate::memory::fallible::{TryClone, try_clone};
 use crate::support::debug::shown;
 use crate::tangential::pressure_source::contact_window;
 use crate::tangential::{
-    Axis, Friction, Increment, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
-    TangentialModel, TangentialSolution, TangentialSolver, check_axes,
+    Axis, Friction, PressureOnWindow, PressureSource, RelativeDisplacement, TangentialIncrement,
+    TangentialLoad, TangentialModel, TangentialSolution, TangentialSolver, check_axes,
 };
 
 /// Bodies, pressure, friction and tangential load.
@@ -40,7 +40,7 @@ use crate::tangential::{
 #[derive(Clone)]
 pub struct TangentialProblem {
     pub(super) bodies: HalfSpace,
-    pub(super) pressed: Pressed,
+    pub(super) pressed: PressureOnWindow,
     pub(super) friction: Friction,
     pub(super) load: TangentialLoad,
     pub(super) model: TangentialModel,
@@ -111,8 +111,12 @@ impl TangentialProblem {
     }
 
     /// Its step from rest, along these axes, under this pressure.
-    pub(super) fn increment(&self, axes: &'static [Axis], pressed: Pressed) -> Result<Increment> {
-        let mut increment = Increment::new(&self.bodies, axes, pressed, self.coupling)?;
+    pub(super) fn increment(
+        &self,
+        axes: &'static [Axis],
+        pressed: PressureOnWindow,
+    ) -> Result<TangentialIncrement> {
+        let mut increment = TangentialIncrement::new(&self.bodies, axes, pressed, self.coupling)?;
         increment.draw(self.relative.as_ref());
         Ok(increment)
     }
@@ -141,7 +145,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// The problem presses such bodies in one step. This is exact if the contact does not grow, as that of a flat punch.
     /// Elsewhere the stick zone is not the zone of a load that grows: press a history by
     /// [`History::press`](crate::History::press). The solution has the warning
-    /// [`PressedAtOnce`](crate::Warning::PressedAtOnce).
+    /// [`SingleLoadStep`](crate::Warning::SingleLoadStep).
     ///
     /// ```
     /// use stickslip::*;
@@ -179,12 +183,12 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
     /// pressure that is negative or not finite, or a bulk strain along an axis on which the grid repeats; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
     /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
-    /// [`Error::NotModelled`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
+    /// [`Error::UnsupportedByModel`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
     /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
         let demand = self.load.demand();
-        let samples = self.bodies.agreed_alike(
+        let samples = self.bodies.collective_result_checked(
             self.check(),
             &[
                 ("tangential load", &self.load),
@@ -195,7 +199,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
                 ("settings", &self.settings.common()),
             ],
         )?;
-        let mut pressed = Pressed::new(self.bodies, contact_window(self.bodies, samples)?)?;
+        let mut pressed =
+            PressureOnWindow::new(self.bodies, contact_window(self.bodies, samples)?)?;
         pressed.set(samples, &self.friction);
         pressed.limits.check(demand.force(), grid.cell_area())?;
         Ok(TangentialProblem {

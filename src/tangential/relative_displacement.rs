@@ -30,7 +30,7 @@ use crate::tangential::{Axis, TangentialModel};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Unchecked")
+    serde(try_from = "RawRelativeDisplacement")
 )]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
@@ -42,16 +42,16 @@ pub struct RelativeDisplacement {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Unchecked {
+struct RawRelativeDisplacement {
     fields: [Field; 2],
     strain: [[f64; 2]; 2],
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Unchecked> for RelativeDisplacement {
+impl TryFrom<RawRelativeDisplacement> for RelativeDisplacement {
     type Error = Error;
 
-    fn try_from(read: Unchecked) -> Result<Self> {
+    fn try_from(read: RawRelativeDisplacement) -> Result<Self> {
         all_finite("bulk strain", read.strain.as_flattened())?;
         Ok(Self {
             strain: read.strain,
@@ -150,7 +150,7 @@ impl RelativeDisplacement {
             let values = self.fields[axis.index()].as_slice();
             let first = values.iter().find(|w| **w != 0.0);
             if let (Some(&value), false) = (first, axes.contains(&axis)) {
-                return Err(Error::NotModelled {
+                return Err(Error::UnsupportedByModel {
                     model: "the model of this contact",
                     quantity: match axis {
                         Axis::X => "relative displacement along x",

@@ -4,13 +4,13 @@ use crate::grid::Grid;
 
 /// Motion of body 2 relative to body 1 since the start: a shift, and a rotation about the origin of the grid.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Motion {
+pub(crate) struct RigidMotion {
     pub(crate) shift: [f64; 2],
     /// In radians, positive from x to y.
     pub(crate) twist: f64,
 }
 
-impl Motion {
+impl RigidMotion {
     /// What it moves a point.
     pub(crate) fn at(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [

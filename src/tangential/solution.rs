@@ -11,14 +11,14 @@ use crate::grid::cell_value::CellValue;
 use crate::grid::discretisation::estimate;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{self, or_abort, try_clone, try_each};
+use crate::memory::fallible::{self, try_clone, try_each, unwrap_or_abort};
 use crate::report::Report;
 use crate::support::debug::shown;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
-use crate::tangential::over_ranks::{Sums, Whole};
+use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
-use crate::tangential::{Answer, Axis, Zone, displacement};
+use crate::tangential::{Axis, StepSolution, Zone, displacement};
 use crate::warning::{Resolution, Warning};
 
 /// Traction, slip, zones and shift of a tangential contact.
@@ -43,7 +43,7 @@ pub struct TangentialSolution {
     report: Report,
     /// Of a slab, what all ranks together have found.
     #[cfg_attr(feature = "serde", serde(skip))]
-    whole: Option<Box<Whole>>,
+    whole: Option<Box<ShearSums>>,
 }
 
 shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), discretisation_estimate(), report);
@@ -84,7 +84,7 @@ impl PartialEq for TangentialSolution {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "TangentialSolution")]
-struct Unchecked {
+struct RawTangentialSolution {
     traction: [Field; 2],
     slip: [Field; 2],
     zones: Vec<Zone>,
@@ -98,13 +98,13 @@ struct Unchecked {
     is_pressed_at_once: bool,
     report: Report,
     #[serde(skip)]
-    whole: Option<Box<Whole>>,
+    whole: Option<Box<ShearSums>>,
 }
 
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for TangentialSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawTangentialSolution::deserialize(deserializer)?, |read| {
             let grid = read.grid();
             for axis in 0..2 {
                 read.traction[axis].check("traction", grid)?;
@@ -142,7 +142,7 @@ impl TangentialSolution {
         &mut self,
         bodies: &HalfSpace,
         axis: Option<Axis>,
-        answer: &Answer<'_>,
+        answer: &StepSolution<'_>,
         report: &Report,
     ) {
         self.zones.fill(Zone::Separated);
@@ -153,7 +153,7 @@ impl TangentialSolution {
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
         answer.with_held(|answer| self.enter(answer));
-        self.whole = Whole::of(bodies, &self.traction, &self.slip, &self.zones);
+        self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
     }
 
     /// As the half of a solution of bodies in which the tractions have changed the pressure, of this Dundurs' beta.
@@ -168,7 +168,7 @@ impl TangentialSolution {
 
     /// Returns the warning of a contact that was pressed at once.
     pub(crate) fn pressing_warning(&self) -> Option<Warning> {
-        self.is_pressed_at_once.then_some(Warning::PressedAtOnce)
+        self.is_pressed_at_once.then_some(Warning::SingleLoadStep)
     }
 
     /// `Ok` if the pressure does not follow from the tractions.
@@ -180,7 +180,7 @@ impl TangentialSolution {
     }
 
     /// Takes what was found in the contact cells held here.
-    fn enter(&mut self, answer: &Answer<'_>) {
+    fn enter(&mut self, answer: &StepSolution<'_>) {
         let grid = self.grid();
         for (k, i) in answer.region.held().indices().enumerate() {
             if answer.pressure[k] <= 0.0 {
@@ -289,7 +289,7 @@ impl TangentialSolution {
     /// [`Error::CellValueMismatch`] for bodies that the solution is not of; as
     /// [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
-        bodies.agreed(self.check_bodies(bodies))?;
+        bodies.collective_result(self.check_bodies(bodies))?;
         let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
         displacement(bodies, axes, self.traction())
     }
@@ -354,7 +354,7 @@ impl TangentialSolution {
     /// Remarks on the contact that a result may mislead; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        or_abort(self.try_warnings())
+        unwrap_or_abort(self.try_warnings())
     }
 
     /// [`Self::warnings`] where memory may run out.
@@ -394,7 +394,7 @@ impl TangentialSolution {
         self.cells(Zone::Slip, |sums| sums.slip)
     }
 
-    fn cells(&self, zone: Zone, of: impl Fn(&Sums) -> usize) -> usize {
+    fn cells(&self, zone: Zone, of: impl Fn(&TractionSums) -> usize) -> usize {
         match &self.whole {
             Some(whole) => of(&whole.sums),
             None => self.zones.iter().filter(|&&z| z == zone).count(),
@@ -402,9 +402,9 @@ impl TangentialSolution {
     }
 
     /// Over all cells.
-    fn sums(&self) -> Sums {
+    fn sums(&self) -> TractionSums {
         let sums = || {
-            Sums::of(
+            TractionSums::of(
                 &self.grid().layout(),
                 &self.traction,
                 &self.slip,

@@ -1,17 +1,17 @@
 //! The reusable solver of a tangential contact.
 
 use crate::cgm::solver_settings;
-use crate::contact::{Cancellation, Conditions, has_iterate, solver_methods};
+use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
 use crate::error::{Error, Result};
 use crate::memory::fallible::TryClone;
 use crate::observer::Observer;
 use crate::report::Report;
 use crate::support::debug::shown;
-use crate::tangential::increment::{Increment, Start};
+use crate::tangential::increment::{Start, TangentialIncrement};
 use crate::tangential::pressure_source::contact_window;
-use crate::tangential::rigid_motion::Motion;
+use crate::tangential::rigid_motion::RigidMotion;
 use crate::tangential::{
-    Axis, Friction, Pressed, PressureSource, RelativeDisplacement, TangentialLoad,
+    Axis, Friction, PressureOnWindow, PressureSource, RelativeDisplacement, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
 
@@ -48,7 +48,7 @@ pub struct TangentialSolver {
     /// Its pressure and limits are those under examination, not yet in force.
     problem: TangentialProblem,
     /// The step on the contact's bounding box, with the last traction, the start of the next.
-    increment: Increment,
+    increment: TangentialIncrement,
     is_warm: bool,
     report: Report,
 }
@@ -71,14 +71,14 @@ impl TangentialSolver {
     /// operator, the one change that allocates.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::NotModelled`] or
+    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::UnsupportedByModel`] or
     /// [`Error::BeyondFrictionCapacity`]; for one along the other axis as
     /// [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`]; the load is then as it was.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
         let TangentialProblem {
             bodies, relative, ..
         } = &self.problem;
-        bodies.agreed_alike(Ok(()), &[("tangential load", &load)])?;
+        bodies.collective_result_checked(Ok(()), &[("tangential load", &load)])?;
         let (demand, boundary) = (load.demand(), bodies.boundary());
         let mut axes = load.axes(self.problem.model)?;
         // A solver at rest keeps its axis.
@@ -90,7 +90,7 @@ impl TangentialSolver {
         limits.check(demand.force(), bodies.grid().cell_area())?;
         if axes != self.increment.axes() {
             if let Some(relative) = relative {
-                bodies.agreed(relative.check(bodies, axes))?;
+                bodies.collective_result(relative.check(bodies, axes))?;
             }
             let pressed = self.increment.pressed.try_clone()?;
             self.increment = self.problem.increment(axes, pressed)?;
@@ -127,7 +127,7 @@ impl TangentialSolver {
     /// pressure is then as it was.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
         let bodies = &self.problem.bodies;
-        let samples = bodies.agreed(pressure.into().checked(bodies))?;
+        let samples = bodies.collective_result(pressure.into().checked(bodies))?;
         let contact = contact_window(bodies, samples)?;
         if self.increment.pressed.window().covers(contact) {
             self.problem.pressed.set(samples, &self.problem.friction);
@@ -137,7 +137,7 @@ impl TangentialSolver {
             return Ok(());
         }
         // A little wider than the contact, so that it may grow some more.
-        let mut pressed = Pressed::new(bodies, contact.widened(bodies.grid()))?;
+        let mut pressed = PressureOnWindow::new(bodies, contact.widened(bodies.grid()))?;
         pressed.set(samples, &self.problem.friction);
         self.check_load(&pressed)?;
         let candidate = pressed.try_clone()?;
@@ -152,12 +152,12 @@ impl TangentialSolver {
     /// only if there was none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction;
+    /// [`Error::GridMismatch`]; [`Error::UnsupportedByModel`] for one along an axis of which the model finds no traction;
     /// [`Error::Sample`] for a bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the displacement is
     /// then as it was.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.agreed(relative.check(bodies, self.increment.axes()))?;
+        bodies.collective_result(relative.check(bodies, self.increment.axes()))?;
         match &mut self.problem.relative {
             Some(own) => own.try_clone_from(relative)?,
             none => *none = Some(relative.try_clone()?),
@@ -171,7 +171,7 @@ impl TangentialSolver {
         std::mem::swap(&mut self.problem.pressed, &mut self.increment.pressed);
     }
 
-    fn check_load(&self, pressed: &Pressed) -> Result<()> {
+    fn check_load(&self, pressed: &PressureOnWindow) -> Result<()> {
         let cell_area = self.problem.bodies.grid().cell_area();
         pressed
             .limits
@@ -211,7 +211,7 @@ impl TangentialSolver {
     ) -> Result<()> {
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
-        let mut conditions = Conditions::new(&self.problem.settings, &mut observer);
+        let mut conditions = SolveContext::new(&self.problem.settings, &mut observer);
         let start = if self.is_warm {
             Start::Present(self.increment.motion().shift)
         } else {
@@ -220,7 +220,7 @@ impl TangentialSolver {
         let demand = self.problem.load.demand();
         let outcome = self
             .increment
-            .solve(&demand, Motion::default(), start, &mut conditions);
+            .solve(&demand, RigidMotion::default(), start, &mut conditions);
         let is_answered = has_iterate(&outcome);
         // Do not warm-start from NaN.
         self.is_warm = is_answered && self.increment.report().residual.is_finite();

@@ -5,8 +5,8 @@ use std::fmt::Debug;
 
 use crate::bodies::component::{Component, Direction};
 use crate::bodies::coupling::Coupling;
-use crate::cgm::{Ball, Known, Method, Own, Settings, Total, Within};
-use crate::contact::{Conditions, ElasticSolver, Scene, nested_start};
+use crate::cgm::{Ball, CellCompliance, InitialGuess, Method, NormBound, Settings, Total};
+use crate::contact::{ElasticSolver, MultilevelProblem, SolveContext, nested_start};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
@@ -15,14 +15,14 @@ use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::report::Report;
 use crate::tangential::Axis;
-use crate::tangential::scene::FrictionScene;
+use crate::tangential::friction_problem::FrictionProblem;
 
 /// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
-pub(crate) type PlaneVector = [Vec<f64>; 2];
+pub(crate) type TangentialVector = [Vec<f64>; 2];
 
 /// Zero in the components along these axes.
-pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<PlaneVector> {
-    let mut both = PlaneVector::default();
+pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<TangentialVector> {
+    let mut both = TangentialVector::default();
     for axis in axes {
         both[axis.index()] = fallible::zeros(cells)?;
     }
@@ -37,11 +37,11 @@ pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
 
 /// What is asked of a solve.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'a> {
+pub(super) struct TangentialRequest<'a> {
     pub(super) limits: &'a [f64],
     /// Compliance that cells have of their own, if any do.
-    pub(super) own: Own<'a>,
-    pub(super) linear: &'a PlaneVector,
+    pub(super) own: CellCompliance<'a>,
+    pub(super) linear: &'a TangentialVector,
     pub(super) totals: [Total; 2],
     /// The multipliers at which the start has been an answer, if it has.
     pub(super) known: Option<[f64; 2]>,
@@ -55,8 +55,8 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
     /// Minimises from the tractions into them.
     fn minimise(
         &mut self,
-        task: Task<'_>,
-        traction: &mut PlaneVector,
+        task: TangentialRequest<'_>,
+        traction: &mut TangentialVector,
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()>;
@@ -67,16 +67,20 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         &self,
         bodies: &HalfSpace,
         size: [usize; 2],
-        task: Task<'_>,
+        task: TangentialRequest<'_>,
         is_sliding: bool,
-        conditions: &mut Conditions<'_, '_>,
-    ) -> Result<PlaneVector>;
+        conditions: &mut SolveContext<'_, '_>,
+    ) -> Result<TangentialVector>;
 
     /// The displacements that tractions cause; the answer stays.
     ///
     /// # Errors
     /// [`Error::Memory`](crate::Error::Memory).
-    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()>;
+    fn apply(
+        &mut self,
+        traction: &TangentialVector,
+        displacement: &mut TangentialVector,
+    ) -> Result<()>;
 
     /// The displacements of the last answer.
     fn product(&self) -> [&[f64]; 2];
@@ -105,8 +109,8 @@ pub(super) fn engine_along(
     size: [usize; 2],
 ) -> Result<Box<dyn TangentialEngine>> {
     Ok(match axes {
-        [axis] => Box::new(Engine::new(bodies, [*axis], size)?),
-        _ => Box::new(Engine::new(bodies, [Axis::X, Axis::Y], size)?),
+        [axis] => Box::new(AxesEngine::new(bodies, [*axis], size)?),
+        _ => Box::new(AxesEngine::new(bodies, [Axis::X, Axis::Y], size)?),
     })
 }
 
@@ -152,17 +156,17 @@ pub(crate) fn displacement(
 
 /// The engine for `N` tractions.
 #[derive(Debug, Clone)]
-struct Engine<const N: usize>
+struct AxesEngine<const N: usize>
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
     axes: [Axis; N],
-    solver: ElasticSolver<<Within as Ball<N>>::Set, N>,
+    solver: ElasticSolver<<NormBound as Ball<N>>::Set, N>,
 }
 
-impl<const N: usize> Engine<N>
+impl<const N: usize> AxesEngine<N>
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
     fn new(bodies: &HalfSpace, axes: [Axis; N], size: [usize; 2]) -> Result<Self> {
         let solver = ElasticSolver::new(bodies, axes.map(Axis::direction), size)?;
@@ -180,16 +184,19 @@ where
 }
 
 /// The components along these axes.
-fn of<const N: usize>(axes: [Axis; N], both: &PlaneVector) -> [&[f64]; N] {
+fn of<const N: usize>(axes: [Axis; N], both: &TangentialVector) -> [&[f64]; N] {
     axes.map(|axis| both[axis.index()].as_slice())
 }
 
 /// What is asked for along these axes, in the unit of the tractions.
-fn scene<const N: usize>(axes: [Axis; N], task: Task<'_>) -> Result<FrictionScene<'_, N>> {
+fn scene<const N: usize>(
+    axes: [Axis; N],
+    task: TangentialRequest<'_>,
+) -> Result<FrictionProblem<'_, N>> {
     let unit = task.unit.unwrap_or(1.0);
     let in_unit = |field| measured(field, task.unit);
     let linear = of(axes, task.linear);
-    Ok(FrictionScene {
+    Ok(FrictionProblem {
         directions: axes.map(Axis::direction),
         limits: in_unit(task.limits)?,
         own: task.own,
@@ -207,33 +214,33 @@ fn measured(field: &[f64], unit: Option<f64>) -> Result<Cow<'_, [f64]>> {
     fallible::collected(field.len(), values).map(Cow::from)
 }
 
-fn rescale(vector: &mut PlaneVector, factor: f64) {
+fn rescale(vector: &mut TangentialVector, factor: f64) {
     for value in vector.iter_mut().flatten() {
         *value *= factor;
     }
 }
 
 /// The components along these axes, to write to.
-fn of_mut<const N: usize>(axes: [Axis; N], both: &mut PlaneVector) -> [&mut [f64]; N] {
+fn of_mut<const N: usize>(axes: [Axis; N], both: &mut TangentialVector) -> [&mut [f64]; N] {
     let mut parts = both.each_mut().map(Some);
     // Each axis occurs once.
     axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
 }
 
-impl<const N: usize> TangentialEngine for Engine<N>
+impl<const N: usize> TangentialEngine for AxesEngine<N>
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
     fn minimise(
         &mut self,
-        task: Task<'_>,
-        traction: &mut PlaneVector,
+        task: TangentialRequest<'_>,
+        traction: &mut TangentialVector,
         settings: &Settings,
         observer: Observer<'_>,
     ) -> Result<()> {
         let unit = task.unit.unwrap_or(1.0);
-        let known = task.known.map_or(Known::Nothing, |multiplier| {
-            Known::Answer(self.axes.map(|axis| multiplier[axis.index()] / unit))
+        let known = task.known.map_or(InitialGuess::Nothing, |multiplier| {
+            InitialGuess::PreviousSolution(self.axes.map(|axis| multiplier[axis.index()] / unit))
         });
         let scene = scene(self.axes, task)?;
         let problem = scene.problem(&self.solver);
@@ -253,10 +260,10 @@ where
         &self,
         bodies: &HalfSpace,
         size: [usize; 2],
-        task: Task<'_>,
+        task: TangentialRequest<'_>,
         is_sliding: bool,
-        conditions: &mut Conditions<'_, '_>,
-    ) -> Result<PlaneVector> {
+        conditions: &mut SolveContext<'_, '_>,
+    ) -> Result<TangentialVector> {
         let scene = scene(self.axes, task)?;
         let found = if is_sliding || conditions.settings.method == Method::PolonskyKeer {
             scene.plain_start(&bodies.layout(size))?
@@ -270,7 +277,11 @@ where
         Ok(found)
     }
 
-    fn apply(&mut self, traction: &PlaneVector, displacement: &mut PlaneVector) -> Result<()> {
+    fn apply(
+        &mut self,
+        traction: &TangentialVector,
+        displacement: &mut TangentialVector,
+    ) -> Result<()> {
         let traction = of(self.axes, traction);
         self.solver.apply(traction, of_mut(self.axes, displacement))
     }

@@ -368,7 +368,7 @@ proptest! {
 mod against_the_direct_answer {
     use super::*;
     use stickslip::Operator;
-    use stickslip::cgm::{Magnitude, NonNegative};
+    use stickslip::cgm::{AbsBound, NonNegative};
     use stickslip::dense::DenseOperator;
     use stickslip::influence::Component;
 
@@ -425,7 +425,7 @@ mod against_the_direct_answer {
             let matrix = raised(&bodies, Component::XX);
             let total = Some(sheared.force()[0] / grid.cell_area());
             let zeros = vec![0.0; grid.cells()];
-            let exact = matrix.minimise(&zeros, &Magnitude(&limits), total).unwrap();
+            let exact = matrix.minimise(&zeros, &AbsBound(&limits), total).unwrap();
             let error = energy_error(&matrix, smallest(Component::XX), sheared.traction()[0].as_slice(), &exact.x);
             let bound = sheared.report().energy_error_bound();
             prop_assert!(bound <= tolerance && error <= bound * (1.0 + 1e-6) + 1e-12, "{error:e} {bound:e}");

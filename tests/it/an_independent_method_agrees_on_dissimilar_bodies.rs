@@ -3,7 +3,7 @@
 
 use kit::{Random, max_difference};
 use rayon::prelude::*;
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::layers::Layer;
 use stickslip::{
@@ -174,7 +174,7 @@ fn scene_agrees(scene: u64, coating: Option<Layer>) {
     let mut friction = random.decade(-1.3, 0.3);
     let builder = History::builder(&bodies, &gap, Friction::coulomb(friction).unwrap());
     let mut history = builder
-        .touch_rule(TouchRule::WholeStep)
+        .entry_rule(EntryRule::WholeStep)
         .tolerance(1e-12)
         .build()
         .unwrap();

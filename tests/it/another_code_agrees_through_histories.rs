@@ -2,7 +2,7 @@
 
 use kit::contact::{Case, Normal, Step, Tangential};
 use kit::max_difference;
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::{
     Axis, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
     TangentialModel, Zone,
@@ -37,7 +37,7 @@ fn every_step_agrees(text: &str, steps: usize) {
     let friction = Friction::coulomb(case.friction).unwrap();
     let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
         .model(TangentialModel::Vector)
-        .touch_rule(TouchRule::WholeStep)
+        .entry_rule(EntryRule::WholeStep)
         .tolerance(TOLERANCE)
         .build()
         .unwrap();

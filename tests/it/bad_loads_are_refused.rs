@@ -42,7 +42,9 @@ fn normal_problems() {
     let build = |gap: &Field, load| NormalProblem::builder(&bodies, gap, load).build();
     for value in NEGATIVE {
         let error = build(&gap, NormalControl::Force(value)).err();
-        assert!(matches!(error, Some(Error::Negative { value: v, .. }) if same(v, value)));
+        assert!(
+            matches!(error, Some(Error::NegativeOrNotFinite { value: v, .. }) if same(v, value))
+        );
     }
     for value in NOT_FINITE {
         let error = build(&gap, NormalControl::Approach(value)).err();
@@ -212,7 +214,7 @@ fn what_a_tangential_problem_stands_on() {
     );
     assert!(matches!(
         JaegerSuperposition::new(&normal, &apart, bodies.pair(), -0.5),
-        Err(Error::Negative { .. })
+        Err(Error::NegativeOrNotFinite { .. })
     ));
 
     // The pressure of a coupled pair is not given where shear changes it.
@@ -504,7 +506,7 @@ fn a_method_that_the_model_does_not_have() {
     ));
     // A normal problem has no pressure to hold.
     let held = NormalProblem::builder(&bodies, &gap, NormalControl::Hold).build();
-    assert_eq!(held.err(), Some(Error::NothingToHold));
+    assert_eq!(held.err(), Some(Error::NoPressureToHold));
 }
 
 #[test]

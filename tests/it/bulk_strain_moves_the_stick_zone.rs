@@ -11,7 +11,7 @@ use stickslip::{
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
 };
 #[cfg(feature = "dense")]
-use stickslip::{cgm::Magnitude, dense::DenseOperator, influence::Component};
+use stickslip::{cgm::AbsBound, dense::DenseOperator, influence::Component};
 
 const FRICTION: f64 = 0.5;
 const LOAD: f64 = 100.0;
@@ -91,7 +91,7 @@ fn moderate_strain_moves_what_sticks() {
     // Beyond, slip reverses at one end.
     let exact = CattaneoMindlinLine::new(hertz(), FRICTION, 0.6 * limit).unwrap();
     let beyond = exact.with_strain(steel().plane_strain_under(600.0));
-    assert!(matches!(beyond, Err(Error::Below { .. })));
+    assert!(matches!(beyond, Err(Error::BelowMinimum { .. })));
     let found = roller(1024, 0.6 * limit, 600.0);
     let slips = |i: usize| found.zones()[i] == Zone::Slip;
     let slipping = (0..1024).filter(|&i| slips(i));
@@ -122,7 +122,7 @@ fn any_strain_is_the_exact_minimum() {
         let along_x = Field::from_fn(grid, |x, _| strain * x);
         let twin = DenseOperator::of_half_space(&bodies, Component::XX).unwrap();
         let sum = force * limit / grid.cell_area();
-        let bounds = Magnitude(limits.as_slice());
+        let bounds = AbsBound(limits.as_slice());
         let exact = twin.minimise(along_x.as_slice(), &bounds, Some(sum));
         let exact = exact.unwrap().x;
         let found = roller(96, force * limit, bulk_stress);
@@ -354,7 +354,7 @@ fn a_loop_encloses_the_work_of_the_force_alone() {
         of_loop / unit
     );
     assert!(found < 0.9 * energy.work);
-    assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-4);
+    assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-4);
 }
 
 /// One step of a history from rest is the problem, and parts of it lead to the same where nothing turns.
@@ -399,7 +399,7 @@ fn what_does_not_fit_is_refused() {
     let refused = builder().relative_displacement(across.clone()).build();
     assert!(matches!(
         refused,
-        Err(Error::NotModelled { value: -0.4375, .. })
+        Err(Error::UnsupportedByModel { value: -0.4375, .. })
     ));
     let other = Grid::square(9, 4.0).unwrap();
     let elsewhere = RelativeDisplacement::bulk_strain(other, [[0.0; 2]; 2]).unwrap();
@@ -414,7 +414,7 @@ fn what_does_not_fit_is_refused() {
     let refused = history.step(&press.relative_displacement(2.0));
     assert!(matches!(
         refused,
-        Err(Error::NotModelled { value: 2.0, .. })
+        Err(Error::UnsupportedByModel { value: 2.0, .. })
     ));
     let refused = history.step(&press.relative_displacement(f64::NAN));
     assert!(matches!(refused, Err(Error::NotFinite { .. })));

@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use kit::{Random, rough, thorough, unit_bodies};
-use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem};
+use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem};
 use stickslip::history::{Rolling, wear};
 use stickslip::influence::Component;
 use stickslip::normal::Hardness;
@@ -303,7 +303,7 @@ fn minimum_and_stiffness_cancelled_report_it() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = cgm::Settings::default().method(method);
         let pressed = Problem::new(&operator, [gap.as_slice()], NonNegative).total(3.0);
-        let bounded = Problem::new(&operator, [gap.as_slice()], Magnitude(&limits)).total(3.0);
+        let bounded = Problem::new(&operator, [gap.as_slice()], AbsBound(&limits)).total(3.0);
         let solve = |observer: Observer<'_>| {
             let mut x = vec![0.0; grid.cells()];
             let mut workspace = pressed.workspace()?;

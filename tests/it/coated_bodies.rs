@@ -451,13 +451,13 @@ fn bad_layers_are_refused() {
     ];
     for body in refused.map(Result::unwrap) {
         let pair = ElasticPair::new(body, Material::rigid());
-        assert!(matches!(pair, Err(Error::Below { .. })), "{pair:?}");
+        assert!(matches!(pair, Err(Error::BelowMinimum { .. })), "{pair:?}");
     }
     let thin = on_rigid(base("1/0.3").coated(&[layer(2.0, 0.3, 1e-307)]).unwrap());
     let grid = Grid::square(8, 1.0).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, thin),
-        Err(Error::Below { .. })
+        Err(Error::BelowMinimum { .. })
     ));
     // A layer without an end is its own half-space.
     let thick = on_rigid(base("1/0.3").coated(&[layer(2.0, 0.2, 1e308)]).unwrap());
@@ -503,7 +503,7 @@ fn questions_of_one_modulus_are_refused() {
     let pair = on_rigid(body);
     assert!(matches!(
         analytical::HertzSphere::new(&pair, 1.0, 1.0),
-        Err(Error::Coated { .. })
+        Err(Error::UnsupportedForCoatings { .. })
     ));
     let grid = Grid::square(24, 3.0).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
@@ -514,7 +514,7 @@ fn questions_of_one_modulus_are_refused() {
         Tractions::new(&pressure),
         &[[0.0, 0.0, 0.1]],
     );
-    assert!(matches!(asked, Err(Error::Coated { .. })));
+    assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let gap = surface::sphere(grid, 5.0).unwrap();
     let contact = press(
         &bodies,
@@ -523,5 +523,8 @@ fn questions_of_one_modulus_are_refused() {
         1e-6,
         Method::ActiveSet,
     );
-    assert!(matches!(contact.edges(), Err(Error::Coated { .. })));
+    assert!(matches!(
+        contact.edges(),
+        Err(Error::UnsupportedForCoatings { .. })
+    ));
 }

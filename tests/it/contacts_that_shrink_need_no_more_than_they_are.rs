@@ -1,7 +1,7 @@
 //! A contact that was large is worked on in windows of its present size, and answers as one that never was large.
 
 use kit::{boundaries, max_abs, max_difference, rough, unit_bodies, unit_pair};
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::{
     Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, TangentialControl, TangentialModel, surface,
@@ -26,7 +26,7 @@ fn sphere(grid: Grid) -> Field {
 fn start(bodies: &HalfSpace, gap: &Field, model: TangentialModel, coupling: Coupling) -> History {
     let builder = History::builder(bodies, gap, Friction::coulomb(FRICTION).unwrap());
     let builder = builder.model(model).coupling(coupling).tolerance(1e-9);
-    builder.touch_rule(TouchRule::WholeStep).build().unwrap()
+    builder.entry_rule(EntryRule::WholeStep).build().unwrap()
 }
 
 /// A history of every kind.

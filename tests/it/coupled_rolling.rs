@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};
-use stickslip::history::{Rolling, TouchRule};
+use stickslip::history::{EntryRule, Rolling};
 use stickslip::influence::Direction;
 use stickslip::rolling::{
     CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingSolution, LeadingEdge,
@@ -72,7 +72,7 @@ fn coupled_rollers_have_the_printed_digits_of_contact() {
             coupled(&pressed, friction)
                 .leading_edge(LeadingEdge::MinusX)
                 .control(Axis::X, RollingControl::Force(part * limit))
-                .touch_rule(TouchRule::WholeStep)
+                .entry_rule(EntryRule::WholeStep)
                 .tolerance(1e-7),
         );
         let (found, force) = (
@@ -150,7 +150,7 @@ fn coupled_rolling_obeys_its_equations_for_any_pair_and_friction() {
                 coupled(&pressed, coefficient)
                     .creepage(*creepage)
                     .spin(0.1)
-                    .touch_rule(TouchRule::WholeStep)
+                    .entry_rule(EntryRule::WholeStep)
                     .tolerance(1e-9),
             );
             let found = residuals(&pressed.0, &pressed.1, coefficient, &rolling);
@@ -249,17 +249,17 @@ fn uncoupled_bodies_have_the_bits_of_separate_solves() {
     );
 }
 
-/// The derivatives include the pressure that follows, its friction limits and the law of entering cells.
+/// The derivatives include the pressure that follows, its friction limits and the entry rule.
 #[test]
 fn coupled_stiffness_is_the_slope_of_solves() {
-    for (touch_rule, poisson_ratio, motion) in [
-        (TouchRule::WholeStep, 0.0, [0.1, 0.06, 0.08]),
-        (TouchRule::Growth, 0.4, [0.04, 0.02, 0.03]),
+    for (entry_rule, poisson_ratio, motion) in [
+        (EntryRule::WholeStep, 0.0, [0.1, 0.06, 0.08]),
+        (EntryRule::SinceTouch, 0.4, [0.04, 0.02, 0.03]),
     ] {
         let pressed = ball(18, poisson_ratio);
         let at = |motion: [f64; 3]| {
             let builder = coupled(&pressed, 0.4)
-                .touch_rule(touch_rule)
+                .entry_rule(entry_rule)
                 .tolerance(1e-11);
             builder
                 .creepage([motion[0], motion[1]])
@@ -273,7 +273,7 @@ fn coupled_stiffness_is_the_slope_of_solves() {
         solver.solve_into(&mut rolling).unwrap();
         let stiffness = solver.stiffness().unwrap();
         let most = stiffness[0][0].abs();
-        let one_way = solver_of_last_pass(&pressed, &rolling, motion, touch_rule);
+        let one_way = solver_of_last_pass(&pressed, &rolling, motion, entry_rule);
         let mut change: f64 = 0.0;
         for column in 0..3 {
             let step = 2e-5;
@@ -304,13 +304,13 @@ fn solver_of_last_pass(
     (bodies, ..): &(HalfSpace, Field, NormalControl),
     rolling: &CoupledRollingSolution,
     motion: [f64; 3],
-    touch_rule: TouchRule,
+    entry_rule: EntryRule,
 ) -> [[f64; 3]; 3] {
     let friction = Friction::coulomb(0.4).unwrap();
     let mut solver = RollingProblem::builder(bodies, rolling.normal(), friction)
         .creepage([motion[0], motion[1]])
         .spin(motion[2])
-        .touch_rule(touch_rule)
+        .entry_rule(entry_rule)
         .build()
         .unwrap()
         .into_solver()
@@ -454,7 +454,10 @@ fn bad_coupled_rolling_is_refused() {
     assert!(matches!(refused, Err(Error::Tolerance(_))), "{refused:?}");
     let hold = (pressed.0.clone(), pressed.1.clone(), NormalControl::Hold);
     let refused = coupled(&hold, 0.3).build();
-    assert!(matches!(refused, Err(Error::NothingToHold)), "{refused:?}");
+    assert!(
+        matches!(refused, Err(Error::NoPressureToHold)),
+        "{refused:?}"
+    );
     let refused = builder()
         .control(Axis::X, RollingControl::Force(2.0))
         .build()
@@ -475,7 +478,7 @@ fn bad_coupled_rolling_is_refused() {
     let waves = (waves.unwrap(), pressed.1.clone(), pressed.2);
     let refused = coupled(&waves, 0.3).build();
     assert!(
-        matches!(refused, Err(Error::NotModelled { .. })),
+        matches!(refused, Err(Error::UnsupportedByModel { .. })),
         "{refused:?}"
     );
 }
@@ -533,10 +536,10 @@ fn one_way_rolling_of_dissimilar_bodies_warns_of_the_neglected_lift() {
 fn coupled_history_ends_in_coupled_steady_rolling() {
     let pressed = ball(16, 0.0);
     let (bodies, gap, load) = &pressed;
-    for touch_rule in [TouchRule::Growth, TouchRule::WholeStep] {
+    for entry_rule in [EntryRule::SinceTouch, EntryRule::WholeStep] {
         let (creepage, spin) = ([0.12, 0.06], 0.1);
         let mut history = History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
-            .touch_rule(touch_rule)
+            .entry_rule(entry_rule)
             .tolerance(1e-9)
             .build()
             .unwrap();
@@ -550,7 +553,7 @@ fn coupled_history_ends_in_coupled_steady_rolling() {
             coupled(&pressed, 0.3)
                 .creepage(creepage)
                 .spin(spin)
-                .touch_rule(touch_rule)
+                .entry_rule(entry_rule)
                 .tolerance(1e-9),
         );
         let most = steady.normal().pressure().max();

@@ -76,7 +76,7 @@ fn everything_is_the_sum_over_the_steps() {
             wear::archard(0.1, &pressure, step.slip_distance(), &mut depth).unwrap();
             slips.push(history.slip().map(Clone::clone));
             work += step.energy().work;
-            mid_step += step.energy().mid_step_dissipated_energy;
+            mid_step += step.energy().dissipated_energy_midpoint;
             imbalance += step.energy().imbalance();
             ratios.push(step.stick_ratio());
             shifts.push(history.shift());
@@ -97,7 +97,7 @@ fn everything_is_the_sum_over_the_steps() {
 
         let energy = cycle.energy();
         assert_eq!(
-            (energy.work, energy.mid_step_dissipated_energy),
+            (energy.work, energy.dissipated_energy_midpoint),
             (work, mid_step)
         );
         assert!((energy.imbalance() - imbalance).abs() < 1e-13 * work);
@@ -148,7 +148,7 @@ fn the_area_of_the_loop_is_dissipated() {
         area += mean * (ends[1].shift[0] - ends[0].shift[0]);
     }
     let energy = cycle.energy();
-    assert!((area / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-7);
+    assert!((area / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-7);
     assert!((cycle.cyclic_residual()) < 1e-7);
     let exact = MindlinDeresiewicz::new(hertz, FRICTION, &[0.7 * LIMIT]).unwrap();
     let error = energy.dissipated_energy / exact.energy_per_cycle() - 1.0;
@@ -293,7 +293,7 @@ fn a_history_on_another_grid_is_refused() {
 fn a_step_that_is_not_new_is_refused() {
     let mut history = ball(1e-6);
     let mut cycle = Cycle::new(&history);
-    let not_new = |step, last| Err(Error::StepNotNew { step, last });
+    let not_new = |step, last| Err(Error::StepAlreadyCounted { step, last });
     assert_eq!(cycle.add(&history), not_new(1, 1));
     let drag = LoadStep::force([0.5 * LIMIT, 0.0]);
     history.step(&drag).unwrap();

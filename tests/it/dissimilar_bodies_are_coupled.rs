@@ -310,7 +310,7 @@ fn halves_lie_within_their_bounds() {
         let limits: Vec<f64> = p.iter().map(|p| 0.5 * p).collect();
         let plane = bodies.tensor_operator([X, Y]).unwrap();
         let totals = [x, y].map(|q| cgm::Total::Sum(q.iter().sum()));
-        let set = cgm::Magnitude(&limits);
+        let set = cgm::AbsBound(&limits);
         let problem = cgm::Problem::new(plane, [&along_x, &along_y], set).totals(totals);
         let (mut qx, mut qy) = (x.to_vec(), y.to_vec());
         cgm::minimise(&problem, &settings, [&mut qx, &mut qy]).unwrap();
@@ -506,9 +506,9 @@ fn bad_loads_are_refused_and_hard_ones_end() {
         CoupledProblem::builder(&bodies, &gap, friction, normal, load)
     };
     let refused = build(NormalControl::Force(-1.0), still()).build();
-    assert!(matches!(refused, Err(Error::Negative { value, .. }) if value == -1.0));
+    assert!(matches!(refused, Err(Error::NegativeOrNotFinite { value, .. }) if value == -1.0));
     let refused = build(NormalControl::Hold, still()).build();
-    assert!(matches!(refused, Err(Error::NothingToHold)));
+    assert!(matches!(refused, Err(Error::NoPressureToHold)));
     let sliding = build(NormalControl::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
     let refused = sliding.unwrap().solve();
     assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { limit, .. }) if limit == 0.3));

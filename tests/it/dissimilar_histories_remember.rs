@@ -5,7 +5,7 @@ use kit::{Random, max_difference};
 use std::ops::ControlFlow;
 use stickslip::analytical::{HertzSphere, SpencePressing};
 use stickslip::history::wear::{self, CycleJump};
-use stickslip::history::{AdaptiveSteps, Cycle, FrettingLoop, LoadPath, TouchRule};
+use stickslip::history::{AdaptiveSteps, Cycle, EntryRule, FrettingLoop, LoadPath};
 use stickslip::{
     Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, Status, TangentialControl, TangentialModel, Warning, Zone, surface,
@@ -22,7 +22,7 @@ fn every_step_agrees(text: &str, steps: usize, examinations: usize) {
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
     let friction = Friction::coulomb(case.friction).unwrap();
     let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
-        .touch_rule(TouchRule::WholeStep)
+        .entry_rule(EntryRule::WholeStep)
         .build()
         .unwrap();
     for (number, step) in case.steps.iter().enumerate() {
@@ -143,7 +143,7 @@ fn loops_dissipate_their_area() {
     let energies = cycle(&mut history);
     let work: f64 = energies.iter().map(|energy| energy.work).sum();
     let lost = energies
-        .map(|energy| energy.mid_step_dissipated_energy + energy.released + energy.residual);
+        .map(|energy| energy.dissipated_energy_midpoint + energy.released + energy.residual);
     let lost: f64 = lost.iter().sum();
     assert!(
         lost > 0.0 && (work / lost - 1.0).abs() < 1e-8,
@@ -163,7 +163,7 @@ fn weak_coupling_tends_to_none() {
         let bodies = HalfSpace::new(grid, ElasticPair::new(one, body).unwrap()).unwrap();
         let friction = Friction::coulomb(0.4).unwrap();
         let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
-        let builder = builder.touch_rule(TouchRule::WholeStep);
+        let builder = builder.entry_rule(EntryRule::WholeStep);
         let mut history = builder.tolerance(1e-11).build().unwrap();
         assert_eq!(bodies.pair().is_coupled(), body == other);
         let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
@@ -308,7 +308,7 @@ fn pressing_to_a_tolerance_ends_at_two_steps_where_one_is_exact() {
     let ends_at_two_steps = |mut history: History, force: f64| {
         assert_eq!(history.press(&press_to(force), 1e-4).unwrap(), 2);
         let warnings = history.last_step().warnings();
-        assert!(!warnings.contains(&Warning::PressedAtOnce), "{warnings:?}");
+        assert!(!warnings.contains(&Warning::SingleLoadStep), "{warnings:?}");
         let reached = history.normal().force() / force;
         assert!((reached - 1.0).abs() < 1e-8);
     };
@@ -344,7 +344,7 @@ fn pressing_to_a_tolerance_that_fails_leaves_the_state_unchanged() {
     }
     let outcome = history.press(&press_to(f64::NAN), 0.05);
     assert!(
-        matches!(outcome, Err(Error::Negative { .. })),
+        matches!(outcome, Err(Error::NegativeOrNotFinite { .. })),
         "{outcome:?}"
     );
     // The first step succeeds, a later one slides.
@@ -432,9 +432,9 @@ fn growing_contacts_follow_their_part_of_the_motion() {
         let grid = Grid::square(41, 2.6).unwrap();
         let bodies = HalfSpace::new(grid, on_rigid(poisson_ratio)).unwrap();
         let gap = surface::sphere(grid, 10.0).unwrap();
-        let leg = |rule: TouchRule, steps: u32| {
+        let leg = |rule: EntryRule, steps: u32| {
             let friction = Friction::coulomb(0.6).unwrap();
-            let builder = History::builder(&bodies, &gap, friction).touch_rule(rule);
+            let builder = History::builder(&bodies, &gap, friction).entry_rule(rule);
             let mut history = builder.tolerance(1e-8).build().unwrap();
             let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
             let mut take = |load: LoadStep| {
@@ -452,13 +452,13 @@ fn growing_contacts_follow_their_part_of_the_motion() {
             history.shift()[0]
         };
         let many = kit::thorough(32, 64);
-        let exact = leg(TouchRule::Growth, many);
-        assert!((leg(TouchRule::WholeStep, many) / exact - 1.0).abs() < 5e-3);
+        let exact = leg(EntryRule::SinceTouch, many);
+        assert!((leg(EntryRule::WholeStep, many) / exact - 1.0).abs() < 5e-3);
         for (steps, bound) in [1, 4].into_iter().zip(bounds) {
-            let growth = (leg(TouchRule::Growth, steps) / exact - 1.0).abs();
+            let growth = (leg(EntryRule::SinceTouch, steps) / exact - 1.0).abs();
             assert!(growth < bound, "{steps}: {growth}");
         }
-        let [growth, whole] = [TouchRule::Growth, TouchRule::WholeStep]
+        let [growth, whole] = [EntryRule::SinceTouch, EntryRule::WholeStep]
             .map(|rule| (leg(rule, 1) / exact - 1.0).abs());
         assert!(whole > 3.0 * growth, "{growth} {whole}");
     }
@@ -471,9 +471,9 @@ fn what_sticks_under_growing_pressure_sticks_in_any_steps() {
     let bodies = HalfSpace::new(grid, on_rigid(0.45)).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
     let whole = 4.0 / 30.0 * bodies.pair().contact_modulus();
-    let slipping = |rule: TouchRule, steps: u32| {
+    let slipping = |rule: EntryRule, steps: u32| {
         let friction = Friction::coulomb(0.3).unwrap();
-        let builder = History::builder(&bodies, &gap, friction).touch_rule(rule);
+        let builder = History::builder(&bodies, &gap, friction).entry_rule(rule);
         let mut history = builder.build().unwrap();
         for step in 1..=steps {
             let part = f64::from(step) / f64::from(steps);
@@ -484,7 +484,7 @@ fn what_sticks_under_growing_pressure_sticks_in_any_steps() {
         history.zones().iter().filter(slips).count()
     };
     for steps in [1, 4] {
-        assert_eq!(slipping(TouchRule::Growth, steps), 0);
-        assert!(slipping(TouchRule::WholeStep, steps) > 50);
+        assert_eq!(slipping(EntryRule::SinceTouch, steps), 0);
+        assert!(slipping(EntryRule::WholeStep, steps) > 50);
     }
 }

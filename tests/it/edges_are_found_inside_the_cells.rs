@@ -31,7 +31,7 @@ fn errors(shape: &Smooth, grid: Grid, cell_value: CellValue) -> [f64; 5] {
     for offset in OFFSETS {
         let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
         let (edges, exact) = (contact.edges().unwrap(), shape.pressure(grid, offset));
-        assert_eq!(edges.refused_share(), 0.0, "{}", shape.name);
+        assert_eq!(edges.unfitted_fraction(), 0.0, "{}", shape.name);
         let found = [
             l1_difference(contact.pressure(), &exact, |_| true),
             l1_difference(edges.centres(), &exact, |_| true),
@@ -128,7 +128,7 @@ fn stick_zones_know_the_direction_of_the_traction() {
         let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
         let shear = problem.tolerance(1e-6).build().unwrap().solve().unwrap();
         let edges = shear.edges(&contact, &friction).unwrap();
-        assert_eq!(edges.stick().refused_share(), 0.0);
+        assert_eq!(edges.stick().unfitted_fraction(), 0.0);
         [shear.stick_area(), edges.stick_area()]
     };
     let ([raw, found], [_, fine]) = (stick_area(48), stick_area(144));
@@ -184,7 +184,11 @@ fn edges_of_another_kind_are_refused() {
             NormalControl::Force(1.0),
         );
         let edges = contact.edges().unwrap();
-        assert!(edges.refused_share() > 0.9, "{}", edges.refused_share());
+        assert!(
+            edges.unfitted_fraction() > 0.9,
+            "{}",
+            edges.unfitted_fraction()
+        );
         for cell in edges.cells().iter().filter(|cell| !cell.is_fitted) {
             assert_eq!(cell.centre, contact.pressure().as_slice()[cell.index]);
         }
@@ -222,7 +226,11 @@ fn areas_of_rough_contacts_are_right_where_most_fits_are_refused() {
         (contact.contact_area(), edges.area(), edges)
     };
     let ((raw, found, edges), (_, fine, _)) = (area(64), area(kit::thorough(192, 320)));
-    assert!(edges.refused_share() > 0.3, "{}", edges.refused_share());
+    assert!(
+        edges.unfitted_fraction() > 0.3,
+        "{}",
+        edges.unfitted_fraction()
+    );
     assert!((found / fine - 1.0).abs() < 0.02, "{found} {fine}");
     assert!((raw / fine - 1.0).abs() > 0.04, "{raw} {fine}");
 }
@@ -252,7 +260,7 @@ fn any_grid_has_edges() {
     );
     let edges = apart.edges().unwrap();
     assert!(edges.cells().is_empty() && edges.outline().is_empty());
-    assert_eq!((edges.area(), edges.refused_share()), (0.0, 0.0));
+    assert_eq!((edges.area(), edges.unfitted_fraction()), (0.0, 0.0));
     assert_eq!(apart.discretisation_estimate(), None);
 }
 

@@ -1,7 +1,7 @@
 //! Both methods find the exact minimum of small scenes, and the certificate never lies about it.
 
 use kit::Random;
-use stickslip::cgm::{self, Bounds, Magnitude, Method, Minimum, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, AbsBound, Bounds, Method, Minimum, NonNegative, Problem, Settings};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{Error, Field, Grid, HalfSpace, Operator, Result, Scratch};
@@ -129,13 +129,13 @@ fn tangential_contact_under_a_force() {
             .map(|_| remembered * scene.random.uniform(-0.1, 0.1))
             .collect();
         let exact = matrix
-            .minimise(&linear, &Magnitude(&limits), Some(total))
+            .minimise(&linear, &AbsBound(&limits), Some(total))
             .unwrap();
         for settings in both_methods() {
             let problem = Problem::new(
                 scene.bodies.operator(Component::XX).unwrap(),
                 [&linear],
-                Magnitude(&limits),
+                AbsBound(&limits),
             )
             .preconditioner(scene.bodies.preconditioner(Component::XX).unwrap().unwrap())
             .total(total);

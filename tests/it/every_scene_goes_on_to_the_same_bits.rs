@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::thread;
 
-use kit::table::{Pose, Scene, bits, cells, known, scenes};
+use kit::table::{Scene, UnitTransform, bits, cells, known, scenes};
 use stickslip::cgm::Iteration;
 use stickslip::history::State;
 use stickslip::ranks::Threads;
@@ -18,7 +18,7 @@ use stickslip::{
 use crate::every_scene_obeys_the_laws::{Law, every};
 use crate::ranks_share_a_contact::PATIENCE;
 
-const POSE: Pose = Pose::IN_PLACE;
+const POSE: UnitTransform = UnitTransform::IN_PLACE;
 
 /// The scene, solved to what is usual.
 fn usual(scene: &Scene) -> Scene {
@@ -409,7 +409,7 @@ fn on_any_numbers_of_ranks() {
         let parts = Threads::run(to, PATIENCE, |rank| {
             let bodies = scene.half_space_on(Arc::new(rank)).unwrap();
             let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
-            let state = State::of_slabs(&bodies, slabs).unwrap();
+            let state = State::from_slabs(&bodies, slabs).unwrap();
             let mut history = History::from_state(&bodies, state).unwrap();
             assert!(to > 1 || history.to_bytes() == saved);
             scene.take(&mut history, &then, &POSE);

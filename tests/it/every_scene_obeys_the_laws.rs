@@ -4,8 +4,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use kit::max_abs;
-use kit::table::{Measured, Pose, Scene, scenes};
-use stickslip::history::TouchRule;
+use kit::table::{Measured, Scene, UnitTransform, scenes};
+use stickslip::history::EntryRule;
 use stickslip::{Coupling, Field, TangentialModel, Zone};
 
 /// What a scene breaks a law by.
@@ -25,7 +25,7 @@ pub(crate) fn every(scenes: Vec<Scene>, mut law: impl FnMut(&Scene) -> Law) {
 }
 
 /// Whether numbers in another pose are those of the scene, to this part of the largest of their kind.
-fn compare(scene: &Scene, one: &Measured, pose: &Pose, tolerance: f64) -> Law {
+fn compare(scene: &Scene, one: &Measured, pose: &UnitTransform, tolerance: f64) -> Law {
     let other = Measured::run(scene, pose);
     for ((name, a), (_, b)) in one.groups().into_iter().zip(other.groups()) {
         let scale = max_abs(a);
@@ -46,8 +46,8 @@ fn compare(scene: &Scene, one: &Measured, pose: &Pose, tolerance: f64) -> Law {
     Ok(())
 }
 
-fn posed(scene: &Scene, poses: &[Pose], tolerance: f64) -> Law {
-    let one = Measured::run(scene, &Pose::IN_PLACE);
+fn posed(scene: &Scene, poses: &[UnitTransform], tolerance: f64) -> Law {
+    let one = Measured::run(scene, &UnitTransform::IN_PLACE);
     let mut poses = poses.iter();
     poses.try_for_each(|pose| compare(scene, &one, pose, tolerance))
 }
@@ -58,13 +58,13 @@ fn in_any_units() {
     every(scenes(), |scene| {
         let exact = [(-10, 20), (7, -30), (-40, 3)];
         let exact = exact.map(|units| <[i32; 2]>::from(units).map(|power| 2_f64.powi(power)));
-        let exact = exact.map(|[length, pressure]| Pose::in_units(length, pressure));
+        let exact = exact.map(|[length, pressure]| UnitTransform::in_units(length, pressure));
         posed(scene, &exact[..kit::thorough(1, 3)], 0.0)?;
         if kit::thorough(true, false) {
             return Ok(());
         }
         let others = [(1e-3, 1e9), (1e3, 1e-6), (1e-6, 1e5)];
-        let others = others.map(|(length, pressure)| Pose::in_units(length, pressure));
+        let others = others.map(|(length, pressure)| UnitTransform::in_units(length, pressure));
         posed(scene, &others, ROUND_OFF)
     });
 }
@@ -75,10 +75,10 @@ const ROUND_OFF: f64 = 1e-7;
 #[test]
 fn turned_and_mirrored() {
     every(scenes(), |scene| {
-        let pose = |swaps, signs| Pose {
+        let pose = |swaps, signs| UnitTransform {
             swaps,
             signs,
-            ..Pose::IN_PLACE
+            ..UnitTransform::IN_PLACE
         };
         // A mirror that exchanges the axes and reverses both.
         let diagonal = pose(true, [-1.0, -1.0]);
@@ -101,9 +101,9 @@ fn turned_and_mirrored() {
 #[test]
 fn with_the_bodies_exchanged() {
     every(scenes(), |scene| {
-        let exchanged = Pose {
+        let exchanged = UnitTransform {
             exchanges: true,
-            ..Pose::IN_PLACE
+            ..UnitTransform::IN_PLACE
         };
         posed(scene, &[exchanged], ROUND_OFF)
     });
@@ -118,7 +118,7 @@ fn check(holds: bool, what: impl FnOnce() -> String) -> Law {
 #[test]
 fn work_is_stored_or_dissipated() {
     every(scenes(), |scene| {
-        let pose = Pose::IN_PLACE;
+        let pose = UnitTransform::IN_PLACE;
         let mut history = scene.history(&scene.half_space(&pose), &pose);
         let (mut total, mut released) = (0.0, 0.0_f64);
         for (number, step) in scene.path.iter().enumerate() {
@@ -130,17 +130,17 @@ fn work_is_stored_or_dissipated() {
             check(taken.dissipated_energy().min() >= 0.0, what)?;
             let sums = [
                 taken.dissipated_energy(),
-                taken.mid_step_dissipated_energy(),
+                taken.dissipated_energy_midpoint(),
             ];
             let sums = sums.map(|field| field.as_slice().iter().sum::<f64>());
-            let named = [energy.dissipated_energy, energy.mid_step_dissipated_energy];
+            let named = [energy.dissipated_energy, energy.dissipated_energy_midpoint];
             for (sum, named) in sums.into_iter().zip(named) {
                 check((sum - named).abs() <= 1e-12 * scale, what)?;
             }
             if taken.normal_report().is_none() && scene.wear == 0.0 {
                 // The pressure stands: nothing is let go, and the tolerance leaves next to nothing.
                 check(
-                    taken.mid_step_dissipated_energy().min() >= -1e-9 * scale,
+                    taken.dissipated_energy_midpoint().min() >= -1e-9 * scale,
                     what,
                 )?;
                 check(energy.released.abs() <= 1e-14 * scale, what)?;
@@ -162,7 +162,7 @@ fn work_is_stored_or_dissipated() {
 #[test]
 fn pressure_pushes_and_friction_holds_back() {
     every(scenes(), |scene| {
-        let pose = Pose::IN_PLACE;
+        let pose = UnitTransform::IN_PLACE;
         let mut history = scene.history(&scene.half_space(&pose), &pose);
         let grid = history.grid();
         let mut slipped = 0;
@@ -215,14 +215,14 @@ fn pressure_pushes_and_friction_holds_back() {
 #[test]
 fn slip_is_what_moves_the_surfaces_apart() {
     every(scenes(), |scene| {
-        let bodies = scene.half_space(&Pose::IN_PLACE);
+        let bodies = scene.half_space(&UnitTransform::IN_PLACE);
         // One-way coupling moves surfaces by the pressure, which the displacement leaves out.
         let is_coupled = bodies.pair().is_coupled();
         if is_coupled && scene.coupling == Coupling::OneWay {
             return Ok(());
         }
         let is_joint = is_coupled && scene.coupling == Coupling::Full;
-        let pose = Pose::IN_PLACE;
+        let pose = UnitTransform::IN_PLACE;
         let mut history = scene.history(&bodies, &pose);
         let grid = history.grid();
         let strain = scene.strain.unwrap_or_default();
@@ -245,7 +245,7 @@ fn slip_is_what_moves_the_surfaces_apart() {
             };
             for axis in 0..axes {
                 for (i, zone) in history.zones().iter().enumerate() {
-                    let is_new = touched[i] == 0.0 && scene.touch_rule == TouchRule::Growth;
+                    let is_new = touched[i] == 0.0 && scene.entry_rule == EntryRule::SinceTouch;
                     if *zone == Zone::Separated || is_new {
                         continue;
                     }

@@ -36,7 +36,7 @@ fn what_one_rank_refuses_is_not_written() {
     });
     for (rank, outcomes) in outcomes.iter().enumerate() {
         for outcome in outcomes {
-            let refused = Error::Ranks(RankFailure::Refused { rank: 1 });
+            let refused = Error::Ranks(RankFailure::RejectedByRank { rank: 1 });
             let is_told = rank != 1 && *outcome == Err(refused);
             let is_own = matches!(outcome, Err(Error::GridMismatch { .. }));
             assert!(is_told || rank == 1 && is_own, "{outcome:?}");
@@ -129,7 +129,7 @@ fn assert_nothing_half(
                         // The lost rank has taken the new file with it.
                         matches!(
                             error,
-                            Error::Ranks(RankFailure::Lost { .. }) | Error::File { .. }
+                            Error::Ranks(RankFailure::Disconnected { .. }) | Error::File { .. }
                         ),
                         "{error:?}"
                     ),
@@ -225,7 +225,7 @@ fn a_history_that_one_rank_cannot_write_is_not_saved() {
         }
     };
     for (rank, outcome) in save(2.0, &nowhere).iter().enumerate() {
-        let refused = Error::Ranks(RankFailure::Refused { rank: 1 });
+        let refused = Error::Ranks(RankFailure::RejectedByRank { rank: 1 });
         let is_told = rank != 1 && *outcome == Err(refused);
         let is_own = rank == 1 && matches!(outcome, Err(Error::File { .. }));
         assert!(is_told || is_own, "{outcome:?}");
@@ -286,7 +286,7 @@ fn a_silent_rank_is_not_waited_for() {
         }
         bodies.write_npy(&path, &Field::zeros(bodies.grid()))
     });
-    let silent = |failure| matches!(failure, RankFailure::Silent { rank: 1, .. });
+    let silent = |failure| matches!(failure, RankFailure::Timeout { rank: 1, .. });
     assert!(matches!(&outcomes[0], Err(Error::Ranks(failure)) if silent(*failure)));
     assert!(outcomes[1].is_err(), "{outcomes:?}");
     assert_eq!(fs::read(&path).unwrap(), b"old");

@@ -221,7 +221,7 @@ fn what_cannot_be_read_or_written_is_refused_by_all() {
                 "{max:?}, {statistics:?}"
             );
             // The first rank makes the file for all.
-            let refused = Error::Ranks(RankFailure::Refused { rank: 0 });
+            let refused = Error::Ranks(RankFailure::RejectedByRank { rank: 0 });
             let is_told = rank > 0 && *write == Err(refused);
             assert!(
                 is_told || matches!(write, Err(Error::File { .. })),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use proptest::prelude::*;
-use stickslip::io::pvd::Series;
+use stickslip::io::pvd::PvdWriter;
 use stickslip::io::vti::Array;
 use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalControl, io, surface};
 
@@ -139,7 +139,7 @@ fn vectors_in_one_vti_file_and_series_of_them() {
         ("pressure", Array::from(&x)),
     ];
     let series = temporary("series.pvd");
-    let mut written = Series::new(&series).unwrap();
+    let mut written = PvdWriter::new(&series).unwrap();
     assert!(written.is_empty());
     for time in [0.0, 0.5, 1e6] {
         written.write(time, &fields).unwrap();

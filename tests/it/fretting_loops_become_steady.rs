@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use kit::unit_bodies;
-use stickslip::history::{Cycle, FrettingLoop, LoadPath, LoopEnding, wear};
+use stickslip::history::{Cycle, FrettingLoop, LoadPath, StopReason, wear};
 use stickslip::{
     Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
     TangentialControl, TangentialModel, surface,
@@ -43,7 +43,7 @@ fn it_takes_the_steps_of_its_path() {
         let outcome = fretting.run(&mut driven, 3).unwrap();
         assert_eq!(
             (outcome.cycles, outcome.ending),
-            (3, LoopEnding::CycleLimit)
+            (3, StopReason::CycleLimit)
         );
         for force in path.cycles(3) {
             let force = force[axis.index()];
@@ -76,21 +76,21 @@ fn it_stops_where_the_loop_is_steady() {
         sheared.run(&mut along[0], 20).unwrap(),
         shifted.run(&mut along[1], 20).unwrap(),
     ] {
-        assert_eq!((outcome.cycles, outcome.ending), (2, LoopEnding::Steady));
+        assert_eq!((outcome.cycles, outcome.ending), (2, StopReason::Steady));
         assert!(outcome.last.cyclic_residual() <= 1e-4);
         assert_eq!(outcome.last.steps(), 16);
     }
     let outcome = sheared.run(&mut pressed(None), 20).unwrap();
-    assert_eq!(outcome.ending, LoopEnding::Steady);
+    assert_eq!(outcome.ending, StopReason::Steady);
     assert!((2..=8).contains(&outcome.cycles));
     // Round an ellipse too, and then it stays what it is.
     let round = FrettingLoop::new(by_force(0.4), LoadStep::force).until_steady(1e-3);
     let mut history = pressed(None);
     let outcome = round.run(&mut history, 20).unwrap();
-    assert_eq!(outcome.ending, LoopEnding::Steady);
+    assert_eq!(outcome.ending, StopReason::Steady);
     assert!((2..=8).contains(&outcome.cycles));
     let next = round.run(&mut history, 20).unwrap();
-    assert_eq!((next.cycles, next.ending), (1, LoopEnding::Steady));
+    assert_eq!((next.cycles, next.ending), (1, StopReason::Steady));
     let energies = [&outcome, &next].map(|outcome| outcome.last.energy().dissipated_energy);
     assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2);
 }
@@ -103,7 +103,7 @@ fn it_says_when_the_loop_is_not_steady() {
     let outcome = fretting.run(&mut history, 1).unwrap();
     assert_eq!(
         (outcome.cycles, outcome.ending),
-        (1, LoopEnding::CycleLimit)
+        (1, StopReason::CycleLimit)
     );
     assert!(outcome.last.cyclic_residual() > 0.1);
     let none = fretting.run(&mut history, 0).unwrap();
@@ -126,7 +126,7 @@ fn it_says_when_the_loop_is_not_steady() {
         .unwrap();
     assert_eq!(
         (outcome.cycles, outcome.ending),
-        (4, LoopEnding::CycleLimit)
+        (4, StopReason::CycleLimit)
     );
     assert!(outcome.last.cyclic_residual() > 1e-3);
     assert!(history.gap() == &gap && gap != scene().1);
@@ -149,7 +149,7 @@ fn its_observer_sees_every_step_and_may_break_off() {
             })
         })
         .unwrap();
-    assert_eq!((outcome.cycles, outcome.ending), (1, LoopEnding::Stopped));
+    assert_eq!((outcome.cycles, outcome.ending), (1, StopReason::Stopped));
     assert_eq!(outcome.last.steps(), 3);
     assert_eq!(seen.len(), 11);
     assert!(
@@ -196,6 +196,6 @@ fn bad_requests_are_refused_before_any_step() {
     // A path across the axis of the history.
     let fretting = FrettingLoop::new(path, LoadStep::force);
     let refused = fretting.run(&mut history, 3).unwrap_err();
-    assert!(matches!(refused, Error::NotModelled { .. }));
+    assert!(matches!(refused, Error::UnsupportedByModel { .. }));
     assert_eq!(history.to_bytes(), before);
 }

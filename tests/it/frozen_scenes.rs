@@ -18,7 +18,7 @@ use std::fmt::Write;
 
 use kit::{Random, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{Method, Report};
-use stickslip::history::{LoadPath, TouchRule, wear};
+use stickslip::history::{EntryRule, LoadPath, wear};
 use stickslip::{
     Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
     NormalProblem, NormalSolution, NormalSolver, PressureSource, TangentialControl, TangentialLoad,
@@ -290,7 +290,7 @@ impl<'a> Steps<'a> {
         ];
         self.record.bits(step.slip_distance().as_slice());
         self.record
-            .bits(step.mid_step_dissipated_energy().as_slice());
+            .bits(step.dissipated_energy_midpoint().as_slice());
         for (list, number) in self.numbers.iter_mut().zip(numbers) {
             list.push(number);
         }
@@ -422,7 +422,7 @@ fn history(
     // The rule that the old core had.
     let builder = History::builder(bodies, gap, friction)
         .tolerance(tolerance)
-        .touch_rule(TouchRule::WholeStep);
+        .entry_rule(EntryRule::WholeStep);
     let builder = match axis {
         Some(axis) => builder.axis(axis),
         None => builder.model(TangentialModel::Vector),

@@ -266,14 +266,14 @@ fn edges_reach_half_an_index_in() {
     let whole = filter.apply(large.heights()).unwrap();
     let part = filter.apply(&cut(large.heights())).unwrap();
     let difference = cut(whole.heights()).minus(part.heights()).unwrap();
-    let [columns, rows] = filter.unaffected(grid);
+    let [columns, rows] = filter.valid_range(grid);
     assert_eq!([columns.clone(), rows.clone()], [12..108, 12..78]);
     let inside = crop(&difference, columns, rows).unwrap();
     let largest = |field: &Field| field.max().max(-field.min());
     assert!(largest(&inside) < 0.01 && largest(&difference) > 0.1);
-    assert_eq!(filter.periodic().unaffected(grid), [0..120, 0..90]);
-    assert_eq!(filter.along_y().unaffected(grid), [0..120, 12..78]);
-    let wide = GaussianFilter::s(500.0).unaffected(grid);
+    assert_eq!(filter.periodic().valid_range(grid), [0..120, 0..90]);
+    assert_eq!(filter.along_y().valid_range(grid), [0..120, 12..78]);
+    let wide = GaussianFilter::s(500.0).valid_range(grid);
     assert!(wide.iter().all(std::ops::Range::is_empty));
 }
 
@@ -301,7 +301,7 @@ fn filters_that_make_no_sense_are_refused() {
         // Two cells of 1 along y; along x they are half as long. The longer side is 30, the other 20.
         assert!(matches!(
             size(make(1.9)),
-            Err(Error::Below {
+            Err(Error::BelowMinimum {
                 value: 1.9,
                 least: 2.0,
                 ..
@@ -309,7 +309,7 @@ fn filters_that_make_no_sense_are_refused() {
         ));
         assert!(matches!(
             size(make(20.1)),
-            Err(Error::Below {
+            Err(Error::BelowMinimum {
                 value: 20.0,
                 least: 20.1,
                 ..
@@ -317,7 +317,7 @@ fn filters_that_make_no_sense_are_refused() {
         ));
         assert!(matches!(
             size(make(0.9).along_x()),
-            Err(Error::Below { least: 1.0, .. })
+            Err(Error::BelowMinimum { least: 1.0, .. })
         ));
         for filter in [
             make(2.0),
@@ -332,7 +332,7 @@ fn filters_that_make_no_sense_are_refused() {
     assert!(
         matches!(
             refused,
-            Error::Below {
+            Error::BelowMinimum {
                 value: 5.0,
                 least: 8.0,
                 ..

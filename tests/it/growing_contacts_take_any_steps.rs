@@ -2,7 +2,7 @@
 //! exactly, round bends to second order. Lengths are radii of the ball over 1000; the grid is 64 long and wide.
 
 use kit::Random;
-use stickslip::history::{AdaptiveSteps, TouchRule};
+use stickslip::history::{AdaptiveSteps, EntryRule};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
@@ -42,10 +42,10 @@ impl Scene {
         }
     }
 
-    fn history(&self, rule: TouchRule) -> History {
+    fn history(&self, rule: EntryRule) -> History {
         History::builder(&self.bodies, &self.gap, self.friction.clone())
             .model(self.model)
-            .touch_rule(rule)
+            .entry_rule(rule)
             .tolerance(1e-11)
             .build()
             .unwrap()
@@ -143,8 +143,8 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
             for legs in STRAIGHT {
                 let legs = turned(model, legs);
                 let (mut many, mut one) = (
-                    scene.history(TouchRule::Growth),
-                    scene.history(TouchRule::Growth),
+                    scene.history(EntryRule::SinceTouch),
+                    scene.history(EntryRule::SinceTouch),
                 );
                 follow(&mut many, &legs, kit::thorough(10, 40), shifted);
                 follow(&mut one, &legs, 1, shifted);
@@ -154,8 +154,9 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
                 );
 
                 // The same legs by springs whose ends go where the force and the shift ask for.
-                let (stiffness, mut spring) = (0.3 * scene.load, scene.history(TouchRule::Growth));
-                let mut guide = scene.history(TouchRule::Growth);
+                let (stiffness, mut spring) =
+                    (0.3 * scene.load, scene.history(EntryRule::SinceTouch));
+                let mut guide = scene.history(EntryRule::SinceTouch);
                 for leg in &legs {
                     guide.step(&shifted(*leg)).unwrap();
                     let end = [0, 1].map(|axis| {
@@ -170,8 +171,8 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
 
                 // By force along x and shift along y.
                 if model == TangentialModel::Vector {
-                    let mut mixed = scene.history(TouchRule::Growth);
-                    let mut guide = scene.history(TouchRule::Growth);
+                    let mut mixed = scene.history(EntryRule::SinceTouch);
+                    let mut guide = scene.history(EntryRule::SinceTouch);
                     for leg in &legs {
                         guide.step(&shifted(*leg)).unwrap();
                         let force = TangentialControl::Force(guide.tangential_force()[0]);
@@ -187,8 +188,8 @@ fn straight_legs_take_one_step_under_shift_force_and_spring() {
             let scaled = |(force, shear): Leg| (scene.load * force, shear.map(|f| scene.load * f));
             let legs: Vec<Leg> = legs.map(scaled).collect();
             let (mut many, mut one) = (
-                scene.history(TouchRule::Growth),
-                scene.history(TouchRule::Growth),
+                scene.history(EntryRule::SinceTouch),
+                scene.history(EntryRule::SinceTouch),
             );
             follow(&mut many, &legs, kit::thorough(10, 40), forced);
             follow(&mut one, &legs, 1, forced);
@@ -216,13 +217,13 @@ fn straight_legs_take_one_step_on_any_grid_and_friction() {
             .map(|(force, shear)| (scene.load * force, shear.map(|f| scene.load * f)))
             .into();
         let (mut many, mut one) = (
-            scene.history(TouchRule::Growth),
-            scene.history(TouchRule::Growth),
+            scene.history(EntryRule::SinceTouch),
+            scene.history(EntryRule::SinceTouch),
         );
         follow(&mut many, &legs, kit::thorough(8, 24), forced);
         follow(&mut one, &legs, 1, forced);
         assert!(distance(&one, &many) < 1e-8);
-        let mut old = scene.history(TouchRule::WholeStep);
+        let mut old = scene.history(EntryRule::WholeStep);
         follow(&mut old, &legs, 1, forced);
         assert!(distance(&old, &many) > 0.05);
     }
@@ -255,7 +256,7 @@ fn growth_is_the_superposition_of_jaeger() {
         (0.9, [force + ratio * 0.4, 0.0]),
     ]
     .map(|(press, shear)| (scene.load * press, shear.map(|f| scene.load * f)));
-    let mut history = scene.history(TouchRule::Growth);
+    let mut history = scene.history(EntryRule::SinceTouch);
     follow(&mut history, &legs, 1, forced);
     let grown = after
         .pressure()
@@ -295,10 +296,10 @@ fn long_steps_err_far_less_than_whole_ones() {
     for &roughness in kit::thorough(&[0.15][..], &[0.0, 0.15]) {
         let scene = Scene::new(0.3, roughness, TangentialModel::Vector);
         for (number, legs) in paths.iter().enumerate() {
-            let mut many = scene.history(TouchRule::Growth);
+            let mut many = scene.history(EntryRule::SinceTouch);
             follow(&mut many, legs, kit::thorough(12, 40), shifted);
             for steps in [1, 4] {
-                let [with, without] = [TouchRule::Growth, TouchRule::WholeStep].map(|rule| {
+                let [with, without] = [EntryRule::SinceTouch, EntryRule::WholeStep].map(|rule| {
                     let mut few = scene.history(rule);
                     follow(&mut few, legs, steps, shifted);
                     distance(&few, &many)
@@ -335,7 +336,7 @@ fn bends_are_of_order(scene: &Scene, least: f64) {
         |part| [0.15 * part, 0.1 * part * part],
     ];
     for path in paths {
-        let taken = |rule: TouchRule, steps: usize| {
+        let taken = |rule: EntryRule, steps: usize| {
             let mut history = scene.history(rule);
             history.step(&shifted((straight(0.0), [0.0; 2]))).unwrap();
             for step in 1..=steps {
@@ -347,13 +348,13 @@ fn bends_are_of_order(scene: &Scene, least: f64) {
             history
         };
         let unit = kit::thorough(1, 2);
-        let exact = taken(TouchRule::Growth, 64 * unit);
+        let exact = taken(EntryRule::SinceTouch, 64 * unit);
         let [coarse, fine] =
-            [4, 16].map(|steps| distance(&taken(TouchRule::Growth, unit * steps), &exact));
+            [4, 16].map(|steps| distance(&taken(EntryRule::SinceTouch, unit * steps), &exact));
         let order = (coarse / fine).log2() / 2.0;
         assert!(order > least, "{order}: {coarse:e} {fine:e}");
         let [coarse, fine] =
-            [2, 8].map(|steps| distance(&taken(TouchRule::WholeStep, unit * steps), &exact));
+            [2, 8].map(|steps| distance(&taken(EntryRule::WholeStep, unit * steps), &exact));
         assert!((coarse / fine).log2() / 2.0 < 1.2);
     }
 }
@@ -364,7 +365,7 @@ fn a_twist_grows_with_the_contact() {
     for poisson_ratio in [0.0, 0.3] {
         let scene = Scene::new(poisson_ratio, 0.0, TangentialModel::Vector);
         for shift in [[0.0; 2], [0.15, 0.0]] {
-            let pressed = |rule: TouchRule, steps: usize| {
+            let pressed = |rule: EntryRule, steps: usize| {
                 let mut history = scene.history(rule);
                 for step in 1..=steps {
                     let part = step as f64 / steps as f64;
@@ -373,11 +374,11 @@ fn a_twist_grows_with_the_contact() {
                 }
                 history
             };
-            let many = pressed(TouchRule::Growth, 40);
+            let many = pressed(EntryRule::SinceTouch, 40);
             let [once, four] =
-                [1, 4].map(|steps| distance(&pressed(TouchRule::Growth, steps), &many));
+                [1, 4].map(|steps| distance(&pressed(EntryRule::SinceTouch, steps), &many));
             assert!(once < 0.13 && four < 0.45 * once, "{once:e} {four:e}");
-            assert!(distance(&pressed(TouchRule::WholeStep, 1), &many) > 3.0 * once);
+            assert!(distance(&pressed(EntryRule::WholeStep, 1), &many) > 3.0 * once);
         }
     }
 }
@@ -388,9 +389,9 @@ fn even_wear_between_steps_changes_nothing() {
     let scene = Scene::new(0.0, 0.15, TangentialModel::Scalar);
     let legs = [(0.4, [0.1, 0.0]), (0.8, [0.22, 0.0])]
         .map(|(press, shear)| (scene.load * press, shear.map(|f| scene.load * f)));
-    let mut plain = scene.history(TouchRule::Growth);
+    let mut plain = scene.history(EntryRule::SinceTouch);
     follow(&mut plain, &legs, 1, forced);
-    let mut worn = scene.history(TouchRule::Growth);
+    let mut worn = scene.history(EntryRule::SinceTouch);
     worn.step(&forced(legs[0])).unwrap();
     let mut gap = scene.gap.clone();
     for gap in gap.as_mut_slice() {
@@ -407,7 +408,7 @@ fn even_wear_between_steps_changes_nothing() {
 #[test]
 fn growth_that_sticks_dissipates_nothing() {
     let scene = Scene::new(0.0, 0.15, TangentialModel::Scalar);
-    let dissipated = |rule: TouchRule, legs: &[Leg]| {
+    let dissipated = |rule: EntryRule, legs: &[Leg]| {
         let mut history = scene.history(rule);
         let (mut sum, mut work) = (0.0, 0.0);
         for leg in legs {
@@ -417,21 +418,21 @@ fn growth_that_sticks_dissipates_nothing() {
         }
         (sum, work)
     };
-    let (lost, work) = dissipated(TouchRule::Growth, &[(1.0, [0.28, 0.0])]);
+    let (lost, work) = dissipated(EntryRule::SinceTouch, &[(1.0, [0.28, 0.0])]);
     assert!(lost.abs() < 1e-9 * work);
-    let (lost, work) = dissipated(TouchRule::WholeStep, &[(1.0, [0.28, 0.0])]);
+    let (lost, work) = dissipated(EntryRule::WholeStep, &[(1.0, [0.28, 0.0])]);
     assert!(lost > 1e-2 * work);
     // All slip is that of the leg under a constant approach.
     let legs = [(0.5, [0.0; 2]), (0.5, [0.2, 0.0]), (1.0, [0.34, 0.0])];
-    let (until, _) = dissipated(TouchRule::Growth, &legs[..2]);
-    let (all, _) = dissipated(TouchRule::Growth, &legs);
+    let (until, _) = dissipated(EntryRule::SinceTouch, &legs[..2]);
+    let (all, _) = dissipated(EntryRule::SinceTouch, &legs);
     assert!(until > 0.0 && (all / until - 1.0).abs() < 1e-9);
 }
 
 #[test]
 fn adaptive_steps_meet_their_tolerance() {
     let scene = Scene::new(0.0, 0.0, TangentialModel::Vector);
-    let mut start = scene.history(TouchRule::Growth);
+    let mut start = scene.history(EntryRule::SinceTouch);
     start.step(&shifted((0.5, [0.0; 2]))).unwrap();
     start.step(&shifted((0.5, [0.2, 0.0]))).unwrap();
     // The shift comes back while the contact grows, with slip.
@@ -489,7 +490,7 @@ fn adaptive_steps_meet_their_tolerance() {
 #[test]
 fn adaptive_steps_fail_without_a_trace() {
     let scene = Scene::new(0.3, 0.0, TangentialModel::Scalar);
-    let mut history = scene.history(TouchRule::Growth);
+    let mut history = scene.history(EntryRule::SinceTouch);
     history.step(&shifted((0.5, [0.1, 0.0]))).unwrap();
     let before = history.state().to_bytes();
     let mut steps = AdaptiveSteps::new(&history, 1e-3).unwrap();

@@ -148,7 +148,7 @@ fn what_cannot_be_is_refused() {
     assert!(
         matches!(
             error,
-            Error::Below {
+            Error::BelowMinimum {
                 quantity: "kurtosis",
                 value: 3.2,
                 least: 3.25,
@@ -162,7 +162,7 @@ fn what_cannot_be_is_refused() {
         let asked = asked.skewness(skewness).kurtosis(kurtosis);
         let error = asked.generate(grid).unwrap_err();
         assert!(
-            matches!(error, Error::HeightsNotReached { reached, .. } if reached.iter().all(|m| m.is_finite())),
+            matches!(error, Error::HeightMomentsNotReached { reached, .. } if reached.iter().all(|m| m.is_finite())),
             "{error}"
         );
     }
@@ -171,7 +171,7 @@ fn what_cannot_be_is_refused() {
     let wave = asked.longest_wavelength(32.0).cut_off_wavelength(32.0);
     let error = wave.kurtosis(2.0).generate(line).unwrap_err();
     assert!(
-        matches!(error, Error::HeightsNotReached { reached, .. } if (reached[1] - 1.5).abs() < 1e-12)
+        matches!(error, Error::HeightMomentsNotReached { reached, .. } if (reached[1] - 1.5).abs() < 1e-12)
     );
 }
 
@@ -227,7 +227,7 @@ fn small_grids_keep_the_rms_height() {
                                     assert!(max_difference(&found, &asked_for) < 2e-9);
                                     reached += 1;
                                 }
-                                Err(Error::HeightsNotReached { .. }) => rejected += 1,
+                                Err(Error::HeightMomentsNotReached { .. }) => rejected += 1,
                                 Err(error) => panic!("{nx} x {ny}, {asked:?}: {error}"),
                             }
                         }
@@ -244,5 +244,8 @@ fn small_grids_keep_the_rms_height() {
         .kurtosis(2.1)
         .generate(Grid::new(4, 16, 1.0, 1.0).unwrap())
         .unwrap_err();
-    assert!(matches!(error, Error::HeightsNotReached { .. }), "{error}");
+    assert!(
+        matches!(error, Error::HeightMomentsNotReached { .. }),
+        "{error}"
+    );
 }

@@ -46,7 +46,7 @@ fn a_steady_loop_dissipates_its_area() {
             shear(history, TangentialControl::Force(amplitude * phase.sin()));
             let energy = history.last_step().energy();
             sums[0] += energy.work;
-            sums[1] += energy.mid_step_dissipated_energy;
+            sums[1] += energy.dissipated_energy_midpoint;
             sums[2] += energy.dissipated_energy;
             sums[3] += energy.residual.abs();
         }

@@ -85,7 +85,7 @@ fn refused_loads() {
             assert!(history.step(&bad).is_err(), "{bad:?}");
         }
         let refused = history.step(&load(12.0, across, TangentialControl::Force(1.5)));
-        let Err(error @ Error::NotModelled { value, .. }) = refused else {
+        let Err(error @ Error::UnsupportedByModel { value, .. }) = refused else {
             panic!("{refused:?}")
         };
         assert!(value == 1.5);

@@ -86,10 +86,10 @@ fn a_closed_loop_dissipates_its_work() {
                 let load = forces(*force).twist(turn * part[0]);
                 let energy = *history.step(&load).unwrap().energy();
                 assert!(
-                    energy.dissipated_energy >= 0.0 && energy.mid_step_dissipated_energy >= 0.0
+                    energy.dissipated_energy >= 0.0 && energy.dissipated_energy_midpoint >= 0.0
                 );
                 work += energy.work;
-                dissipated += energy.mid_step_dissipated_energy;
+                dissipated += energy.dissipated_energy_midpoint;
                 stored += energy.elastic_after - energy.elastic_before;
             }
             let lost = (work - stored) / dissipated - 1.0;
@@ -214,7 +214,7 @@ fn what_repeats_does_not_turn() {
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     let mut history = pressed(&bodies, &rough(grid, 6), TangentialModel::Vector, 1e-6);
     let refused = history.step(&LoadStep::hold().twist(0.1));
-    let Err(error @ Error::NotModelled { value, .. }) = refused else {
+    let Err(error @ Error::UnsupportedByModel { value, .. }) = refused else {
         panic!("{refused:?}")
     };
     let message = error.to_string();

@@ -109,7 +109,7 @@ fn a_new_gap_keeps_the_state() {
 
 /// The warnings that do not tell of the resolution, which another test is about.
 fn others(warnings: Vec<Warning>) -> Vec<Warning> {
-    let is_other = |warning: &Warning| !matches!(warning, Warning::NarrowSlip { .. });
+    let is_other = |warning: &Warning| !matches!(warning, Warning::UnderresolvedSlipZone { .. });
     warnings.into_iter().filter(is_other).collect()
 }
 

@@ -32,7 +32,7 @@ fn step(history: &mut History, load: LoadStep) {
 }
 
 /// Shear on a load that grows comes to the same tractions in one step as in many, on cells wider than a layer too: the
-/// law of entering cells has the ratio of compliances of waves as short as the cells.
+/// entry rule has the ratio of compliances of waves as short as the cells.
 #[test]
 fn coated_contacts_grow_in_any_steps() {
     for (ratio, thickness) in [(4.0, 0.3), (0.25, 0.3), (4.0, 4.0)] {

@@ -223,7 +223,7 @@ fn stiffness_rolling_wear_and_lines_are_those_of_the_coating() {
     });
     let [(rolling, pressure, traction, numbers), others @ ..] = &solved;
     for (other_rolling, other_pressure, other_traction, other_numbers) in others {
-        // The law of entering cells has the ratio of compliances of `near`, the coating that of waves of two cells.
+        // The entry rule has the ratio of compliances of `near`, the coating that of waves of two cells.
         let close = |found: &Field, expected: &Field| {
             let error = max_difference(found.as_slice(), expected.as_slice());
             assert!(error < 2e-5 * max_abs(expected.as_slice()), "{error:e}");
@@ -386,7 +386,7 @@ fn kernels_without_a_bound_are_refused() {
     assert!(matches!(refused, Error::NotDefinite { eigenvalue, .. } if eigenvalue < 0.0));
     // No coefficient of traction is in the table.
     let missing = bodies.tensor_operator([X, Y]).unwrap_err();
-    assert!(matches!(missing, Error::KernelMissing(_)));
+    assert!(matches!(missing, Error::IncompleteKernel(_)));
 }
 
 /// Also between the waves that are looked at first, where a free grid sums over all, and in the limit of long ones.
@@ -414,8 +414,8 @@ fn responses_that_fail_later_are_refused() {
         across: 1.0,
         coupling: 0.0,
     };
-    let refused = kernel.with_long_waves(softer).unwrap_err();
-    assert!(matches!(refused, Error::Below { .. }));
+    let refused = kernel.with_long_wave_limit(softer).unwrap_err();
+    assert!(matches!(refused, Error::BelowMinimum { .. }));
 }
 
 #[test]
@@ -427,7 +427,7 @@ fn bad_kernels_are_refused() {
     // What is no half-space, and what does not tend to it.
     assert!(matches!(
         Kernel::isotropic(coated, 0.4, response),
-        Err(Error::Coated { .. })
+        Err(Error::UnsupportedForCoatings { .. })
     ));
     assert!(matches!(
         Kernel::isotropic(near, 0.0, response),
@@ -437,14 +437,14 @@ fn bad_kernels_are_refused() {
     let astray = Kernel::isotropic(other, 0.4, response).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, &astray),
-        Err(Error::Below { .. })
+        Err(Error::BelowMinimum { .. })
     ));
     assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
     // A thickness beyond that of the layer, likewise.
     let thick = Kernel::isotropic(near, 0.9, response).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, &thick),
-        Err(Error::Below { .. })
+        Err(Error::BelowMinimum { .. })
     ));
 
     // Responses that store no energy, or are none.
@@ -496,7 +496,7 @@ fn bad_kernels_are_refused() {
     };
     assert!(matches!(
         Kernel::orthotropic(near, 1.0, oblique),
-        Err(Error::Below { .. })
+        Err(Error::BelowMinimum { .. })
     ));
     let straight = |[x, y]: [f64; 2]| {
         let c = 1.0 / x.hypot(y);
@@ -512,7 +512,7 @@ fn bad_kernels_are_refused() {
     let straight = Kernel::orthotropic(near, 1.0, straight).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, &straight),
-        Err(Error::Coated { .. })
+        Err(Error::UnsupportedForCoatings { .. })
     ));
 }
 
@@ -529,7 +529,7 @@ fn bad_tables_are_refused() {
         assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     }
     let refused = HalfSpace::with_boundary(grid, &tabulated, Boundary::Periodic);
-    assert!(matches!(refused, Err(Error::Coated { .. })));
+    assert!(matches!(refused, Err(Error::UnsupportedForCoatings { .. })));
     let empty = || CoefficientTable::new([1.0; 2], [2, 1]).unwrap();
     let not_odd = empty().with(Component::ZX, vec![1.0, 0.0]).unwrap();
     assert!(matches!(
@@ -562,24 +562,27 @@ fn the_pair_of_a_kernel_is_not_taken_for_it() {
     let grid = Grid::square(16, 4.0).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, pair),
-        Err(Error::KernelMissing(_))
+        Err(Error::IncompleteKernel(_))
     ));
-    assert!(matches!(pair.response(1.0), Err(Error::KernelMissing(_))));
+    assert!(matches!(
+        pair.response(1.0),
+        Err(Error::IncompleteKernel(_))
+    ));
     assert!(matches!(
         Table::sample(grid, &pair, Component::ZZ),
-        Err(Error::KernelMissing(_))
+        Err(Error::IncompleteKernel(_))
     ));
     assert!(matches!(
         analytical::HertzSphere::new(&pair, 1.0, 1.0),
-        Err(Error::Coated { .. })
+        Err(Error::UnsupportedForCoatings { .. })
     ));
     let bodies = HalfSpace::new(grid, &kernel).unwrap();
     let pressure = Field::constant(grid, 0.1);
     let tractions = Tractions::new(&pressure);
     let asked = at_points(&bodies, Body::One, tractions, &[[0.0, 0.0, 0.1]]);
-    assert!(matches!(asked, Err(Error::Coated { .. })));
+    assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let asked = Planes::new(&bodies, &[0.1]);
-    assert!(matches!(asked, Err(Error::Coated { .. })));
+    assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let gap = surface::sphere(grid, 5.0).unwrap();
     let contact = press(
         &bodies,
@@ -588,5 +591,8 @@ fn the_pair_of_a_kernel_is_not_taken_for_it() {
         1e-6,
         Method::ActiveSet,
     );
-    assert!(matches!(contact.edges(), Err(Error::Coated { .. })));
+    assert!(matches!(
+        contact.edges(),
+        Err(Error::UnsupportedForCoatings { .. })
+    ));
 }

@@ -283,7 +283,10 @@ fn a_datum_only_moves_the_far_field() {
     assert!((far.1.shift()[0] - near.1.shift()[0] - moved(0.012)).abs() < 1e-10);
 
     let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 });
-    assert!(matches!(refused, Err(Error::Below { value: 3.0, .. })));
+    assert!(matches!(
+        refused,
+        Err(Error::BelowMinimum { value: 3.0, .. })
+    ));
     for datum in [f64::NAN, f64::INFINITY] {
         let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum });
         assert!(matches!(refused, Err(Error::NotFinite { .. })));

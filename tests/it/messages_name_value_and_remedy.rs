@@ -252,7 +252,8 @@ fn refusals_of_operators_name_operators() {
     let refusals = Threads::run(2, Duration::from_secs(60), |rank| {
         HalfSpace::distributed(grid, &kernel, Boundary::NonPeriodic, Arc::new(rank)).map(|_| ())
     });
-    let of_itself = |refused: &Result<()>| matches!(refused, Err(Error::Coated { .. }));
+    let of_itself =
+        |refused: &Result<()>| matches!(refused, Err(Error::UnsupportedForCoatings { .. }));
     let text = message(refusals.into_iter().find(of_itself).unwrap());
     assert!(
         text.starts_with("a grid that ranks share is not modelled for user-defined operators: "),
@@ -312,7 +313,7 @@ fn numbers_in_messages_are_plain() {
     );
     for (error, text) in [
         (
-            Error::Below {
+            Error::BelowMinimum {
                 quantity: "kurtosis",
                 value: 0.5,
                 least_is: "the squared skewness plus one",
@@ -431,7 +432,7 @@ fn narrow_slip_in_small_spots_is_not_remarked() {
     let wave = |x: f64| (std::f64::consts::TAU * x / 32.0).cos();
     let gap = Field::from_fn(grid, |x, y| 0.4 * (2.0 - wave(x) - wave(y)));
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
-    let is_narrow = |warning: &Warning| matches!(warning, Warning::NarrowSlip { .. });
+    let is_narrow = |warning: &Warning| matches!(warning, Warning::UnderresolvedSlipZone { .. });
     for (force, part, radius, is_remarked) in [(2.2, 0.35, 3.0, false), (45.0, 0.15, 9.0, true)] {
         let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
         let press = LoadStep::hold().normal(NormalControl::Force(force));

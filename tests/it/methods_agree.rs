@@ -1,7 +1,7 @@
 //! The two methods find the same answer, within the tolerance asked, on smooth and rough bodies.
 
 use kit::{Table2, energy_difference, rough, unit_bodies, unit_pair};
-use stickslip::cgm::{self, Magnitude, Method, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report, TangentialLoad,
@@ -105,7 +105,7 @@ fn active_sets_alone_solve_the_sphere_of_table_2_within_their_cost() {
     let limits: Vec<f64> = pressure.iter().map(|p| Table2::FRICTION * p).collect();
     let (operator, inverse) = engine(Component::XX);
     let none = vec![0.0; grid.cells()];
-    let problem = Problem::new(operator, [&none], Magnitude(&limits));
+    let problem = Problem::new(operator, [&none], AbsBound(&limits));
     let problem = problem
         .preconditioner(inverse)
         .total(0.4 * Table2::FRICTION * total);

@@ -22,7 +22,7 @@ use std::process::{Command, ExitCode};
 use std::sync::Arc;
 use std::time::Duration;
 
-use kit::table::{Pose, Scene};
+use kit::table::{Scene, UnitTransform};
 use stickslip::ranks::{Mpi, Ranks};
 use stickslip::{Field, HalfSpace};
 
@@ -98,11 +98,14 @@ fn lose_the_last() -> ExitCode {
 fn compare(scene: &Scene, ranks: &Arc<dyn Ranks>) -> Option<String> {
     let bodies = scene.half_space_on(Arc::clone(ranks)).unwrap();
     let run = |bodies: &HalfSpace| {
-        let mut history = scene.history(bodies, &Pose::IN_PLACE);
-        scene.run(&mut history, &Pose::IN_PLACE);
+        let mut history = scene.history(bodies, &UnitTransform::IN_PLACE);
+        scene.run(&mut history, &UnitTransform::IN_PLACE);
         found(&history)
     };
-    let (own, alone) = (run(&bodies), run(&scene.half_space(&Pose::IN_PLACE)));
+    let (own, alone) = (
+        run(&bodies),
+        run(&scene.half_space(&UnitTransform::IN_PLACE)),
+    );
     let slab = bodies.grid();
     let first = slab.rows().start * slab.nx();
     let cells = &alone.1[first..first + own.1.len()];

@@ -186,7 +186,7 @@ fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
     History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
         .coupling(coupling)
         .model(TangentialModel::Vector)
-        .touch_rule(stickslip::history::TouchRule::WholeStep)
+        .entry_rule(stickslip::history::EntryRule::WholeStep)
         .tolerance(1e-9)
         .build()
         .unwrap()

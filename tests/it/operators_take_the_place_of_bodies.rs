@@ -243,7 +243,7 @@ fn dissimilar_contacts_are_those_of_the_bodies() {
     );
     let gap = gap(&bodies);
     let refused = CoupledProblem::builder(&apart, &gap, friction, load, still).build();
-    assert!(matches!(refused, Err(Error::KernelMissing(_))));
+    assert!(matches!(refused, Err(Error::IncompleteKernel(_))));
 }
 
 /// A history that comes back and goes on after a restart; and its stiffness.
@@ -374,7 +374,7 @@ fn what_needs_half_spaces_is_refused() {
     let kernel = Kernel::operators(near, operators()).unwrap();
     let other = HalfSpace::new(grid, &kernel).unwrap();
     let dense = DenseOperator::of_half_space(&other, Component::ZZ);
-    assert!(matches!(dense, Err(Error::Coated { .. })));
+    assert!(matches!(dense, Err(Error::UnsupportedForCoatings { .. })));
     let friction = Friction::coulomb(0.3).unwrap();
     let normal = solved(&other);
     // Along x alone.
@@ -384,16 +384,16 @@ fn what_needs_half_spaces_is_refused() {
         problem.build().map(|problem| problem.solve().unwrap())
     });
     assert!(along.is_ok());
-    assert!(matches!(across, Err(Error::KernelMissing(_))));
+    assert!(matches!(across, Err(Error::IncompleteKernel(_))));
     let rolling = RollingProblem::builder(&other, &normal, friction.clone()).build();
-    assert!(matches!(rolling, Err(Error::Coated { .. })));
+    assert!(matches!(rolling, Err(Error::UnsupportedForCoatings { .. })));
     let ranks = Threads::run(2, Duration::from_secs(60), |rank| {
         HalfSpace::distributed(grid, &kernel, Boundary::NonPeriodic, Arc::new(rank)).map(|_| ())
     });
     for refused in ranks {
         assert!(matches!(
             refused,
-            Err(Error::Coated { .. } | Error::Ranks(_))
+            Err(Error::UnsupportedForCoatings { .. } | Error::Ranks(_))
         ));
     }
     let mut history = History::builder(&other, gap(&other), friction)
@@ -402,8 +402,11 @@ fn what_needs_half_spaces_is_refused() {
     let press = || LoadStep::hold().normal(NormalControl::Force(0.05));
     history.step(&press()).unwrap();
     let rolled = history.step(&press().roll(Rolling::new(1)));
-    assert!(matches!(rolled, Err(Error::Coated { .. })));
-    assert!(matches!(normal.edges(), Err(Error::Coated { .. })));
+    assert!(matches!(rolled, Err(Error::UnsupportedForCoatings { .. })));
+    assert!(matches!(
+        normal.edges(),
+        Err(Error::UnsupportedForCoatings { .. })
+    ));
     let larger = HalfSpace::new(Grid::square(21, 3.0).unwrap(), &kernel);
     assert!(matches!(larger, Err(Error::Length { .. })));
 }
@@ -418,7 +421,7 @@ fn operators_that_are_no_compliance_are_refused() {
     let one = || of(&bodies, [Z], |_| 0.0);
     assert!(matches!(
         with(Operators::new()),
-        Err(Error::KernelMissing(_))
+        Err(Error::IncompleteKernel(_))
     ));
     let twice = Operators::new().with([X, X], of(&bodies, [X, Y], |_| 0.0));
     assert!(matches!(with(twice), Err(Error::RepeatedDirection)));
@@ -435,7 +438,7 @@ fn operators_that_are_no_compliance_are_refused() {
     // One cell is displaced twice as far as Betti's reciprocity allows.
     let skew = spoiled(one(), |_, out| out[0] *= 2.0, 0.0);
     let skew = Operators::new().with([Z], skew);
-    assert!(matches!(with(skew), Err(Error::NotModelled { value, .. }) if value > 1e-3));
+    assert!(matches!(with(skew), Err(Error::UnsupportedByModel { value, .. }) if value > 1e-3));
     let directions = |axes: [Direction; 2]| {
         let operators = Operators::new().with([axes[0]], of(&bodies, [X], |_| 0.0));
         let operators = operators.with([axes[1]], of(&bodies, [X], |_| 0.1));
@@ -444,9 +447,9 @@ fn operators_that_are_no_compliance_are_refused() {
     // The same operators along other axes are other bodies.
     assert!(directions([X, Y]) != directions([Y, X]));
     let all = Operators::new().with([X, Y, Z], of(&coupled, [X, Y, Z], |_| 0.0));
-    assert!(matches!(with(all), Err(Error::NotModelled { .. })));
+    assert!(matches!(with(all), Err(Error::UnsupportedByModel { .. })));
     let boast = Operators::new().with([Z], spoiled(one(), |_, _| (), 1e3));
-    assert!(matches!(with(boast), Err(Error::Below { .. })));
+    assert!(matches!(with(boast), Err(Error::BelowMinimum { .. })));
     let sizes = Operators::new().with([Z], one()).with(
         [X],
         of(
@@ -582,5 +585,5 @@ fn operators_on_grids_that_repeat_have_no_mean() {
     };
     assert!(on(0.0, Boundary::Periodic).is_ok() && on(0.3, Boundary::NonPeriodic).is_ok());
     let refused = on(0.3, Boundary::Periodic).unwrap_err();
-    assert!(matches!(refused, Error::NotModelled { value, .. } if value > 0.1));
+    assert!(matches!(refused, Error::UnsupportedByModel { value, .. } if value > 0.1));
 }

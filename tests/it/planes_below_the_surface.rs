@@ -92,7 +92,7 @@ proptest! {
                 let [expected, largest] = [tractions, sizes].map(|tractions| -> [Vec<f64>; 9] {
                     let sums = at_points(&bodies, body, tractions, &points).unwrap();
                     std::array::from_fn(|k| {
-                        let component = |r: &stickslip::subsurface::Response| {
+                        let component = |r: &stickslip::subsurface::PointResult| {
                             let (u, s) = (r.displacement, r.stress);
                             [u[0], u[1], u[2], s.xx, s.yy, s.zz, s.xy, s.xz, s.yz][k]
                         };

@@ -69,7 +69,7 @@ fn who_gathers_other_counts_is_told() {
         let counts = [1, 1 + ranks.rank()];
         ranks.all_gather(&vec![7; counts[ranks.rank()]], &counts)
     }) {
-        let told = Err(RankFailure::OutOfStep { rank: 1 });
+        let told = Err(RankFailure::CollectiveMismatch { rank: 1 });
         assert_eq!(outcomes[0], told);
         assert_eq!(outcomes[1], Ok(vec![7; 3]));
     }
@@ -85,7 +85,7 @@ fn who_leaves_among_large_blocks_is_told() {
         let block = vec![7; 1 << 17];
         ranks.all_to_all(vec![block; 3], &[true; 3]).map(drop)
     }) {
-        let lost = Err(RankFailure::Lost { rank: 2 });
+        let lost = Err(RankFailure::Disconnected { rank: 2 });
         assert_eq!(outcomes, [lost, lost, Ok(())]);
     }
 }
@@ -151,7 +151,7 @@ fn a_block_of_another_length_is_told() {
     let moments = (0..all).step_by(all / parts);
     for after in moments.chain((all - 6..all).step_by(stride)) {
         let outcomes = solve(after);
-        let told = Error::Ranks(RankFailure::OutOfStep { rank: 1 });
+        let told = Error::Ranks(RankFailure::CollectiveMismatch { rank: 1 });
         assert_eq!(outcomes[0].0, Err(told), "{after} of {all}");
     }
 }

@@ -35,13 +35,13 @@ fn slabs_that_do_not_belong_together_are_refused() {
     });
     let refused = |slabs: &[Vec<u8>]| {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
-        State::of_slabs(&alone, slabs).map(drop).unwrap_err()
+        State::from_slabs(&alone, slabs).map(drop).unwrap_err()
     };
     // A chunk is 32 rows. The third rank has those from the third of four on, and from the sixth of eight in the campaign.
     let row = kit::thorough(64, 160);
-    let other = Error::Ranks(RankFailure::OtherState { row });
+    let other = Error::Ranks(RankFailure::InconsistentSlabs { row });
     assert_eq!(refused(&slabs), other);
-    let missing = Error::Ranks(RankFailure::NoSlab { row });
+    let missing = Error::Ranks(RankFailure::MissingSlab { row });
     assert_eq!(refused(&slabs[..2]), missing);
     // Slabs of two steps on the ranks that hold them, and bytes that are damaged on one.
     for (rank, byte) in [(2, None), (1, Some(40))] {
@@ -56,9 +56,15 @@ fn slabs_that_do_not_belong_together_are_refused() {
         });
         for (number, outcome) in outcomes.iter().enumerate() {
             let is_told = match byte {
-                None => matches!(outcome, Err(Error::Ranks(RankFailure::Different(_)))),
+                None => matches!(
+                    outcome,
+                    Err(Error::Ranks(RankFailure::InconsistentInput(_)))
+                ),
                 Some(_) if number == rank => matches!(outcome, Err(Error::Format { .. })),
-                Some(_) => matches!(outcome, Err(Error::Ranks(RankFailure::Refused { rank: 1 }))),
+                Some(_) => matches!(
+                    outcome,
+                    Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }))
+                ),
             };
             assert!(is_told, "{outcome:?}");
         }
@@ -77,7 +83,7 @@ fn ranks_that_differ_are_told() {
         let mut history = begun(&bodies, false);
         let other = Friction::coulomb(0.4).unwrap();
         let chosen = if is_first { other } else { friction(&bodies) };
-        let different = Error::Ranks(RankFailure::Different("friction"));
+        let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
         assert_eq!(history.set_friction(&chosen), Err(different));
         let path = LoadPath::triangle([0.1, 0.0], 4).unwrap();
         let fretting = FrettingLoop::new(path, LoadStep::force);
@@ -112,7 +118,7 @@ fn ranks_that_differ_are_told() {
     });
     for (number, outcomes) in outcomes.iter().enumerate() {
         for outcome in outcomes {
-            let is_refused = *outcome == Err(Error::Ranks(RankFailure::Refused { rank: 0 }));
+            let is_refused = *outcome == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 0 }));
             assert_eq!(is_refused, number != 0, "{outcome:?}");
             assert!(outcome.is_err());
         }
@@ -132,7 +138,7 @@ fn ranks_that_return_to_different_steps_are_told() {
         let late = history.state().clone();
         run(&mut history, 7..8);
         let before = history.to_bytes();
-        let different = Error::Ranks(RankFailure::Different("state but for its fields"));
+        let different = Error::Ranks(RankFailure::InconsistentInput("state but for its fields"));
         let outcome = history.set_state(if is_first { &early } else { &late });
         assert_eq!(outcome, Err(different));
         assert!(history.to_bytes() == before);
@@ -165,7 +171,7 @@ fn kernels_that_fail_on_one_rank_are_refused_by_all() {
     for (number, (failed, other)) in outcomes.iter().enumerate() {
         let is_told = match failed {
             Err(Error::Sample { .. }) => number == 2,
-            failed => *failed == Err(Error::Ranks(RankFailure::Refused { rank: 2 })),
+            failed => *failed == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 2 })),
         };
         assert!(is_told && *other == Ok(()), "rank {number}: {failed:?}");
     }

@@ -245,7 +245,7 @@ fn a_rank_that_is_lost_ends_all() {
         }
     });
     for outcome in &outcomes[..2] {
-        let lost = RankFailure::Lost { rank: 2 };
+        let lost = RankFailure::Disconnected { rank: 2 };
         assert!(
             matches!(outcome, Err(Error::Ranks(failure)) if *failure == lost),
             "{outcome:?}"
@@ -329,7 +329,7 @@ fn what_one_rank_refuses_all_refuse() {
         "{outcomes:?}"
     );
     for rank in [0, 2] {
-        let refused = RankFailure::Refused { rank: 1 };
+        let refused = RankFailure::RejectedByRank { rank: 1 };
         assert!(
             matches!(outcomes[rank], Err(Error::Ranks(failure)) if failure == refused),
             "{outcomes:?}"
@@ -353,7 +353,7 @@ fn a_silent_rank_is_given_up() {
         outcome
     });
     assert!(
-        matches!(outcomes[0], Err(RankFailure::Silent { rank: 1, .. })),
+        matches!(outcomes[0], Err(RankFailure::Timeout { rank: 1, .. })),
         "{outcomes:?}"
     );
 }

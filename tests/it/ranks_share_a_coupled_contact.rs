@@ -147,10 +147,10 @@ fn what_one_rank_refuses_all_refuse() {
         ]
     });
     for (rank, [gap, friction]) in outcomes.into_iter().enumerate() {
-        let is_refused = gap == Err(Error::Ranks(RankFailure::Refused { rank: 1 }));
+        let is_refused = gap == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }));
         assert_eq!(is_refused, rank != 1, "{gap:?}");
         assert!(gap.is_err());
-        let different = Error::Ranks(RankFailure::Different("friction"));
+        let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
         assert_eq!(friction, Err(different));
     }
 }

@@ -70,7 +70,7 @@ fn fretted(bodies: &HalfSpace) -> Found {
     wear::energy(1e-2, cycle.dissipated_energy(), &mut depth).unwrap();
     let jump = wear::CycleJump::new(bodies, cycle, &depth).unwrap();
     let most = wear::max_stable_cycles(bodies, 1e-2, cycle.slip_distance()).unwrap();
-    known.extend([jump.closed_within(0.9).cycles().unwrap(), most]);
+    known.extend([jump.max_residual(0.9).cycles().unwrap(), most]);
     let mut both = [history.clone(), history];
     let loads = [LoadStep::force([0.5, 0.0]), LoadStep::force([-0.5, 0.0])];
     assert!(History::step_all(&mut both, &loads).unwrap().is_empty());

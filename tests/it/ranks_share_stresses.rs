@@ -93,7 +93,7 @@ fn ranks_refuse_alike() {
         let boundary = Boundary::NonPeriodic;
         let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
         let [p, qx, qy] = loads(bodies.grid());
-        let different = |name| Some(Error::Ranks(RankFailure::Different(name)));
+        let different = |name| Some(Error::Ranks(RankFailure::InconsistentInput(name)));
         let depths = [if is_first { 0.5 } else { 0.6 }];
         assert_eq!(Planes::new(&bodies, &depths).err(), different("depths"));
         let mut planes = Planes::new(&bodies, &DEPTHS).unwrap();
@@ -128,7 +128,10 @@ fn ranks_refuse_alike() {
         }
         planes.solve(1, Body::One, Tractions::new(&p)).unwrap();
         let not_shared = |outcome: Result<()>| {
-            let told = matches!(outcome, Err(Error::Ranks(RankFailure::NotShared(_))));
+            let told = matches!(
+                outcome,
+                Err(Error::Ranks(RankFailure::UnsupportedOnRanks(_)))
+            );
             assert!(told, "{outcome:?}");
         };
         not_shared(at_points(&bodies, Body::One, Tractions::new(&p), &[[0.0; 3]]).map(drop));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use stickslip::cgm::Settings;
-use stickslip::history::{AdaptiveSteps, TouchRule, wear};
+use stickslip::history::{AdaptiveSteps, EntryRule, wear};
 use stickslip::normal::Hardness;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::stiffness::StiffnessWorkspace;
@@ -36,7 +36,11 @@ fn assert_told<T: Debug + Send>(
 ) {
     for outcome in outcomes(of) {
         let error = outcome.expect_err(name);
-        assert_eq!(error, Error::Ranks(RankFailure::Different(name)), "{name}");
+        assert_eq!(
+            error,
+            Error::Ranks(RankFailure::InconsistentInput(name)),
+            "{name}"
+        );
         assert_eq!(
             error.to_string(),
             format!("the ranks do not have the same {name}")
@@ -307,10 +311,10 @@ fn of_histories() {
                 Coupling::Neglected,
                 Coupling::OneWay,
             ))
-            .touch_rule(one_of(
-                is("touch rule"),
-                TouchRule::WholeStep,
-                TouchRule::Growth,
+            .entry_rule(one_of(
+                is("entry rule"),
+                EntryRule::WholeStep,
+                EntryRule::SinceTouch,
             ))
             .hardness(Hardness::uniform(one_of(is("hardness"), 5.0, 4.0))?)
             .permanent_set(is("permanent set"))
@@ -322,7 +326,7 @@ fn of_histories() {
         "axis",
         "model",
         "coupling",
-        "touch rule",
+        "entry rule",
         "hardness",
         "permanent set",
         "relative displacement",

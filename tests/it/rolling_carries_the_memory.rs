@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use stickslip::analytical::{Carter, HertzLine};
-use stickslip::history::{AdaptiveSteps, LeadingEdge, Rolling, TouchRule};
+use stickslip::history::{AdaptiveSteps, EntryRule, LeadingEdge, Rolling};
 use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
@@ -18,10 +18,10 @@ fn alike(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
 }
 
 /// A vector history with friction 0.3.
-fn history(bodies: &HalfSpace, gap: &Field, touch_rule: TouchRule, tolerance: f64) -> History {
+fn history(bodies: &HalfSpace, gap: &Field, entry_rule: EntryRule, tolerance: f64) -> History {
     History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
         .model(TangentialModel::Vector)
-        .touch_rule(touch_rule)
+        .entry_rule(entry_rule)
         .tolerance(tolerance)
         .build()
         .unwrap()
@@ -60,7 +60,7 @@ fn another_code_has_the_same_digits_without_the_law() {
     ];
     for (creepage, spin, expected) in [([0.0025, 0.0], 0.0, along), ([0.0, 0.0012], 0.02, turning)]
     {
-        let mut history = history(&bodies, &gap, TouchRule::WholeStep, 1e-11);
+        let mut history = history(&bodies, &gap, EntryRule::WholeStep, 1e-11);
         let load = press(100.0).roll(Rolling::new(1).creepage(creepage).spin(spin));
         for n in 1..=30 {
             history.step(&load).unwrap();
@@ -83,7 +83,7 @@ fn another_code_has_the_same_digits_without_the_law() {
     let line = Grid::new(70, 1, 0.03125, 200.0).unwrap();
     let bodies = alike(line, 82_000.0, 0.28);
     let gap = Field::from_fn(line, |x, _| 0.001 * x * x);
-    let mut history = history(&bodies, &gap, TouchRule::WholeStep, 1e-11);
+    let mut history = history(&bodies, &gap, EntryRule::WholeStep, 1e-11);
     let expected = [
         (1, 350.1825319509, 64),
         (2, 698.8757052674, 63),
@@ -136,7 +136,7 @@ fn same_in_both_frames(pair: &ElasticPair, coupling: Coupling) {
         History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
             .model(TangentialModel::Vector)
             .coupling(coupling)
-            .touch_rule(TouchRule::WholeStep)
+            .entry_rule(EntryRule::WholeStep)
             .tolerance(1e-12)
             .build()
             .unwrap()
@@ -201,8 +201,8 @@ fn the_balance_of_energy_closes() {
         (LeadingEdge::MinusY, alike(grid, 1.0, 0.3)),
         (LeadingEdge::MinusY, HalfSpace::new(grid, coupled).unwrap()),
     ] {
-        for touch_rule in [TouchRule::Growth, TouchRule::WholeStep] {
-            let mut history = history(&bodies, &gap, touch_rule, 1e-10);
+        for entry_rule in [EntryRule::SinceTouch, EntryRule::WholeStep] {
+            let mut history = history(&bodies, &gap, entry_rule, 1e-10);
             for n in 0..8_u8 {
                 let rolling = Rolling::new(1 + usize::from(n % 3))
                     .leading_edge(edge)
@@ -221,7 +221,7 @@ fn the_balance_of_energy_closes() {
                     most > 1e-6 && energy.imbalance().abs() < 1e-13 * most,
                     "{energy:?}"
                 );
-                assert!(energy.mid_step_dissipated_energy > -1e-9 * most);
+                assert!(energy.dissipated_energy_midpoint > -1e-9 * most);
                 assert!(energy.residual.abs() < 1e-7 * most, "{energy:?}");
             }
         }
@@ -240,8 +240,8 @@ fn textures_roll_with_the_particles() {
         })
     };
     let rolling = Rolling::new(1).creepage([0.1, -0.05]);
-    for touch_rule in [TouchRule::Growth, TouchRule::WholeStep] {
-        let mut moved = history(&bodies, &gap(0), touch_rule, 1e-10);
+    for entry_rule in [EntryRule::SinceTouch, EntryRule::WholeStep] {
+        let mut moved = history(&bodies, &gap(0), entry_rule, 1e-10);
         moved.step(&press(1.5)).unwrap();
         let mut touched = 0;
         for n in 1..=12 {
@@ -250,7 +250,7 @@ fn textures_roll_with_the_particles() {
             moved.step(&press(1.5).roll(rolling)).unwrap();
             let energy = moved.last_step().energy();
             assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
-            assert!(energy.mid_step_dissipated_energy > 0.0);
+            assert!(energy.dissipated_energy_midpoint > 0.0);
             assert!(energy.residual.abs() < 1e-7 * energy.elastic_after);
             let now = moved.pressure().as_slice().iter().zip(before);
             touched += now
@@ -283,7 +283,7 @@ fn rough_forms_end_in_steady_rolling() {
     let gap = Field::from_fn(grid, |x, y| {
         0.5 * (x * x + y * y) + 0.02 * (9.0 * x).cos() * (7.0 * y + 1.0).cos()
     });
-    let mut history = history(&bodies, &gap, TouchRule::Growth, 1e-9);
+    let mut history = history(&bodies, &gap, EntryRule::SinceTouch, 1e-9);
     history.step(&press(1.0)).unwrap();
     let rolling = Rolling::new(1).creepage([0.08, 0.03]).spin(0.05);
     // Thirty times the half-width of about 0.9.
@@ -304,7 +304,7 @@ fn rough_forms_end_in_steady_rolling() {
 #[test]
 fn slip_and_dissipation_move_with_the_particles() {
     let (bodies, ball, load) = small_sphere(0.25);
-    let mut history = history(&bodies, &ball, TouchRule::Growth, 1e-9);
+    let mut history = history(&bodies, &ball, EntryRule::SinceTouch, 1e-9);
     let rolling = Rolling::new(1).creepage([0.3, 0.1]);
     let (mut slipped, mut lost) = (vec![0.0; 400], vec![0.0; 400]);
     for _ in 0..30 {
@@ -325,7 +325,7 @@ fn slip_and_dissipation_move_with_the_particles() {
 }
 
 /// Errors of the force over the friction limit, of cells over the contact, 30 half-widths from rest.
-fn error_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> f64 {
+fn error_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> f64 {
     let body = Material::new(1.0, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();
     let hertz = HertzLine::new(
@@ -346,7 +346,7 @@ fn error_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> f64 {
         let gap = Field::from_fn(grid, |x, _| 0.5 * (x + offset * dx).powi(2));
         let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
         let mut history = builder
-            .touch_rule(touch_rule)
+            .entry_rule(entry_rule)
             .tolerance(1e-9)
             .build()
             .unwrap();
@@ -361,18 +361,18 @@ fn error_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> f64 {
 
 #[test]
 fn carters_force_is_that_of_the_law() {
-    let law = error_of_carter(128, 0.2, TouchRule::Growth);
+    let law = error_of_carter(128, 0.2, EntryRule::SinceTouch);
     assert!(law < 2.1e-5, "{law:e}");
-    let whole = error_of_carter(128, 0.2, TouchRule::WholeStep);
+    let whole = error_of_carter(128, 0.2, EntryRule::WholeStep);
     assert!(whole > 60.0 * law && whole < 3e-3, "{whole:e} {law:e}");
 }
 
-/// With the law of entering cells, whose compliance depends on the direction at this Poisson's ratio.
+/// With the entry rule, whose compliance depends on the direction at this Poisson's ratio.
 #[test]
 fn it_ends_in_steady_rolling() {
     let (bodies, ball, load) = small_sphere(0.25);
     let (creepage, spin) = ([0.12, 0.06], 0.1);
-    let mut history = history(&bodies, &ball, TouchRule::Growth, 1e-9);
+    let mut history = history(&bodies, &ball, EntryRule::SinceTouch, 1e-9);
     let rolling = Rolling::new(1).creepage(creepage).spin(spin);
     for _ in 0..240 {
         history.step(&press(load).roll(rolling)).unwrap();
@@ -409,7 +409,7 @@ fn it_ends_in_steady_rolling() {
 fn every_leading_edge_is_another_view_of_the_same() {
     let (bodies, ball, load) = small_sphere(0.3);
     let of = |edge: LeadingEdge, creepage: [f64; 2], spin: f64| {
-        let mut history = history(&bodies, &ball, TouchRule::Growth, 1e-11);
+        let mut history = history(&bodies, &ball, EntryRule::SinceTouch, 1e-11);
         let rolling = Rolling::new(2)
             .leading_edge(edge)
             .creepage(creepage)
@@ -445,8 +445,8 @@ fn every_leading_edge_is_another_view_of_the_same() {
 #[test]
 fn a_force_has_the_creepage_that_causes_it() {
     let (bodies, ball, load) = small_sphere(0.25);
-    let mut given = history(&bodies, &ball, TouchRule::Growth, 1e-12);
-    let mut found = history(&bodies, &ball, TouchRule::Growth, 1e-12);
+    let mut given = history(&bodies, &ball, EntryRule::SinceTouch, 1e-12);
+    let mut found = history(&bodies, &ball, EntryRule::SinceTouch, 1e-12);
     let rolling = Rolling::new(1).spin(0.05);
     for creepage in [[0.05, 0.02], [0.1, 0.02], [-0.04, 0.03], [0.0, -0.1]] {
         let step = given
@@ -570,7 +570,7 @@ fn dissimilar_bodies_roll_under_a_given_pressure() {
 #[test]
 fn a_state_continues_to_the_same_bits() {
     let (bodies, ball, load) = small_sphere(0.25);
-    let mut history = history(&bodies, &ball, TouchRule::Growth, 1e-8);
+    let mut history = history(&bodies, &ball, EntryRule::SinceTouch, 1e-8);
     let rolling = Rolling::new(1).creepage([0.1, 0.03]).spin(0.05);
     let steps = |history: &mut History, from: u8, to: u8| {
         for n in from..to {
@@ -590,7 +590,7 @@ fn a_state_continues_to_the_same_bits() {
 #[test]
 fn a_step_that_fails_leaves_no_trace() {
     let (bodies, ball, load) = small_sphere(0.25);
-    let mut history = history(&bodies, &ball, TouchRule::Growth, 1e-8);
+    let mut history = history(&bodies, &ball, EntryRule::SinceTouch, 1e-8);
     history.step(&press(load)).unwrap();
     let before = history.state().to_bytes();
     let rolling = Rolling::new(2).creepage([0.1, 0.03]);
@@ -625,7 +625,7 @@ fn a_step_that_fails_leaves_no_trace() {
 #[test]
 fn bad_rolling_is_refused() {
     let (bodies, ball, load) = small_sphere(0.25);
-    let mut rolled = history(&bodies, &ball, TouchRule::Growth, 1e-8);
+    let mut rolled = history(&bodies, &ball, EntryRule::SinceTouch, 1e-8);
     rolled.step(&press(load)).unwrap();
     let before = rolled.state().to_bytes();
     let one = Rolling::new(1);
@@ -662,20 +662,20 @@ fn bad_rolling_is_refused() {
     ] {
         let refused = rolled.step(&load);
         assert!(
-            matches!(refused, Err(Error::NotModelled { .. })),
+            matches!(refused, Err(Error::UnsupportedByModel { .. })),
             "{refused:?}"
         );
     }
     let mut adaptive = AdaptiveSteps::new(&rolled, 1e-3).unwrap();
     let refused = adaptive.step(&mut rolled, &LoadStep::hold().roll(one));
-    assert!(matches!(refused, Err(Error::NotModelled { value, .. }) if value == 1.0));
+    assert!(matches!(refused, Err(Error::UnsupportedByModel { value, .. }) if value == 1.0));
     assert_eq!(rolled.state().to_bytes(), before);
 
     let is_refused = |history: Result<History, Error>, rolling: Rolling| {
         let mut history = history.unwrap();
         let refused = history.step(&press(1e-3).roll(rolling));
         assert!(
-            matches!(refused, Err(Error::NotModelled { .. })),
+            matches!(refused, Err(Error::UnsupportedByModel { .. })),
             "{refused:?}"
         );
     };

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use kit::Random;
 use rayon::prelude::*;
 use stickslip::analytical::HertzLine;
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
@@ -72,7 +72,7 @@ fn rows_of_long_cells_converge_under_any_force_for_bodies_of_any_materials() {
             let rolling =
                 RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
                     .leading_edge(LeadingEdge::MinusX)
-                    .touch_rule(TouchRule::WholeStep)
+                    .entry_rule(EntryRule::WholeStep)
                     .control(Axis::X, RollingControl::Force(part * 0.3 * load))
                     .build()
                     .unwrap()

@@ -162,14 +162,14 @@ fn strips_are_lines() -> Result<()> {
 fn ellipses_beyond_the_table_are_refused() {
     for ratio in [0.06, 16.7, 1e300] {
         let refused = KalkerCoefficients::new(ratio, 0.3);
-        assert!(matches!(refused, Err(Error::Below { value, .. }) if value < 0.0625));
+        assert!(matches!(refused, Err(Error::BelowMinimum { value, .. }) if value < 0.0625));
     }
     for (ratio, poisson) in [(0.0625, 0.5), (16.0, 0.0)] {
         assert!(KalkerCoefficients::new(ratio, poisson).is_ok());
     }
     let refused = |poisson| KalkerCoefficients::new(1.0, poisson);
-    assert!(matches!(refused(-0.1), Err(Error::Below { .. })));
-    assert!(matches!(refused(f64::NAN), Err(Error::Below { .. })));
+    assert!(matches!(refused(-0.1), Err(Error::BelowMinimum { .. })));
+    assert!(matches!(refused(f64::NAN), Err(Error::BelowMinimum { .. })));
     assert_eq!(refused(0.51), Err(Error::PoissonRatio(0.51)));
 }
 

@@ -1,6 +1,6 @@
 //! A rolling solver takes new loads and pressures, with the results of new problems.
 
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl,
 };
@@ -35,11 +35,11 @@ fn pressed(bodies: &HalfSpace, load: f64) -> NormalSolution {
 fn rolling(
     bodies: &HalfSpace,
     normal: &NormalSolution,
-    (edge, rule): (LeadingEdge, TouchRule),
+    (edge, rule): (LeadingEdge, EntryRule),
 ) -> RollingSolver {
     RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
         .leading_edge(edge)
-        .touch_rule(rule)
+        .entry_rule(rule)
         .tolerance(1e-10)
         .build()
         .unwrap()
@@ -81,13 +81,13 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
         Material::new(50.0, 0.2).unwrap(),
     );
     for (pair, edge, rule) in [
-        (alike(), LeadingEdge::PlusX, TouchRule::Growth),
-        (alike(), LeadingEdge::MinusY, TouchRule::Growth),
-        (alike(), LeadingEdge::PlusX, TouchRule::WholeStep),
+        (alike(), LeadingEdge::PlusX, EntryRule::SinceTouch),
+        (alike(), LeadingEdge::MinusY, EntryRule::SinceTouch),
+        (alike(), LeadingEdge::PlusX, EntryRule::WholeStep),
         (
             rubber_on_glass.unwrap(),
             LeadingEdge::MinusX,
-            TouchRule::Growth,
+            EntryRule::SinceTouch,
         ),
     ] {
         let bodies = bodies(16, &pair);
@@ -115,7 +115,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
 #[test]
 fn rolling_solver_finds_the_pressure_of_a_new_load() {
     let bodies = bodies(24, &alike());
-    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
     let refused = solver.set_load(NormalControl::Force(0.7)).unwrap_err();
     assert!(
@@ -141,7 +141,7 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     }
 }
 
-/// A pressure without a gap cannot have the law of entering cells.
+/// A pressure without a gap cannot have the entry rule.
 #[test]
 fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
     let bodies = bodies(24, &alike());
@@ -152,15 +152,15 @@ fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
         solver.set_control(creepages, 0.02).unwrap();
         solver
     };
-    let mut by_field = of(TouchRule::WholeStep);
+    let mut by_field = of(EntryRule::WholeStep);
     let mut by_solution = by_field.clone();
     by_field.set_pressure(normal.pressure()).unwrap();
     by_solution.set_pressure(&normal).unwrap();
     let found = solved(&mut by_field);
     assert_eq!(found.traction(), solved(&mut by_solution).traction());
-    let refused = of(TouchRule::Growth).set_pressure(normal.pressure());
+    let refused = of(EntryRule::SinceTouch).set_pressure(normal.pressure());
     assert!(
-        matches!(refused, Err(Error::NotModelled { .. })),
+        matches!(refused, Err(Error::UnsupportedByModel { .. })),
         "{refused:?}"
     );
 }
@@ -171,7 +171,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
     let mut solver = rolling(
         &bodies,
         &pressed(&bodies, 1.0),
-        (LeadingEdge::PlusX, TouchRule::Growth),
+        (LeadingEdge::PlusX, EntryRule::SinceTouch),
     );
     let press = problem(&bodies, 1.0).into_solver().unwrap();
     solver.set_normal_solver(press).unwrap();
@@ -197,7 +197,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
         ),
         matches!(
             solver.set_pressure(&Field::zeros(grid)),
-            Err(Error::NotModelled { .. })
+            Err(Error::UnsupportedByModel { .. })
         ),
         matches!(
             solver.set_normal_solver(problem(&other, 1.0).into_solver().unwrap()),
@@ -218,11 +218,11 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
         ),
         matches!(
             solver.set_load(NormalControl::Force(-1.0)),
-            Err(Error::Negative { .. })
+            Err(Error::NegativeOrNotFinite { .. })
         ),
         matches!(
             solver.set_load(NormalControl::Hold),
-            Err(Error::NothingToHold)
+            Err(Error::NoPressureToHold)
         ),
     ];
     assert_eq!(is_refused, [true; 9]);
@@ -239,7 +239,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
 #[test]
 fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
     let bodies = bodies(24, &alike());
-    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
     let mut solver = rolling(&bodies, &light, by_default);
     // Before the first solve it is that of a contact that sticks.
@@ -303,13 +303,13 @@ fn time_loop_of_a_vehicle_takes_few_products() {
 #[test]
 fn rolling_solution_warns_of_a_contact_at_the_edge() {
     let bodies = bodies(24, &alike());
-    let by_default = (LeadingEdge::PlusX, TouchRule::Growth);
+    let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let fine = solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
     assert_eq!(fine.warnings(), []);
     let coarse = solved(&mut rolling(&bodies, &pressed(&bodies, 0.02), by_default));
     assert!(matches!(
         coarse.warnings()[..],
-        [Warning::CoarseContact { .. }]
+        [Warning::UnderresolvedContact { .. }]
     ));
     // Elliptic, and long across: it leaves the grid at its sides.
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();

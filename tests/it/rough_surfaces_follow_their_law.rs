@@ -267,7 +267,7 @@ fn threads_do_not_matter() {
 }
 
 fn is_below(result: &Result<impl Sized, Error>, asked: &str, value: f64) -> bool {
-    matches!(result, Err(Error::Below { quantity, value: v, .. }) if *quantity == asked && *v == value)
+    matches!(result, Err(Error::BelowMinimum { quantity, value: v, .. }) if *quantity == asked && *v == value)
 }
 
 #[test]
@@ -311,7 +311,7 @@ fn bad_input_is_refused() {
     let between = good.longest_wavelength(22.0).cut_off_wavelength(17.0);
     assert_eq!(
         between.generate(grid).unwrap_err(),
-        Error::EmptyBand {
+        Error::NoWaveInBand {
             longest: 22.0,
             shortest: 17.0
         }

@@ -1,4 +1,4 @@
-//! The same bits on any number of threads, in any pool and beside any other work. Without threads: `tests/bits`.
+//! The same bits on any number of threads, in any pool and beside any other work. Without threads: `tests/determinism`.
 
 use kit::{rough, unit_bodies};
 use stickslip::{

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use kit::{rough, unit_bodies};
-use stickslip::cgm::{self, Iteration, Magnitude, Method, NonNegative, Problem, Settings};
+use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
@@ -108,7 +108,7 @@ fn the_engine_asks_before_every_product() {
             };
             let shear = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
                 let operator = Counting::of(&bodies, Component::XX);
-                let problem = Problem::new(&operator, [&shifted], Magnitude(&limits));
+                let problem = Problem::new(&operator, [&shifted], AbsBound(&limits));
                 let problem = problem.preconditioner(inverse.clone());
                 let problem = total.into_iter().fold(problem, Problem::total);
                 let outcome = cgm::minimise_with(

@@ -243,10 +243,10 @@ fn a_closed_loop_dissipates_the_work_of_the_far_ends() {
                 work += 0.5 * (force[axis] + after[axis]) * (position[axis] - last[axis]);
             }
             last = *position;
-            assert!(energy.dissipated_energy >= 0.0 && energy.mid_step_dissipated_energy >= 0.0);
+            assert!(energy.dissipated_energy >= 0.0 && energy.dissipated_energy_midpoint >= 0.0);
             let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
             assert!(energy.imbalance().abs() < 1e-12 * scale, "{energy:?}");
-            dissipated += energy.mid_step_dissipated_energy;
+            dissipated += energy.dissipated_energy_midpoint;
             stored += energy.elastic_after - energy.elastic_before;
         }
         stored += spring_energy(history.tangential_force()) - spring_energy(before);

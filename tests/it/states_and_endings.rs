@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kit::{Table2, max_abs, rough, unit_bodies};
-use stickslip::cgm::{self, Iteration, Magnitude, Method, Problem, Settings, Status};
+use stickslip::cgm::{self, AbsBound, Iteration, Method, Problem, Settings, Status};
 use stickslip::influence::Component;
 use stickslip::{
     Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
@@ -209,7 +209,7 @@ fn warnings_are_values() {
             .unwrap()
     };
     let flat = press(&Field::zeros(grid), 1.0);
-    let across = Warning::ContactAcross {
+    let across = Warning::ContactSpansGrid {
         along_x: true,
         along_y: true,
     };
@@ -569,7 +569,7 @@ fn nothing_is_asked_of_a_uniform_offset() {
     let linear: Vec<f64> = limits.as_slice().iter().map(offset).collect();
     let operator = bodies.operator(Component::XX).unwrap();
     let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
-    let problem = Problem::new(operator, [&linear], Magnitude(limits.as_slice()));
+    let problem = Problem::new(operator, [&linear], AbsBound(limits.as_slice()));
     let problem = problem.preconditioner(inverse).total(0.0);
     let mut x = vec![0.0; grid.cells()];
     let minimum = cgm::minimise(&problem, &Settings::default(), [&mut x]).unwrap();
@@ -581,7 +581,7 @@ fn nothing_is_asked_of_a_uniform_offset() {
     linear[n / 2 * n + n / 2] += 1e-13;
     let operator = bodies.operator(Component::XX).unwrap();
     let inverse = bodies.preconditioner(Component::XX).unwrap().unwrap();
-    let problem = Problem::new(operator, [&linear], Magnitude(limits.as_slice()));
+    let problem = Problem::new(operator, [&linear], AbsBound(limits.as_slice()));
     let problem = problem.preconditioner(inverse).total(0.0);
     let outcome = cgm::minimise(&problem, &Settings::default(), [&mut x]);
     assert!(matches!(outcome, Ok(_) | Err(Error::NotConverged(_))));

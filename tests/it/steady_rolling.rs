@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use stickslip::analytical::{Carter, HertzLine};
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::influence::Direction;
 use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
@@ -44,7 +44,7 @@ fn another_code_has_the_same_digits_without_the_law() {
         RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
             .creepage(creepage)
             .spin(spin)
-            .touch_rule(TouchRule::WholeStep)
+            .entry_rule(EntryRule::WholeStep)
             .tolerance(1e-10)
             .build()
             .unwrap()
@@ -95,7 +95,7 @@ fn another_code_has_the_same_digits_without_the_law() {
     let normal = pressed(&bodies, &gap, 106_700.0);
     let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
         .creepage([0.0012, 0.0])
-        .touch_rule(TouchRule::WholeStep)
+        .entry_rule(EntryRule::WholeStep)
         .tolerance(1e-9)
         .build()
         .unwrap()
@@ -107,7 +107,7 @@ fn another_code_has_the_same_digits_without_the_law() {
 
 /// Errors of the force over the friction limit and of the traction (L1) on so many cells over the contact, means of three
 /// positions.
-fn errors_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> [f64; 2] {
+fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2] {
     let body = Material::new(1.0, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();
     let mut errors = [0.0; 2];
@@ -126,7 +126,7 @@ fn errors_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> [f64; 2]
         let carter = Carter::new(hertz, 0.3, creepage).unwrap();
         let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
             .creepage([creepage, 0.0])
-            .touch_rule(touch_rule)
+            .entry_rule(entry_rule)
             .build()
             .unwrap()
             .solve()
@@ -147,7 +147,7 @@ fn errors_of_carter(cells: usize, ratio: f64, touch_rule: TouchRule) -> [f64; 2]
 #[test]
 fn carters_force_has_second_order() {
     for ratio in [0.6, 0.2] {
-        let law = [32, 128, 512].map(|cells| errors_of_carter(cells, ratio, TouchRule::Growth));
+        let law = [32, 128, 512].map(|cells| errors_of_carter(cells, ratio, EntryRule::SinceTouch));
         let order = |part: usize| (law[0][part] / law[2][part]).ln() / 16.0_f64.ln();
         assert!(
             order(0) > 1.8 && order(1) > 1.3,
@@ -156,7 +156,7 @@ fn carters_force_has_second_order() {
             order(1)
         );
         assert!(law[1][0] < 2e-5, "{:e}", law[1][0]);
-        let whole = errors_of_carter(128, ratio, TouchRule::WholeStep);
+        let whole = errors_of_carter(128, ratio, EntryRule::WholeStep);
         assert!(whole[0] > 60.0 * law[1][0] && whole[1] > 5.0 * law[1][1]);
     }
 }
@@ -313,11 +313,11 @@ proptest! {
         let coefficients = Field::from_fn(grid, |x, _| if x > 0.1 { friction[0] } else { friction[1] });
         let by_cell = Friction::per_cell(coefficients).unwrap();
         let limit = |cell: usize, p: f64| by_cell.limit(cell, p);
-        let problem = |touch_rule: TouchRule, tolerance: f64| {
+        let problem = |entry_rule: EntryRule, tolerance: f64| {
             let builder = RollingProblem::builder(&bodies, &normal, by_cell.clone())
                 .creepage(creepage)
                 .spin(spin)
-                .touch_rule(touch_rule)
+                .entry_rule(entry_rule)
                 .tolerance(tolerance);
             let held: f64 = (0..grid.cells()).map(|i| limit(i, normal.pressure().as_slice()[i])).sum();
             let builder = match fraction {
@@ -326,18 +326,18 @@ proptest! {
             };
             builder.build().unwrap().solve().unwrap()
         };
-        check_laws(&bodies, &normal, &problem(TouchRule::WholeStep, 1e-10), limit);
-        let (rough, tight) = (problem(TouchRule::WholeStep, 1e-3), problem(TouchRule::WholeStep, 1e-11));
+        check_laws(&bodies, &normal, &problem(EntryRule::WholeStep, 1e-10), limit);
+        let (rough, tight) = (problem(EntryRule::WholeStep, 1e-3), problem(EntryRule::WholeStep, 1e-11));
         let (energy, error) = energies(&bodies, [&rough, &tight], |_| 0.0);
         let bound = (rough.report().duality_gap * energy).sqrt();
         // The tighter answer has an error too.
         prop_assert!(error.max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
-        // With the law of entering cells the same scene converges too.
-        let entering = problem(TouchRule::Growth, 1e-9);
+        // With the entry rule the same scene converges too.
+        let entering = problem(EntryRule::SinceTouch, 1e-9);
         prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
     }
 
-    /// With the law of entering cells the certificate is above the error too. Without lateral contraction the compliance
+    /// With the entry rule the certificate is above the error too. Without lateral contraction the compliance
     /// of a cell that enters is the gap ahead over its pressure, in all directions.
     #[test]
     fn the_certificate_holds_with_the_law(
@@ -528,10 +528,10 @@ fn bad_rolling_is_refused() {
     let gap = Field::from_fn(grid, |x, y| 0.01 * (x.cos() + y.cos()));
     let flat = pressed(&waves, &gap, 0.01);
     let refused = RollingProblem::builder(&waves, &flat, Friction::coulomb(0.3).unwrap()).build();
-    assert!(matches!(refused, Err(Error::NotModelled { .. })));
+    assert!(matches!(refused, Err(Error::UnsupportedByModel { .. })));
 }
 
-/// The dissipation is less than the work for any creepages, spin and step, with and without the law of entering cells.
+/// The dissipation is less than the work for any creepages, spin and step, with and without the entry rule.
 #[test]
 fn dissipation_never_exceeds_work() {
     let mut random = kit::Random(3);
@@ -551,14 +551,14 @@ fn dissipation_never_exceeds_work() {
             LeadingEdge::PlusY,
             LeadingEdge::MinusY,
         ]);
-        let touch_rule = random.pick(&[TouchRule::Growth, TouchRule::WholeStep]);
+        let entry_rule = random.pick(&[EntryRule::SinceTouch, EntryRule::WholeStep]);
         let creepage = [0, 1].map(|_| random.uniform(-0.3, 0.3));
         let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
             .leading_edge(edge)
             .step(random.integer(1, 3))
             .creepage(creepage)
             .spin(random.uniform(-3.0, 3.0))
-            .touch_rule(touch_rule);
+            .entry_rule(entry_rule);
         // Where the grid ends within a step of the contact there is no problem.
         let Ok(problem) = problem.build() else {
             continue;

@@ -299,10 +299,10 @@ fn histories_go_on_by_loading_and_turn_by_reversal() {
     assert!(loading < own);
 
     // Behind a spring of the same stiffness, half of it is felt.
-    let felt = found.tangential.through_springs([own, own]).unwrap();
+    let felt = found.tangential.in_series_with([own, own]).unwrap();
     assert!((numbers(felt.reversal)[1][1] / own - 0.5).abs() < 1e-12);
     assert_eq!(felt.reversal[0], [None; 3]);
-    let refused = found.tangential.through_springs([1.0, -1.0]);
+    let refused = found.tangential.in_series_with([1.0, -1.0]);
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
 }
 

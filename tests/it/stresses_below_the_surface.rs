@@ -2,7 +2,7 @@
 //! equilibrium.
 
 use proptest::prelude::*;
-use stickslip::subsurface::{Body, Planes, Response, Stress, Tractions, at_points};
+use stickslip::subsurface::{Body, Planes, PointResult, Stress, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
     LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
@@ -57,7 +57,7 @@ fn on_rigid(grid: Grid, nu: f64) -> HalfSpace {
     HalfSpace::new(grid, ElasticPair::new(body, Material::rigid()).unwrap()).unwrap()
 }
 
-fn components(response: &Response) -> [f64; 9] {
+fn components(response: &PointResult) -> [f64; 9] {
     let ([ux, uy, uz], s) = (response.displacement, response.stress);
     [ux, uy, uz, s.xx, s.yy, s.zz, s.xy, s.xz, s.yz]
 }
@@ -238,7 +238,7 @@ fn bad_points_and_bodies_are_refused() {
     ));
     let repeats = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let refused = at_points(&repeats, Body::One, Tractions::new(&p), &[[0.0; 3]]);
-    assert!(matches!(refused, Err(Error::Repeats(_))));
+    assert!(matches!(refused, Err(Error::DivergentPeriodicSum(_))));
     assert!(
         at_points(&bodies, Body::One, Tractions::new(&p), &[])
             .unwrap()
@@ -290,7 +290,9 @@ fn points_at_the_edge_of_numbers_are_finite_or_refused() {
                 for point in [[x, y, far], [far, y, 0.0], [x, -far, 0.1], [far, far, far]] {
                     match at(point) {
                         Ok(found) => assert!(components(&found).iter().all(|c| c.is_finite())),
-                        Err(Error::Repeats(_)) => assert_eq!(boundary, Boundary::Periodic),
+                        Err(Error::DivergentPeriodicSum(_)) => {
+                            assert_eq!(boundary, Boundary::Periodic)
+                        }
                         Err(error) => assert!(is_far(&error) && exponent >= 60, "{error}"),
                     }
                 }

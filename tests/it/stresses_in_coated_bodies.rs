@@ -356,5 +356,5 @@ fn questions_without_an_answer_are_refused() {
         Tractions::new(&pressure),
         &[[0.0, 0.0, 0.1]],
     );
-    assert!(matches!(points, Err(Error::Coated { .. })));
+    assert!(matches!(points, Err(Error::UnsupportedForCoatings { .. })));
 }

@@ -110,7 +110,7 @@ fn surfaces_of_slabs_are_refused_alike() {
         let polynomial = bodies.level(&heights, Form::Polynomial(2)).map(drop);
         assert!(matches!(
             polynomial,
-            Err(Error::Ranks(RankFailure::NotShared(_)))
+            Err(Error::Ranks(RankFailure::UnsupportedOnRanks(_)))
         ));
         assert!(matches!(few, Err(Error::Undetermined { known: 0, .. })));
         if rank == 2 {
@@ -124,7 +124,7 @@ fn surfaces_of_slabs_are_refused_alike() {
     });
     for (rank, outcomes) in outcomes.iter().enumerate() {
         for outcome in outcomes {
-            let refused = Error::Ranks(RankFailure::Refused { rank: 2 });
+            let refused = Error::Ranks(RankFailure::RejectedByRank { rank: 2 });
             let is_own = matches!(outcome, Err(Error::Sample { index: 5, .. }));
             assert!(if rank == 2 {
                 is_own

@@ -9,7 +9,7 @@ use stickslip::normal::Hardness;
 use stickslip::{
     Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
     Material, NormalControl, NormalProblem, NormalSolution, Operator, Scratch, TangentialControl,
-    TangentialLoad, TangentialModel, analytical, history::TouchRule, surface,
+    TangentialLoad, TangentialModel, analytical, history::EntryRule, surface,
 };
 
 /// Steel of this contact modulus on a rigid body: MPa.
@@ -332,7 +332,7 @@ fn coupled_problems_yield_as_the_first_step_of_a_history() {
         let history = History::builder(&bodies, &ball, friction.clone());
         let history = history
             .model(TangentialModel::Vector)
-            .touch_rule(TouchRule::WholeStep);
+            .entry_rule(EntryRule::WholeStep);
         let mut history = history
             .hardness(hardness.clone())
             .tolerance(1e-11)

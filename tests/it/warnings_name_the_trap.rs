@@ -18,7 +18,7 @@ fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolut
 
 fn across(contact: &NormalSolution) -> Option<[bool; 2]> {
     contact.warnings().iter().find_map(|warning| match warning {
-        Warning::ContactAcross { along_x, along_y } => Some([*along_x, *along_y]),
+        Warning::ContactSpansGrid { along_x, along_y } => Some([*along_x, *along_y]),
         _ => None,
     })
 }
@@ -62,13 +62,13 @@ fn a_line_of_cells() {
         let grid = Grid::new(nx, ny, 0.25, 0.25).unwrap();
         let gap = Field::from_fn(grid, |x, y| (x * x + y * y) / 40.0);
         let (_, contact) = press(grid, Boundary::NonPeriodic, &gap);
-        assert!(contact.warnings().contains(&Warning::LineOfCells));
+        assert!(contact.warnings().contains(&Warning::SingleRowOfCells));
         let (_, contact) = press(grid, Boundary::Periodic, &gap);
-        assert!(!contact.warnings().contains(&Warning::LineOfCells));
+        assert!(!contact.warnings().contains(&Warning::SingleRowOfCells));
     }
     let grid = Grid::square(1, 1.0).unwrap();
     let (_, contact) = press(grid, Boundary::NonPeriodic, &Field::zeros(grid));
-    assert!(!contact.warnings().contains(&Warning::LineOfCells));
+    assert!(!contact.warnings().contains(&Warning::SingleRowOfCells));
 }
 
 /// A ball with a contact radius of so many cells, pressed, and sheared by this part of what friction holds.
@@ -110,7 +110,7 @@ fn a_narrow_ring_of_slip_is_remarked() {
             .warnings()
             .into_iter()
             .find_map(|warning| match warning {
-                Warning::NarrowSlip { tenths } => Some((tenths, warning.to_string())),
+                Warning::UnderresolvedSlipZone { tenths } => Some((tenths, warning.to_string())),
                 _ => None,
             });
         assert_eq!(found.is_some(), is_narrow, "{cells} {part}: {energy}");
@@ -144,7 +144,7 @@ fn a_narrow_ring_in_a_history_is_remarked() {
     let mut cycle = Cycle::new(&history);
     let is_narrow = |warnings: Vec<Warning>| {
         let mut found = warnings.iter();
-        found.any(|warning| matches!(warning, Warning::NarrowSlip { .. }))
+        found.any(|warning| matches!(warning, Warning::UnderresolvedSlipZone { .. }))
     };
     for (part, narrow, narrow_so_far) in
         [(0.1, true, true), (0.7, false, false), (0.6, true, false)]
@@ -164,7 +164,7 @@ fn a_narrow_ring_in_a_history_is_remarked() {
 #[test]
 fn contacts_and_stick_zones_of_a_few_cells_are_remarked() {
     let (_, normal, shear) = ball(3, 0.5);
-    let coarse = Warning::CoarseContact {
+    let coarse = Warning::UnderresolvedContact {
         cells: normal.contact_cells(),
     };
     assert!(normal.warnings().contains(&coarse) && shear.warnings().contains(&coarse));
@@ -172,7 +172,10 @@ fn contacts_and_stick_zones_of_a_few_cells_are_remarked() {
     assert!(normal.warnings().is_empty());
     let zones = shear.zones().iter();
     let cells = zones.filter(|zone| **zone == Zone::Stick).count();
-    assert_eq!(shear.warnings(), [Warning::CoarseStick { cells }]);
+    assert_eq!(
+        shear.warnings(),
+        [Warning::UnderresolvedStickZone { cells }]
+    );
     let exact = CattaneoMindlin::new(hertz, 0.5, shear.force()[0]).unwrap();
     assert!(exact.stick_radius() * 12.0 < 4.0);
     let (_, normal, shear) = ball(12, 0.6);
@@ -198,7 +201,7 @@ fn pressing_dissimilar_bodies_at_once_is_remarked() {
     };
     let is_remarked = |pair, gap, friction| {
         let contact = solve(pair, gap, friction);
-        contact.warnings().contains(&Warning::PressedAtOnce)
+        contact.warnings().contains(&Warning::SingleLoadStep)
     };
     assert!(is_remarked(unlike, &ball, 0.3));
     assert!(!is_remarked(unlike, &punch, 0.3));
@@ -216,7 +219,7 @@ fn pressing_dissimilar_bodies_at_once_is_remarked() {
     // Each of these steps brings more than a tenth of the contact.
     let is_coarse = |history: &History| {
         let warnings = history.last_step().warnings();
-        warnings.contains(&Warning::PressedAtOnce)
+        warnings.contains(&Warning::SingleLoadStep)
     };
     assert!(is_coarse(&history));
     let at_once = solve(unlike, &ball, 0.3);
@@ -224,7 +227,7 @@ fn pressing_dissimilar_bodies_at_once_is_remarked() {
         at_once
             .tangential()
             .warnings()
-            .contains(&Warning::PressedAtOnce)
+            .contains(&Warning::SingleLoadStep)
     );
     let (few, many) = (
         at_once.tangential().stick_ratio(),
@@ -263,8 +266,8 @@ fn pressing_dissimilar_histories_at_once_is_remarked() {
         cycle.add(&history).unwrap();
         history.step(&press(0.05)).unwrap();
         cycle.add(&history).unwrap();
-        let found = step.contains(&Warning::PressedAtOnce);
-        assert_eq!(cycle.warnings().contains(&Warning::PressedAtOnce), found);
+        let found = step.contains(&Warning::SingleLoadStep);
+        assert_eq!(cycle.warnings().contains(&Warning::SingleLoadStep), found);
         found
     };
     for coupling in [Coupling::Full, Coupling::OneWay] {
@@ -283,7 +286,7 @@ fn pressing_dissimilar_histories_at_once_is_remarked() {
         let still = TangentialLoad::force([0.0; 2]);
         let problem = TangentialProblem::builder(&bodies, &normal, friction, still);
         let solution = problem.coupling(coupling).build().unwrap().solve().unwrap();
-        solution.warnings().contains(&Warning::PressedAtOnce)
+        solution.warnings().contains(&Warning::SingleLoadStep)
     };
     assert!(sheared(unlike, 0.3, Coupling::OneWay));
     assert!(!sheared(unlike, 0.3, Coupling::Neglected));
@@ -331,7 +334,8 @@ fn narrow_slip_of_a_step_that_rolls_is_below_one_cell() {
         }
         let step = history.step(&rolled).unwrap();
         let mut warnings = step.warnings().into_iter();
-        let found = warnings.any(|warning| matches!(warning, Warning::NarrowSlip { .. }));
+        let found =
+            warnings.any(|warning| matches!(warning, Warning::UnderresolvedSlipZone { .. }));
         assert_eq!(found, is_narrow, "{part}");
         let energy = step.energy();
         let deficit = 1.0 - energy.dissipated_energy / energy.work;

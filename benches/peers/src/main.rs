@@ -1,8 +1,8 @@
 //! stickslip's part in the comparison with its peers: writes the gaps that all codes read, solves them,
 //! and judges the answers of all codes by one measure.
 //!
-//! `stickslip-peer write FOLDER CELLS..` writes the gaps and prints one line of JSON for each;
-//! `stickslip-peer serve` answers each line it reads, one request, with one line of JSON.
+//! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each;
+//! `stickslip-bench-peers serve` answers each line it reads, one request, with one line of JSON.
 //!
 //! Lengths are in units of the side of the grid, pressures in units of the contact modulus: no code then
 //! meets a system of units that it was not tuned for.
@@ -25,7 +25,7 @@ use stickslip::Field;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-const USAGE: &str = "usage: stickslip-peer write FOLDER CELLS.. | stickslip-peer serve";
+const USAGE: &str = "usage: stickslip-bench-peers write FOLDER CELLS.. | stickslip-bench-peers serve";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -80,7 +80,7 @@ int main(int argc, char **argv) {
         }
         most_iterations = fmax(most_iterations, iteration);
         given += 0.5 * (pull + new_pull) * (new_x - x);
-        dissipated += now.energy.mid_step_dissipated_energy;
+        dissipated += now.energy.dissipated_energy_midpoint;
         v += 0.5 * dt * (a + new_a);
         x = new_x, a = new_a, pull = new_pull;
         need(stickslip_cycle_add(cycle, history));

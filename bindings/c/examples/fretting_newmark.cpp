@@ -81,7 +81,7 @@ bool run(std::size_t n, int steps) {
         }
         joint.end_step();
         given += 0.5 * (pull + new_pull) * (new_x - x);
-        dissipated += now.energy.mid_step_dissipated_energy;
+        dissipated += now.energy.dissipated_energy_midpoint;
         stored = now.energy.elastic_after;
         v += 0.5 * dt * (a + new_a);
         x = new_x, a = new_a, pull = new_pull;

@@ -70,7 +70,7 @@ contains
             most_iterations = max(most_iterations, iteration)
             call cycle%add(history)
             given = given + 0.5d0 * (pull + new_pull) * (new_x - x)
-            dissipated = dissipated + now%energy%mid_step_dissipated_energy
+            dissipated = dissipated + now%energy%dissipated_energy_midpoint
             v = v + 0.5d0 * dt * (a + new_a)
             x = new_x; a = new_a; pull = new_pull
         end do

@@ -33,7 +33,7 @@ DEFAULTS = {
     ("stickslip_friction", "max_shear_stress"): INFINITE,
     ("stickslip_jump_limits", "largest_depth"): INFINITE,
     ("stickslip_jump_limits", "cycles_left"): INFINITE,
-    ("stickslip_jump_limits", "closed_within"): "0.25_c_double",
+    ("stickslip_jump_limits", "max_residual"): "0.25_c_double",
     ("stickslip_self_affine", "hurst"): "0.8_c_double",
     ("stickslip_self_affine", "skewness"): NOT_A_NUMBER,
     ("stickslip_self_affine", "kurtosis"): NOT_A_NUMBER,

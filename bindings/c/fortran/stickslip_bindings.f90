@@ -275,7 +275,7 @@ module stickslip_bindings
     ! Along y.
     integer(c_int32_t), parameter, public :: STICKSLIP_Y = 1
     ! A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
-    integer(c_int32_t), parameter, public :: STICKSLIP_GROWTH = 0
+    integer(c_int32_t), parameter, public :: STICKSLIP_SINCE_TOUCH = 0
     ! It follows all of the motion of the step.
     integer(c_int32_t), parameter, public :: STICKSLIP_WHOLE_STEP = 1
     ! The grid is a patch on infinite bodies.
@@ -338,21 +338,21 @@ module stickslip_bindings
     ! Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNRESOLVED_SPOTS = 3
     ! The grid is a line of cells that does not repeat.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LINE_OF_CELLS = 4
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SINGLE_ROW_OF_CELLS = 4
     ! A contact spot runs across the whole grid.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CONTACT_ACROSS = 5
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_CONTACT_SPANS_GRID = 5
     ! Cells (cells) are pressed beyond the hardness that a material states.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_BEYOND_HARDNESS = 6
     ! The pressure was held although the gap had changed.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_STALE_PRESSURE = 7
     ! The contact has too few cells (cells).
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_CONTACT = 8
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNDERRESOLVED_CONTACT = 8
     ! Too few cells (cells) stick.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COARSE_STICK = 9
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNDERRESOLVED_STICK_ZONE = 9
     ! The zone that slips is narrower than two cells, or than one cell in a step that rolls.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NARROW_SLIP = 10
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNDERRESOLVED_SLIP_ZONE = 10
     ! A coupled problem was pressed in one step.
-    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSED_AT_ONCE = 11
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SINGLE_LOAD_STEP = 11
     ! The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
     ! radius of a contact spot.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_DISCRETISATION_ERROR = 12
@@ -405,7 +405,7 @@ module stickslip_bindings
     ! The materials couple pressure and traction (value: Dundurs' beta), and what was asked for does not model that.
     integer(c_int32_t), parameter, public :: STICKSLIP_COUPLED_MATERIALS = 6
     ! The model does not include this load (value).
-    integer(c_int32_t), parameter, public :: STICKSLIP_NOT_MODELLED = 7
+    integer(c_int32_t), parameter, public :: STICKSLIP_UNSUPPORTED_BY_MODEL = 7
     ! The load has components along both axes, which the scalar model does not allow (value: along x, limit: along y).
     integer(c_int32_t), parameter, public :: STICKSLIP_OBLIQUE_LOAD = 8
     ! A load was cut into the shortest steps allowed, and the error of one (value) is still beyond its tolerance (limit).
@@ -413,7 +413,7 @@ module stickslip_bindings
     ! Cells (index: how many) are at their hardness, where only elastic contacts have what was asked for.
     integer(c_int32_t), parameter, public :: STICKSLIP_YIELDED = 10
     ! A history that a cycle already counts, or of another step.
-    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_NOT_NEW = 11
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_ALREADY_COUNTED = 11
     ! The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
     integer(c_int32_t), parameter, public :: STICKSLIP_CYCLE_NOT_CLOSED = 12
     ! A handle or another pointer that is needed is NULL, or misaligned.
@@ -422,7 +422,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_BUSY = 33
     ! The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
     ! know: reserved is not zero.
-    integer(c_int32_t), parameter, public :: STICKSLIP_NO_SUCH_OPTION = 34
+    integer(c_int32_t), parameter, public :: STICKSLIP_UNKNOWN_OPTION = 34
     ! The buffer has room for fewer entries (found) than there are (expected).
     integer(c_int32_t), parameter, public :: STICKSLIP_BUFFER_TOO_SMALL = 35
     ! Some contacts of a batch failed: the codes of each say why, the last error is that of the first (index).
@@ -438,7 +438,7 @@ module stickslip_bindings
     ! A quantity (value) that must be positive and finite is not.
     integer(c_int32_t), parameter, public :: STICKSLIP_NOT_POSITIVE = 66
     ! A quantity (value) that must be zero or positive, and finite, is not.
-    integer(c_int32_t), parameter, public :: STICKSLIP_NEGATIVE = 67
+    integer(c_int32_t), parameter, public :: STICKSLIP_NEGATIVE_OR_NOT_FINITE = 67
     ! A quantity (value) that must be finite is not.
     integer(c_int32_t), parameter, public :: STICKSLIP_NOT_FINITE = 68
     ! A sample (value, at index) of a field violates a rule for that field.
@@ -462,34 +462,34 @@ module stickslip_bindings
     ! The iteration limit is zero.
     integer(c_int32_t), parameter, public :: STICKSLIP_ITERATION_LIMIT = 78
     ! A solver that is to hold its pressure has none yet: give it a force or an approach.
-    integer(c_int32_t), parameter, public :: STICKSLIP_NOTHING_TO_HOLD = 79
+    integer(c_int32_t), parameter, public :: STICKSLIP_NO_PRESSURE_TO_HOLD = 79
     ! The method does not solve this kind of problem.
     integer(c_int32_t), parameter, public :: STICKSLIP_METHOD = 80
     ! A quantity (value) is below its lower limit (limit).
-    integer(c_int32_t), parameter, public :: STICKSLIP_BELOW = 81
+    integer(c_int32_t), parameter, public :: STICKSLIP_BELOW_MINIMUM = 81
     ! The bytes are no saved history, of another version, or damaged.
     integer(c_int32_t), parameter, public :: STICKSLIP_FORMAT = 82
     ! The body is rigid: nothing determines its stress.
     integer(c_int32_t), parameter, public :: STICKSLIP_RIGID_BODY = 83
     ! A sum over images that does not converge on a grid that repeats along both axes.
-    integer(c_int32_t), parameter, public :: STICKSLIP_REPEATS = 84
+    integer(c_int32_t), parameter, public :: STICKSLIP_DIVERGENT_PERIODIC_SUM = 84
     ! The Hurst exponent (value) lies outside [0, 1].
     integer(c_int32_t), parameter, public :: STICKSLIP_HURST = 85
     ! No wave of the surface has a wavelength between the longest (value) and the shortest (limit).
-    integer(c_int32_t), parameter, public :: STICKSLIP_EMPTY_BAND = 86
+    integer(c_int32_t), parameter, public :: STICKSLIP_NO_WAVE_IN_BAND = 86
     ! No heights of this skewness (value) and kurtosis (limit) were found.
-    integer(c_int32_t), parameter, public :: STICKSLIP_HEIGHTS_NOT_REACHED = 87
+    integer(c_int32_t), parameter, public :: STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED = 87
     ! Two objects belong to bodies whose cells have values of another meaning.
     integer(c_int32_t), parameter, public :: STICKSLIP_CELL_VALUE_MISMATCH = 88
     ! Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
     ! different inputs, which the message names.
-    integer(c_int32_t), parameter, public :: STICKSLIP_RANKS_APART = 89
+    integer(c_int32_t), parameter, public :: STICKSLIP_RANK_FAILURE = 89
     ! A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
     integer(c_int32_t), parameter, public :: STICKSLIP_GRID_TOO_SHORT = 90
     ! A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
     integer(c_int32_t), parameter, public :: STICKSLIP_EXTREME_NUMBER = 91
     ! Any other refusal: the message says which.
-    integer(c_int32_t), parameter, public :: STICKSLIP_REFUSED = 127
+    integer(c_int32_t), parameter, public :: STICKSLIP_INVALID_ARGUMENT = 127
     ! Body 1, into which z points.
     integer(c_int32_t), parameter, public :: STICKSLIP_BODY_1 = 1
     ! Body 2, above it.
@@ -1029,7 +1029,7 @@ module stickslip_bindings
         ! Energy dissipated, by the tractions at the ends of steps.
         real(c_double) :: dissipated_energy = 0
         ! Energy dissipated, by the mean tractions of steps, which closes the balance.
-        real(c_double) :: mid_step_dissipated_energy = 0
+        real(c_double) :: dissipated_energy_midpoint = 0
         ! Energy that cells let go as they leave the contact.
         real(c_double) :: released = 0
         ! Work on the motion that the tolerance leaves in stick cells.
@@ -1069,7 +1069,7 @@ module stickslip_bindings
         real(c_double) :: contact_area = 0
         ! The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
         ! pressure.
-        real(c_double) :: refused_share = 0
+        real(c_double) :: unfitted_fraction = 0
         ! Largest pressure at the centre of a cell (a pressure).
         real(c_double) :: peak_pressure = 0
         ! Area of the stick zone (a length squared).
@@ -1079,7 +1079,7 @@ module stickslip_bindings
         ! Stick area over contact area; zero without contact.
         real(c_double) :: stick_ratio = 0
         ! The part of the cells at the edge of the stick zone whose fit was refused.
-        real(c_double) :: stick_refused_share = 0
+        real(c_double) :: stick_unfitted_fraction = 0
         ! Largest magnitude of the traction at the centre of a cell (a pressure).
         real(c_double) :: peak_traction = 0
         ! Room for members to come: zero.
@@ -1180,8 +1180,8 @@ module stickslip_bindings
         integer(c_int32_t) :: model = 0
         ! STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
         integer(c_int32_t) :: coupling = 0
-        ! STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-        integer(c_int32_t) :: touch_rule = 0
+        ! STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+        integer(c_int32_t) :: entry_rule = 0
         ! Largest pressure that the cells carry, or NULL (default).
         type(c_ptr) :: hardness = c_null_ptr
         ! Not zero if what yields stays (default 0).
@@ -1230,7 +1230,7 @@ module stickslip_bindings
         ! Cycles left to simulate; infinite (default): any number.
         real(c_double) :: cycles_left = transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)
         ! Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
-        real(c_double) :: closed_within = 0.25_c_double
+        real(c_double) :: max_residual = 0.25_c_double
         ! Room for members to come: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_jump_limits
@@ -1252,8 +1252,8 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_rolling_options
         ! STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
         integer(c_int32_t) :: leading_edge = 0
-        ! How cells that enter the contact follow the motion: STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-        integer(c_int32_t) :: touch_rule = 0
+        ! How cells that enter the contact follow the motion: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+        integer(c_int32_t) :: entry_rule = 0
         ! Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
         integer(c_size_t) :: step = 1
         ! Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
@@ -1539,7 +1539,7 @@ module stickslip_bindings
         end function stickslip_bentall_johnson_cylinder
 
         ! Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
-        ! 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+        ! 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW_MINIMUM for a ratio beyond the table or a negative
         ! Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
         function stickslip_kalker_coefficients(ratio, poisson_ratio, found) result(answer) bind(c)
             import
@@ -1551,7 +1551,7 @@ module stickslip_bindings
 
         ! Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
         ! force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
-        ! beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+        ! beta is not zero, STICKSLIP_BELOW_MINIMUM for a contact longer than 16 times its width or the other way about.
         function stickslip_vermeulen_johnson_ellipse(half_space, radius_x, radius_y, force, friction, creepage_x, &
             creepage_y, found) result(answer) bind(c)
             import
@@ -1913,7 +1913,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_cycle_begin
 
-        ! Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+        ! Adds the last step of the history, which must be new (else STICKSLIP_STEP_ALREADY_COUNTED).
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)
             import
             type(stickslip_cycle), value :: cycle
@@ -2038,7 +2038,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_last_error
 
-        ! The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+        ! The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_INVALID_ARGUMENT.
         function stickslip_last_error_report(report) result(answer) bind(c)
             import
             type(stickslip_report), intent(out), optional :: report
@@ -2359,7 +2359,7 @@ module stickslip_bindings
         ! limits them.
         !
         ! depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
-        ! that does not close, as the first from rest; STICKSLIP_NEGATIVE for a limit, STICKSLIP_SAMPLE for a depth.
+        ! that does not close, as the first from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit, STICKSLIP_SAMPLE for a depth.
         function stickslip_cycle_jump(half_space, cycle, depth, count, limits, cycles) result(answer) bind(c)
             import
             type(stickslip_half_space), value :: half_space
@@ -2654,7 +2654,7 @@ module stickslip_bindings
         end function stickslip_rolling_solver_set_normal
 
         ! Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
-        ! STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+        ! STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver has STICKSLIP_WHOLE_STEP.
         function stickslip_rolling_solver_set_pressure(solver, pressure, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2671,7 +2671,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_normal_solver
 
-        ! Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+        ! Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_UNSUPPORTED_BY_MODEL without a normal solver of
         ! stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
         function stickslip_rolling_solver_set_normal_load(solver, load) result(answer) bind(c)
             import
@@ -2838,10 +2838,10 @@ module stickslip_bindings
         ! Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
         ! entries. The gap of this surface to a plane is any constant less the height.
         !
-        ! STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
-        ! STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+        ! STICKSLIP_INVALID_ARGUMENT if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+        ! STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW_MINIMUM for a cut-off of less
         ! than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
-        ! STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+        ! STICKSLIP_NO_WAVE_IN_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights of such skewness and
         ! kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
         function stickslip_surface_self_affine(grid, surface, heights, count) result(answer) bind(c)
             import
@@ -2975,7 +2975,7 @@ module stickslip_bindings
         end function stickslip_history_from_bytes
 
         ! Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
-        ! all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+        ! all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid
         ! that repeats along both axes. For whole planes stickslip_planes_solve is faster.
         function stickslip_stress_at_points(half_space, which, tractions, points, count, &
             responses) result(answer) bind(c)

@@ -126,7 +126,7 @@ contains
         call report_status(stickslip_rolling_solver_set_normal(this%handle, normal%handle), status)
     end subroutine rolling_solver_set_normal
 
-    ! Without the law of entering cells only.
+    ! Without the entry rule only.
     subroutine rolling_solver_set_pressure(this, pressure, status)
         class(rolling_solver), intent(in) :: this
         real(c_double), intent(in), contiguous :: pressure(:, :)

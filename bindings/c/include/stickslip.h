@@ -18,7 +18,7 @@
  * pointer to a field while another thread uses or changes it is an error that nobody notices.
  *
  * Structs. Those that end with reserved grow in its place: begin them from zeros or from their ..._default(). A member that the
- * library does not know is refused, STICKSLIP_NO_SUCH_OPTION, unless it is zero.
+ * library does not know is refused, STICKSLIP_UNKNOWN_OPTION, unless it is zero.
  *
  * Floating-point arithmetic. Within a call it rounds to nearest and traps nothing, whatever the program has set; after it all
  * is set as before.
@@ -155,7 +155,7 @@
 #define STICKSLIP_Y 1
 
 // A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
-#define STICKSLIP_GROWTH 0
+#define STICKSLIP_SINCE_TOUCH 0
 
 // It follows all of the motion of the step.
 #define STICKSLIP_WHOLE_STEP 1
@@ -249,10 +249,10 @@
 #define STICKSLIP_WARNING_UNRESOLVED_SPOTS 3
 
 // The grid is a line of cells that does not repeat.
-#define STICKSLIP_WARNING_LINE_OF_CELLS 4
+#define STICKSLIP_WARNING_SINGLE_ROW_OF_CELLS 4
 
 // A contact spot runs across the whole grid.
-#define STICKSLIP_WARNING_CONTACT_ACROSS 5
+#define STICKSLIP_WARNING_CONTACT_SPANS_GRID 5
 
 // Cells (cells) are pressed beyond the hardness that a material states.
 #define STICKSLIP_WARNING_BEYOND_HARDNESS 6
@@ -261,16 +261,16 @@
 #define STICKSLIP_WARNING_STALE_PRESSURE 7
 
 // The contact has too few cells (cells).
-#define STICKSLIP_WARNING_COARSE_CONTACT 8
+#define STICKSLIP_WARNING_UNDERRESOLVED_CONTACT 8
 
 // Too few cells (cells) stick.
-#define STICKSLIP_WARNING_COARSE_STICK 9
+#define STICKSLIP_WARNING_UNDERRESOLVED_STICK_ZONE 9
 
 // The zone that slips is narrower than two cells, or than one cell in a step that rolls.
-#define STICKSLIP_WARNING_NARROW_SLIP 10
+#define STICKSLIP_WARNING_UNDERRESOLVED_SLIP_ZONE 10
 
 // A coupled problem was pressed in one step.
-#define STICKSLIP_WARNING_PRESSED_AT_ONCE 11
+#define STICKSLIP_WARNING_SINGLE_LOAD_STEP 11
 
 // The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
 // radius of a contact spot.
@@ -348,7 +348,7 @@
 #define STICKSLIP_COUPLED_MATERIALS 6
 
 // The model does not include this load (value).
-#define STICKSLIP_NOT_MODELLED 7
+#define STICKSLIP_UNSUPPORTED_BY_MODEL 7
 
 // The load has components along both axes, which the scalar model does not allow (value: along x, limit: along y).
 #define STICKSLIP_OBLIQUE_LOAD 8
@@ -360,7 +360,7 @@
 #define STICKSLIP_YIELDED 10
 
 // A history that a cycle already counts, or of another step.
-#define STICKSLIP_STEP_NOT_NEW 11
+#define STICKSLIP_STEP_ALREADY_COUNTED 11
 
 // The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
 #define STICKSLIP_CYCLE_NOT_CLOSED 12
@@ -373,7 +373,7 @@
 
 // The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
 // know: reserved is not zero.
-#define STICKSLIP_NO_SUCH_OPTION 34
+#define STICKSLIP_UNKNOWN_OPTION 34
 
 // The buffer has room for fewer entries (found) than there are (expected).
 #define STICKSLIP_BUFFER_TOO_SMALL 35
@@ -397,7 +397,7 @@
 #define STICKSLIP_NOT_POSITIVE 66
 
 // A quantity (value) that must be zero or positive, and finite, is not.
-#define STICKSLIP_NEGATIVE 67
+#define STICKSLIP_NEGATIVE_OR_NOT_FINITE 67
 
 // A quantity (value) that must be finite is not.
 #define STICKSLIP_NOT_FINITE 68
@@ -433,13 +433,13 @@
 #define STICKSLIP_ITERATION_LIMIT 78
 
 // A solver that is to hold its pressure has none yet: give it a force or an approach.
-#define STICKSLIP_NOTHING_TO_HOLD 79
+#define STICKSLIP_NO_PRESSURE_TO_HOLD 79
 
 // The method does not solve this kind of problem.
 #define STICKSLIP_METHOD 80
 
 // A quantity (value) is below its lower limit (limit).
-#define STICKSLIP_BELOW 81
+#define STICKSLIP_BELOW_MINIMUM 81
 
 // The bytes are no saved history, of another version, or damaged.
 #define STICKSLIP_FORMAT 82
@@ -448,23 +448,23 @@
 #define STICKSLIP_RIGID_BODY 83
 
 // A sum over images that does not converge on a grid that repeats along both axes.
-#define STICKSLIP_REPEATS 84
+#define STICKSLIP_DIVERGENT_PERIODIC_SUM 84
 
 // The Hurst exponent (value) lies outside [0, 1].
 #define STICKSLIP_HURST 85
 
 // No wave of the surface has a wavelength between the longest (value) and the shortest (limit).
-#define STICKSLIP_EMPTY_BAND 86
+#define STICKSLIP_NO_WAVE_IN_BAND 86
 
 // No heights of this skewness (value) and kurtosis (limit) were found.
-#define STICKSLIP_HEIGHTS_NOT_REACHED 87
+#define STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED 87
 
 // Two objects belong to bodies whose cells have values of another meaning.
 #define STICKSLIP_CELL_VALUE_MISMATCH 88
 
 // Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
 // different inputs, which the message names.
-#define STICKSLIP_RANKS_APART 89
+#define STICKSLIP_RANK_FAILURE 89
 
 // A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
 #define STICKSLIP_GRID_TOO_SHORT 90
@@ -473,7 +473,7 @@
 #define STICKSLIP_EXTREME_NUMBER 91
 
 // Any other refusal: the message says which.
-#define STICKSLIP_REFUSED 127
+#define STICKSLIP_INVALID_ARGUMENT 127
 
 // Body 1, into which z points.
 #define STICKSLIP_BODY_1 1
@@ -993,7 +993,7 @@ typedef struct {
     // Energy dissipated, by the tractions at the ends of steps.
     double dissipated_energy;
     // Energy dissipated, by the mean tractions of steps, which closes the balance.
-    double mid_step_dissipated_energy;
+    double dissipated_energy_midpoint;
     // Energy that cells let go as they leave the contact.
     double released;
     // Work on the motion that the tolerance leaves in stick cells.
@@ -1033,7 +1033,7 @@ typedef struct {
     double contact_area;
     // The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
     // pressure.
-    double refused_share;
+    double unfitted_fraction;
     // Largest pressure at the centre of a cell (a pressure).
     double peak_pressure;
     // Area of the stick zone (a length squared).
@@ -1043,7 +1043,7 @@ typedef struct {
     // Stick area over contact area; zero without contact.
     double stick_ratio;
     // The part of the cells at the edge of the stick zone whose fit was refused.
-    double stick_refused_share;
+    double stick_unfitted_fraction;
     // Largest magnitude of the traction at the centre of a cell (a pressure).
     double peak_traction;
     // Room for members to come: zero.
@@ -1156,8 +1156,8 @@ typedef struct {
     int32_t model;
     // STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
     int32_t coupling;
-    // STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-    int32_t touch_rule;
+    // STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    int32_t entry_rule;
     // Largest pressure that the cells carry, or NULL (default).
     const stickslip_per_cell *hardness;
     // Not zero if what yields stays (default 0).
@@ -1206,7 +1206,7 @@ typedef struct {
     // Cycles left to simulate; infinite (default): any number.
     double cycles_left;
     // Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
-    double closed_within;
+    double max_residual;
     // Room for members to come: zero.
     uint64_t reserved[8];
 } stickslip_jump_limits;
@@ -1228,8 +1228,8 @@ typedef struct {
 typedef struct {
     // STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
     int32_t leading_edge;
-    // How cells that enter the contact follow the motion: STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-    int32_t touch_rule;
+    // How cells that enter the contact follow the motion: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    int32_t entry_rule;
     // Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     size_t step;
     // Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
@@ -1485,7 +1485,7 @@ stickslip_status stickslip_bentall_johnson_cylinder(const stickslip_half_space *
                                                     stickslip_bentall_johnson *found);
 
 // Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
-// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW_MINIMUM for a ratio beyond the table or a negative
 // Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
 stickslip_status stickslip_kalker_coefficients(double ratio,
                                                double poisson_ratio,
@@ -1493,7 +1493,7 @@ stickslip_status stickslip_kalker_coefficients(double ratio,
 
 // Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
 // force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
-// beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+// beta is not zero, STICKSLIP_BELOW_MINIMUM for a contact longer than 16 times its width or the other way about.
 stickslip_status stickslip_vermeulen_johnson_ellipse(const stickslip_half_space *half_space,
                                                      double radius_x,
                                                      double radius_y,
@@ -1690,7 +1690,7 @@ stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
 // Begins the cycle anew, at the present state of a history.
 stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
 
-// Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+// Adds the last step of the history, which must be new (else STICKSLIP_STEP_ALREADY_COUNTED).
 stickslip_status stickslip_cycle_add(stickslip_cycle *cycle, const stickslip_history *history);
 
 // The numbers of the cycle.
@@ -1760,7 +1760,7 @@ const char *stickslip_last_error_message(void);
 // The numbers of the last failure on this thread.
 stickslip_status stickslip_last_error(stickslip_error *error);
 
-// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_INVALID_ARGUMENT.
 stickslip_status stickslip_last_error_report(stickslip_report *report);
 
 // Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
@@ -1932,7 +1932,7 @@ stickslip_jump_limits stickslip_jump_limits_default(void);
 // limits them.
 //
 // depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
-// that does not close, as the first from rest; STICKSLIP_NEGATIVE for a limit, STICKSLIP_SAMPLE for a depth.
+// that does not close, as the first from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit, STICKSLIP_SAMPLE for a depth.
 stickslip_status stickslip_cycle_jump(const stickslip_half_space *half_space,
                                       const stickslip_cycle *cycle,
                                       const double *depth,
@@ -2092,7 +2092,7 @@ stickslip_status stickslip_rolling_solver_set_normal(stickslip_rolling_solver *s
                                                      const stickslip_normal_solution *normal);
 
 // Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
-// STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver has STICKSLIP_WHOLE_STEP.
 stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver *solver,
                                                        const double *pressure,
                                                        size_t count);
@@ -2101,7 +2101,7 @@ stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver 
 stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_solver *solver,
                                                             const stickslip_normal_solver *normal);
 
-// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_UNSUPPORTED_BY_MODEL without a normal solver of
 // stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
 stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solver *solver,
                                                           const stickslip_normal_load *load);
@@ -2194,10 +2194,10 @@ stickslip_self_affine stickslip_self_affine_default(void);
 // Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
 // entries. The gap of this surface to a plane is any constant less the height.
 //
-// STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
-// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+// STICKSLIP_INVALID_ARGUMENT if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW_MINIMUM for a cut-off of less
 // than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
-// STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+// STICKSLIP_NO_WAVE_IN_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights of such skewness and
 // kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
 stickslip_status stickslip_surface_self_affine(const stickslip_grid *grid,
                                                const stickslip_self_affine *surface,
@@ -2278,7 +2278,7 @@ stickslip_status stickslip_history_from_bytes(const stickslip_half_space *half_s
                                               stickslip_history **history);
 
 // Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
-// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid
 // that repeats along both axes. For whole planes stickslip_planes_solve is faster.
 stickslip_status stickslip_stress_at_points(const stickslip_half_space *half_space,
                                             int32_t which,

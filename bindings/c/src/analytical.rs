@@ -8,8 +8,8 @@ use stickslip_rs::analytical::{
 use crate::call::call;
 use crate::half_space::stickslip_half_space;
 use crate::pointer::Place;
-use crate::reading::tell;
 use crate::status::stickslip_status;
+use crate::text_fields::tell;
 
 /// The contact of a sphere and a plane without friction, by Hertz.
 #[repr(C)]
@@ -224,7 +224,7 @@ impl From<&KalkerCoefficients> for stickslip_kalker {
 }
 
 /// Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
-/// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW for a ratio beyond the table or a negative
+/// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW_MINIMUM for a ratio beyond the table or a negative
 /// Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_kalker_coefficients(
@@ -262,7 +262,7 @@ pub struct stickslip_vermeulen_johnson {
 
 /// Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
 /// force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
-/// beta is not zero, STICKSLIP_BELOW for a contact longer than 16 times its width or the other way about.
+/// beta is not zero, STICKSLIP_BELOW_MINIMUM for a contact longer than 16 times its width or the other way about.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_vermeulen_johnson_ellipse(
     half_space: *const stickslip_half_space,

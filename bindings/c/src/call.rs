@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use stickslip_rs::avoid_global_pool;
+use stickslip_rs::disable_global_pool;
 
 use crate::environment::Environment;
 use crate::error::{Failure, remember};
@@ -28,12 +28,12 @@ pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
 }
 
 /// What is carried to another thread, while this one waits.
-struct Carried<F>(F);
+struct PanicPayload<F>(F);
 
 // SAFETY: the pointers of a call obey the rule until it ends, whichever thread does its work.
-unsafe impl<F> Send for Carried<F> {}
+unsafe impl<F> Send for PanicPayload<F> {}
 
-impl<F: FnOnce() -> Outcome> Carried<F> {
+impl<F: FnOnce() -> Outcome> PanicPayload<F> {
     fn run(self) -> Outcome {
         (self.0)()
     }
@@ -46,7 +46,7 @@ pub(crate) fn call_on<T: Opaque>(
 ) -> stickslip_status {
     // SAFETY: an argument of a function that asks for the rule for pointers.
     let cells = unsafe { cells_of(object) };
-    let work = Carried(work);
+    let work = PanicPayload(work);
     call(move || enter(cells, move || work.run()))
 }
 
@@ -61,7 +61,7 @@ pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T 
 /// Work outside of the threads of this interface stays on the thread that calls: rayon's own, which it would start, do not
 /// live on in a forked process. A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
 pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
-    avoid_global_pool();
+    disable_global_pool();
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {
         let text = payload.downcast_ref::<&str>().copied();
         let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));

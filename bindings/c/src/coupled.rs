@@ -15,13 +15,13 @@ use crate::inputs::{
 use crate::loads::{stickslip_normal_load, stickslip_tangential_load};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
-use crate::reading::{show, tell, warn};
 use crate::results::{
     stickslip_normal_result, stickslip_report, stickslip_tangential_result, stickslip_warning,
 };
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
+use crate::text_fields::{show, tell, warn};
 
 /// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
 pub struct stickslip_coupled_solver(Handle<Solver<CoupledSolver>>);

@@ -9,12 +9,11 @@ use crate::call::{Outcome, call, call_on};
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
-use crate::history::touch_rule;
+use crate::history::entry_rule;
 use crate::inputs::{stickslip_friction, stickslip_settings};
 use crate::loads::stickslip_normal_load;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
-use crate::reading::{show, tell, warn};
 use crate::reserved::known;
 use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning};
 use crate::rolling::{
@@ -23,6 +22,7 @@ use crate::rolling::{
 };
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
+use crate::text_fields::{show, tell, warn};
 
 /// Solves coupled steady rolling for one load after the other, each from the last answer.
 pub struct stickslip_coupled_rolling_solver(Handle<Solver<CoupledRollingSolver>>);
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
             known("the options", &options.reserved)?;
             problem = problem
                 .leading_edge(leading_edge(options.leading_edge)?)
-                .touch_rule(touch_rule(options.touch_rule)?)
+                .entry_rule(entry_rule(options.entry_rule)?)
                 .step(options.step)
                 .slip_corrections(options.slip_corrections)
                 .settings(options.settings.checked()?);

@@ -9,8 +9,8 @@ use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::history_reading::stickslip_energy;
 use crate::pointer::Place;
-use crate::reading::{show, tell};
 use crate::status::stickslip_status;
+use crate::text_fields::{show, tell};
 
 /// What the steps of a history add up to since the cycle began.
 pub struct stickslip_cycle(Handle<Cycle>);
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     })
 }
 
-/// Adds the last step of the history, which must be new (else STICKSLIP_STEP_NOT_NEW).
+/// Adds the last step of the history, which must be new (else STICKSLIP_STEP_ALREADY_COUNTED).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_add(
     cycle: *mut stickslip_cycle,

@@ -9,9 +9,9 @@ use crate::handle::reading;
 use crate::inputs::stickslip_friction;
 use crate::normal::stickslip_normal_solution;
 use crate::pointer::{Place, cells_mut, input};
-use crate::reading::tell;
 use crate::status::stickslip_status;
 use crate::tangential::stickslip_tangential_solution;
+use crate::text_fields::tell;
 
 /// The edges of a contact and of its stick zone, found inside the cells. Numbers of the stick zone and of the traction are NaN
 /// for a contact that is pressed only.
@@ -22,7 +22,7 @@ pub struct stickslip_edges {
     pub contact_area: f64,
     /// The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
     /// pressure.
-    pub refused_share: f64,
+    pub unfitted_fraction: f64,
     /// Largest pressure at the centre of a cell (a pressure).
     pub peak_pressure: f64,
     /// Area of the stick zone (a length squared).
@@ -32,7 +32,7 @@ pub struct stickslip_edges {
     /// Stick area over contact area; zero without contact.
     pub stick_ratio: f64,
     /// The part of the cells at the edge of the stick zone whose fit was refused.
-    pub stick_refused_share: f64,
+    pub stick_unfitted_fraction: f64,
     /// Largest magnitude of the traction at the centre of a cell (a pressure).
     pub peak_traction: f64,
     /// Room for members to come: zero.
@@ -43,12 +43,12 @@ impl From<&Edges> for stickslip_edges {
     fn from(of: &Edges) -> Self {
         Self {
             contact_area: of.area(),
-            refused_share: of.refused_share(),
+            unfitted_fraction: of.unfitted_fraction(),
             peak_pressure: of.centres().max(),
             stick_area: f64::NAN,
             slip_area: f64::NAN,
             stick_ratio: f64::NAN,
-            stick_refused_share: f64::NAN,
+            stick_unfitted_fraction: f64::NAN,
             peak_traction: f64::NAN,
             reserved: [0; 8],
         }
@@ -61,7 +61,7 @@ impl From<&TangentialEdges> for stickslip_edges {
             stick_area: of.stick_area(),
             slip_area: of.slip_area(),
             stick_ratio: of.stick_ratio(),
-            stick_refused_share: of.stick().refused_share(),
+            stick_unfitted_fraction: of.stick().unfitted_fraction(),
             peak_traction: of.peak_traction(),
             ..of.contact().into()
         }
@@ -69,14 +69,14 @@ impl From<&TangentialEdges> for stickslip_edges {
 }
 
 /// Where C wants edges: the numbers, the values at the centres and their means, each of so many cells.
-type Wanted = (*mut stickslip_edges, [*mut f64; 2], usize);
+type EdgeOutputs = (*mut stickslip_edges, [*mut f64; 2], usize);
 
 /// Writes edges and the fields that belong to them.
 ///
 /// # Safety
 /// The rule for pointers.
 unsafe fn put<E>(
-    (edges, fields, cells): Wanted,
+    (edges, fields, cells): EdgeOutputs,
     grid: Grid,
     found: impl FnOnce() -> Outcome<E>,
     fields_of: impl FnOnce(&E) -> [&Field; 2],

@@ -70,7 +70,7 @@ impl Failure {
     /// A number that no constant of the kind has.
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
-            STICKSLIP_NO_SUCH_OPTION,
+            STICKSLIP_UNKNOWN_OPTION,
             format!("there is no {name} {value}"),
         )
         .with(|numbers| numbers.value = f64::from(value))
@@ -78,7 +78,7 @@ impl Failure {
 
     pub(crate) fn time_limit(value: f64) -> Self {
         Self::new(
-            STICKSLIP_NEGATIVE,
+            STICKSLIP_NEGATIVE_OR_NOT_FINITE,
             format!("the time limit must be non-negative, got {value}"),
         )
         .with(|numbers| numbers.value = value)
@@ -134,16 +134,16 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::EmptyContact => STICKSLIP_EMPTY_CONTACT,
         Error::ApproachBeyondMeanGap { .. } => STICKSLIP_APPROACH_BEYOND_MEAN_GAP,
         Error::CoupledMaterials { .. } => STICKSLIP_COUPLED_MATERIALS,
-        Error::NotModelled { .. } => STICKSLIP_NOT_MODELLED,
+        Error::UnsupportedByModel { .. } => STICKSLIP_UNSUPPORTED_BY_MODEL,
         Error::ObliqueLoad { .. } => STICKSLIP_OBLIQUE_LOAD,
         Error::StepTooLong { .. } => STICKSLIP_STEP_TOO_LONG,
         Error::Yielded { .. } => STICKSLIP_YIELDED,
-        Error::StepNotNew { .. } => STICKSLIP_STEP_NOT_NEW,
+        Error::StepAlreadyCounted { .. } => STICKSLIP_STEP_ALREADY_COUNTED,
         Error::CycleNotClosed { .. } => STICKSLIP_CYCLE_NOT_CLOSED,
         Error::GridSize { .. } => STICKSLIP_GRID_SIZE,
         Error::Memory { .. } => STICKSLIP_MEMORY,
         Error::NotPositive { .. } => STICKSLIP_NOT_POSITIVE,
-        Error::Negative { .. } => STICKSLIP_NEGATIVE,
+        Error::NegativeOrNotFinite { .. } => STICKSLIP_NEGATIVE_OR_NOT_FINITE,
         Error::NotFinite { .. } => STICKSLIP_NOT_FINITE,
         Error::Sample { .. } => STICKSLIP_SAMPLE,
         Error::PoissonRatio(_) => STICKSLIP_POISSON_RATIO,
@@ -156,28 +156,28 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::MaterialMismatch { .. } => STICKSLIP_MATERIAL_MISMATCH,
         Error::Tolerance(_) => STICKSLIP_TOLERANCE,
         Error::IterationLimit => STICKSLIP_ITERATION_LIMIT,
-        Error::NothingToHold => STICKSLIP_NOTHING_TO_HOLD,
+        Error::NoPressureToHold => STICKSLIP_NO_PRESSURE_TO_HOLD,
         Error::Method { .. } => STICKSLIP_METHOD,
-        Error::Below { .. } => STICKSLIP_BELOW,
+        Error::BelowMinimum { .. } => STICKSLIP_BELOW_MINIMUM,
         Error::GridTooShort { .. } => STICKSLIP_GRID_TOO_SHORT,
         Error::Format { .. } => STICKSLIP_FORMAT,
         Error::RigidBody(_) => STICKSLIP_RIGID_BODY,
-        Error::Repeats(_) => STICKSLIP_REPEATS,
+        Error::DivergentPeriodicSum(_) => STICKSLIP_DIVERGENT_PERIODIC_SUM,
         Error::Hurst(_) => STICKSLIP_HURST,
-        Error::EmptyBand { .. } => STICKSLIP_EMPTY_BAND,
-        Error::HeightsNotReached { .. } => STICKSLIP_HEIGHTS_NOT_REACHED,
-        Error::Ranks(_) => STICKSLIP_RANKS_APART,
+        Error::NoWaveInBand { .. } => STICKSLIP_NO_WAVE_IN_BAND,
+        Error::HeightMomentsNotReached { .. } => STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED,
+        Error::Ranks(_) => STICKSLIP_RANK_FAILURE,
         Error::ExtremeNumber { .. } => STICKSLIP_EXTREME_NUMBER,
-        _ => STICKSLIP_REFUSED,
+        _ => STICKSLIP_INVALID_ARGUMENT,
     }
 }
 
 fn fill(numbers: &mut stickslip_error, error: &Error) {
     match *error {
         Error::NotPositive { value, .. }
-        | Error::Negative { value, .. }
+        | Error::NegativeOrNotFinite { value, .. }
         | Error::NotFinite { value, .. }
-        | Error::NotModelled { value, .. }
+        | Error::UnsupportedByModel { value, .. }
         | Error::PoissonRatio(value)
         | Error::Tolerance(value)
         | Error::Hurst(value)
@@ -209,16 +209,16 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
             mean_gap: limit,
         }
         | Error::ObliqueLoad { x: value, y: limit }
-        | Error::EmptyBand {
+        | Error::NoWaveInBand {
             longest: value,
             shortest: limit,
         }
-        | Error::HeightsNotReached {
+        | Error::HeightMomentsNotReached {
             skewness: value,
             kurtosis: limit,
             ..
         }
-        | Error::Below {
+        | Error::BelowMinimum {
             value,
             least: limit,
             ..
@@ -237,9 +237,9 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         Error::Sample { index, value, .. } => (numbers.index, numbers.value) = (index, value),
         Error::Yielded { cells: index, .. }
         | Error::Ranks(
-            RankFailure::Lost { rank: index }
-            | RankFailure::OutOfStep { rank: index }
-            | RankFailure::Refused { rank: index },
+            RankFailure::Disconnected { rank: index }
+            | RankFailure::CollectiveMismatch { rank: index }
+            | RankFailure::RejectedByRank { rank: index },
         ) => numbers.index = index,
         Error::Length {
             expected, found, ..
@@ -318,7 +318,7 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
     })
 }
 
-/// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_REFUSED.
+/// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_INVALID_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,
@@ -327,7 +327,12 @@ pub unsafe extern "C" fn stickslip_last_error_report(
     call(|| unsafe {
         answer("report", report, || {
             let last = LAST.try_with(|last| last.borrow().report).ok().flatten();
-            let none = || Failure::new(STICKSLIP_REFUSED, "the last failure has no report".into());
+            let none = || {
+                Failure::new(
+                    STICKSLIP_INVALID_ARGUMENT,
+                    "the last failure has no report".into(),
+                )
+            };
             last.ok_or_else(none)
         })
     })

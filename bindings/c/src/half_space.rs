@@ -13,8 +13,8 @@ use crate::inputs::{
 };
 use crate::pointer::{Place, entries, input, optional};
 use crate::ranks::stickslip_ranks;
-use crate::reading::tell;
 use crate::status::stickslip_status;
+use crate::text_fields::tell;
 use crate::threads::enter;
 
 /// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what

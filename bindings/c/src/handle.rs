@@ -9,7 +9,7 @@ use stickslip_rs::Error;
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::pointer::{Place, input};
-use crate::spare::Spare;
+use crate::scratch::Spare;
 
 /// A value that several may read at once, or one may change.
 #[derive(Debug)]

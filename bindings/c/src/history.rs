@@ -1,6 +1,6 @@
 //! Histories: steps with memory of slip.
 
-use stickslip_rs::history::TouchRule;
+use stickslip_rs::history::EntryRule;
 use stickslip_rs::stiffness::StiffnessWorkspace;
 use stickslip_rs::{Axis, History, TryClone};
 
@@ -16,10 +16,10 @@ use crate::loads::stickslip_load_step;
 use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells, field, input, optional};
-use crate::reading::tell;
 use crate::reserved::known;
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
+use crate::text_fields::tell;
 
 /// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
 /// fields are read without a copy, and are valid until the next call that changes it.
@@ -33,7 +33,7 @@ pub const STICKSLIP_X: i32 = 0;
 pub const STICKSLIP_Y: i32 = 1;
 
 /// A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
-pub const STICKSLIP_GROWTH: i32 = 0;
+pub const STICKSLIP_SINCE_TOUCH: i32 = 0;
 /// It follows all of the motion of the step.
 pub const STICKSLIP_WHOLE_STEP: i32 = 1;
 
@@ -47,8 +47,8 @@ pub struct stickslip_history_options {
     pub model: i32,
     /// STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
     pub coupling: i32,
-    /// STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-    pub touch_rule: i32,
+    /// STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    pub entry_rule: i32,
     /// Largest pressure that the cells carry, or NULL (default).
     pub hardness: *const stickslip_per_cell,
     /// Not zero if what yields stays (default 0).
@@ -68,7 +68,7 @@ pub extern "C" fn stickslip_history_options_default() -> stickslip_history_optio
         axis: STICKSLIP_X,
         model: STICKSLIP_SCALAR,
         coupling: STICKSLIP_FULL,
-        touch_rule: STICKSLIP_GROWTH,
+        entry_rule: STICKSLIP_SINCE_TOUCH,
         hardness: std::ptr::null(),
         permanent_set: 0,
         relative_displacement: std::ptr::null(),
@@ -107,7 +107,7 @@ pub unsafe extern "C" fn stickslip_history_new(
                 .axis(axis(options.axis)?)
                 .model(model(options.model)?)
                 .coupling(coupling(options.coupling)?)
-                .touch_rule(touch_rule(options.touch_rule)?)
+                .entry_rule(entry_rule(options.entry_rule)?)
                 .permanent_set(options.permanent_set != 0)
                 .settings(options.settings.checked()?);
             // SAFETY: the rule for pointers.
@@ -134,11 +134,11 @@ fn axis(value: i32) -> Outcome<Axis> {
     }
 }
 
-pub(crate) fn touch_rule(value: i32) -> Outcome<TouchRule> {
+pub(crate) fn entry_rule(value: i32) -> Outcome<EntryRule> {
     match value {
-        STICKSLIP_GROWTH => Ok(TouchRule::Growth),
-        STICKSLIP_WHOLE_STEP => Ok(TouchRule::WholeStep),
-        other => Err(Failure::option("touch rule", other)),
+        STICKSLIP_SINCE_TOUCH => Ok(EntryRule::SinceTouch),
+        STICKSLIP_WHOLE_STEP => Ok(EntryRule::WholeStep),
+        other => Err(Failure::option("entry rule", other)),
     }
 }
 

@@ -9,9 +9,9 @@ use crate::handle::reading;
 use crate::history::stickslip_history;
 use crate::inputs::stickslip_grid;
 use crate::pointer::Place;
-use crate::reading::{show, tell, warn};
 use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning, unsolved};
 use crate::status::stickslip_status;
+use crate::text_fields::{show, tell, warn};
 
 /// Work, elastic energy and dissipation of a step or a cycle.
 #[repr(C)]
@@ -26,7 +26,7 @@ pub struct stickslip_energy {
     /// Energy dissipated, by the tractions at the ends of steps.
     pub dissipated_energy: f64,
     /// Energy dissipated, by the mean tractions of steps, which closes the balance.
-    pub mid_step_dissipated_energy: f64,
+    pub dissipated_energy_midpoint: f64,
     /// Energy that cells let go as they leave the contact.
     pub released: f64,
     /// Work on the motion that the tolerance leaves in stick cells.
@@ -44,7 +44,7 @@ impl From<&EnergyBalance> for stickslip_energy {
             elastic_before: energy.elastic_before,
             elastic_after: energy.elastic_after,
             dissipated_energy: energy.dissipated_energy,
-            mid_step_dissipated_energy: energy.mid_step_dissipated_energy,
+            dissipated_energy_midpoint: energy.dissipated_energy_midpoint,
             released: energy.released,
             residual: energy.residual,
             imbalance: energy.imbalance(),
@@ -212,7 +212,7 @@ fn field(history: &History, which: i32) -> Outcome<&Field> {
         STICKSLIP_STEP_SLIP_Y => step.slip()[1],
         STICKSLIP_STEP_SLIP_DISTANCE => step.slip_distance(),
         STICKSLIP_STEP_DISSIPATED_ENERGY => step.dissipated_energy(),
-        STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step.mid_step_dissipated_energy(),
+        STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step.dissipated_energy_midpoint(),
         STICKSLIP_YIELDED_DEPTH => history.state().yielded().ok_or_else(|| none(which))?,
         other => return Err(none(other)),
     })

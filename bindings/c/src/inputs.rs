@@ -12,7 +12,7 @@ use crate::call::Outcome;
 use crate::error::Failure;
 use crate::pointer::{cells, field};
 use crate::reserved::known;
-use crate::spare::Spare;
+use crate::scratch::Spare;
 
 /// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
 /// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.

@@ -21,7 +21,7 @@ pub struct stickslip_jump_limits {
     /// Cycles left to simulate; infinite (default): any number.
     pub cycles_left: f64,
     /// Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
-    pub closed_within: f64,
+    pub max_residual: f64,
     /// Room for members to come: zero.
     pub reserved: [u64; 8],
 }
@@ -39,7 +39,7 @@ impl stickslip_jump_limits {
         if self.cycles_left != f64::INFINITY {
             jump = jump.cycles_left(self.cycles_left);
         }
-        jump.closed_within(self.closed_within)
+        jump.max_residual(self.max_residual)
     }
 }
 
@@ -49,7 +49,7 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
     stickslip_jump_limits {
         largest_depth: f64::INFINITY,
         cycles_left: f64::INFINITY,
-        closed_within: 0.25,
+        max_residual: 0.25,
         reserved: [0; 8],
     }
 }
@@ -59,7 +59,7 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
 /// limits them.
 ///
 /// depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
-/// that does not close, as the first from rest; STICKSLIP_NEGATIVE for a limit, STICKSLIP_SAMPLE for a depth.
+/// that does not close, as the first from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit, STICKSLIP_SAMPLE for a depth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_jump(
     half_space: *const stickslip_half_space,

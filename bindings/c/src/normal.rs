@@ -10,11 +10,11 @@ use crate::inputs::{stickslip_per_cell, stickslip_settings};
 use crate::loads::stickslip_normal_load;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
-use crate::reading::{show, tell, warn};
 use crate::results::{stickslip_normal_result, stickslip_report, stickslip_warning};
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_normal_stiffness;
+use crate::text_fields::{show, tell, warn};
 
 /// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
 pub struct stickslip_normal_solver(Handle<Solver<NormalSolver>>);

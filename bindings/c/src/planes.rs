@@ -10,9 +10,9 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, entries, input, optional};
-use crate::reading::show;
-use crate::status::{STICKSLIP_REFUSED, stickslip_status};
+use crate::status::{STICKSLIP_INVALID_ARGUMENT, stickslip_status};
 use crate::stress::{body, stickslip_tractions};
+use crate::text_fields::show;
 
 /// Planes at chosen depths below each body, and the one that was solved last. Its fields are read without a copy, and are
 /// valid until the next solve, or until it is freed.
@@ -30,7 +30,12 @@ pub struct Solved {
 
 impl Solved {
     fn last(&self) -> Outcome<&Plane> {
-        let unsolved = || Failure::new(STICKSLIP_REFUSED, "no plane has been solved yet".into());
+        let unsolved = || {
+            Failure::new(
+                STICKSLIP_INVALID_ARGUMENT,
+                "no plane has been solved yet".into(),
+            )
+        };
         self.last.as_ref().ok_or_else(unsolved)
     }
 }

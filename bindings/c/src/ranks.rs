@@ -80,7 +80,7 @@ impl Ranks for stickslip_ranks {
             .map(|swap| unsafe { swap(block.as_ptr(), block.len(), to, from, place, self.user) });
         match outcome {
             Some(0) => Ok(received.0),
-            _ => Err(RankFailure::Lost { rank: from }),
+            _ => Err(RankFailure::Disconnected { rank: from }),
         }
     }
 }

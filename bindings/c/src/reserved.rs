@@ -3,7 +3,7 @@
 
 use crate::call::Outcome;
 use crate::error::Failure;
-use crate::status::STICKSLIP_NO_SUCH_OPTION;
+use crate::status::STICKSLIP_UNKNOWN_OPTION;
 
 /// `Ok` if a struct of the caller has no member that this library does not know.
 pub(crate) fn known(name: &str, reserved: &[u64]) -> Outcome {
@@ -13,5 +13,5 @@ pub(crate) fn known(name: &str, reserved: &[u64]) -> Outcome {
     let message = format!(
         "reserved of {name} is not zero: begin from zeros or from the default, or use the library of that header"
     );
-    Err(Failure::new(STICKSLIP_NO_SUCH_OPTION, message))
+    Err(Failure::new(STICKSLIP_UNKNOWN_OPTION, message))
 }

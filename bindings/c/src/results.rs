@@ -112,21 +112,21 @@ pub const STICKSLIP_WARNING_CONTACT_AT_EDGE: i32 = 2;
 /// Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
 pub const STICKSLIP_WARNING_UNRESOLVED_SPOTS: i32 = 3;
 /// The grid is a line of cells that does not repeat.
-pub const STICKSLIP_WARNING_LINE_OF_CELLS: i32 = 4;
+pub const STICKSLIP_WARNING_SINGLE_ROW_OF_CELLS: i32 = 4;
 /// A contact spot runs across the whole grid.
-pub const STICKSLIP_WARNING_CONTACT_ACROSS: i32 = 5;
+pub const STICKSLIP_WARNING_CONTACT_SPANS_GRID: i32 = 5;
 /// Cells (cells) are pressed beyond the hardness that a material states.
 pub const STICKSLIP_WARNING_BEYOND_HARDNESS: i32 = 6;
 /// The pressure was held although the gap had changed.
 pub const STICKSLIP_WARNING_STALE_PRESSURE: i32 = 7;
 /// The contact has too few cells (cells).
-pub const STICKSLIP_WARNING_COARSE_CONTACT: i32 = 8;
+pub const STICKSLIP_WARNING_UNDERRESOLVED_CONTACT: i32 = 8;
 /// Too few cells (cells) stick.
-pub const STICKSLIP_WARNING_COARSE_STICK: i32 = 9;
+pub const STICKSLIP_WARNING_UNDERRESOLVED_STICK_ZONE: i32 = 9;
 /// The zone that slips is narrower than two cells, or than one cell in a step that rolls.
-pub const STICKSLIP_WARNING_NARROW_SLIP: i32 = 10;
+pub const STICKSLIP_WARNING_UNDERRESOLVED_SLIP_ZONE: i32 = 10;
 /// A coupled problem was pressed in one step.
-pub const STICKSLIP_WARNING_PRESSED_AT_ONCE: i32 = 11;
+pub const STICKSLIP_WARNING_SINGLE_LOAD_STEP: i32 = 11;
 /// The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
 /// radius of a contact spot.
 pub const STICKSLIP_WARNING_DISCRETISATION_ERROR: i32 = 12;
@@ -170,14 +170,20 @@ impl From<&Warning> for stickslip_warning {
             Warning::UnresolvedSpots { unresolved, spots } => {
                 (STICKSLIP_WARNING_UNRESOLVED_SPOTS, unresolved, spots)
             }
-            Warning::LineOfCells => (STICKSLIP_WARNING_LINE_OF_CELLS, 0, 0),
-            Warning::ContactAcross { .. } => (STICKSLIP_WARNING_CONTACT_ACROSS, 0, 0),
+            Warning::SingleRowOfCells => (STICKSLIP_WARNING_SINGLE_ROW_OF_CELLS, 0, 0),
+            Warning::ContactSpansGrid { .. } => (STICKSLIP_WARNING_CONTACT_SPANS_GRID, 0, 0),
             Warning::BeyondHardness { cells } => (STICKSLIP_WARNING_BEYOND_HARDNESS, cells, 0),
             Warning::StalePressure => (STICKSLIP_WARNING_STALE_PRESSURE, 0, 0),
-            Warning::CoarseContact { cells } => (STICKSLIP_WARNING_COARSE_CONTACT, cells, 0),
-            Warning::CoarseStick { cells } => (STICKSLIP_WARNING_COARSE_STICK, cells, 0),
-            Warning::NarrowSlip { .. } => (STICKSLIP_WARNING_NARROW_SLIP, 0, 0),
-            Warning::PressedAtOnce => (STICKSLIP_WARNING_PRESSED_AT_ONCE, 0, 0),
+            Warning::UnderresolvedContact { cells } => {
+                (STICKSLIP_WARNING_UNDERRESOLVED_CONTACT, cells, 0)
+            }
+            Warning::UnderresolvedStickZone { cells } => {
+                (STICKSLIP_WARNING_UNDERRESOLVED_STICK_ZONE, cells, 0)
+            }
+            Warning::UnderresolvedSlipZone { .. } => {
+                (STICKSLIP_WARNING_UNDERRESOLVED_SLIP_ZONE, 0, 0)
+            }
+            Warning::SingleLoadStep => (STICKSLIP_WARNING_SINGLE_LOAD_STEP, 0, 0),
             Warning::DiscretisationError {
                 cells_per_radius, ..
             } => (STICKSLIP_WARNING_DISCRETISATION_ERROR, cells_per_radius, 0),

@@ -11,17 +11,17 @@ use crate::error::Failure;
 use crate::fields::*;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
-use crate::history::{STICKSLIP_GROWTH, touch_rule};
+use crate::history::{STICKSLIP_SINCE_TOUCH, entry_rule};
 use crate::inputs::{stickslip_friction, stickslip_settings, stickslip_settings_default};
 use crate::loads::{STICKSLIP_FORCE, stickslip_normal_load};
 use crate::normal::{stickslip_normal_solution, stickslip_normal_solver};
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells_mut, collected, entries, entries_mut, input, optional};
-use crate::reading::{show, tell, warn};
 use crate::reserved::known;
 use crate::results::{stickslip_report, stickslip_warning};
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
+use crate::text_fields::{show, tell, warn};
 
 /// A creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
 pub const STICKSLIP_CREEPAGE: i32 = 0;
@@ -105,8 +105,8 @@ pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
 pub struct stickslip_rolling_options {
     /// STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// How cells that enter the contact follow the motion: STICKSLIP_GROWTH (default) or STICKSLIP_WHOLE_STEP.
-    pub touch_rule: i32,
+    /// How cells that enter the contact follow the motion: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    pub entry_rule: i32,
     /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     pub step: usize,
     /// Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
@@ -123,7 +123,7 @@ pub struct stickslip_rolling_options {
 pub extern "C" fn stickslip_rolling_options_default() -> stickslip_rolling_options {
     stickslip_rolling_options {
         leading_edge: STICKSLIP_PLUS_X,
-        touch_rule: STICKSLIP_GROWTH,
+        entry_rule: STICKSLIP_SINCE_TOUCH,
         step: 1,
         slip_corrections: 0,
         settings: stickslip_settings_default(),
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
             known("the options", &options.reserved)?;
             problem = problem
                 .leading_edge(leading_edge(options.leading_edge)?)
-                .touch_rule(touch_rule(options.touch_rule)?)
+                .entry_rule(entry_rule(options.entry_rule)?)
                 .step(options.step)
                 .slip_corrections(options.slip_corrections)
                 .settings(options.settings.checked()?);
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
 }
 
 /// Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
-/// STICKSLIP_NOT_MODELLED unless the solver has STICKSLIP_WHOLE_STEP.
+/// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver has STICKSLIP_WHOLE_STEP.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     solver: *mut stickslip_rolling_solver,
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     })
 }
 
-/// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_NOT_MODELLED without a normal solver of
+/// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_UNSUPPORTED_BY_MODEL without a normal solver of
 /// stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(

@@ -8,7 +8,7 @@ use crate::inputs::stickslip_grid;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{answer, field, input, optional};
 use crate::reserved::known;
-use crate::status::{STICKSLIP_REFUSED, stickslip_status};
+use crate::status::{STICKSLIP_INVALID_ARGUMENT, stickslip_status};
 use crate::surface::shape;
 use crate::threads::enter;
 
@@ -77,7 +77,7 @@ impl stickslip_self_affine {
             (0.0, slope) => SelfAffine::with_rms_slope(slope),
             _ => {
                 let message = "rms_height and rms_slope are both given: one must be zero";
-                return Err(Failure::new(STICKSLIP_REFUSED, message.into()));
+                return Err(Failure::new(STICKSLIP_INVALID_ARGUMENT, message.into()));
             }
         };
         recipe = recipe.hurst(self.hurst).seed(self.seed);
@@ -109,10 +109,10 @@ impl stickslip_self_affine {
 /// Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
 /// entries. The gap of this surface to a plane is any constant less the height.
 ///
-/// STICKSLIP_REFUSED if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
-/// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW for a cut-off of less
+/// STICKSLIP_INVALID_ARGUMENT if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
+/// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW_MINIMUM for a cut-off of less
 /// than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
-/// STICKSLIP_EMPTY_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHTS_NOT_REACHED if no heights of such skewness and
+/// STICKSLIP_NO_WAVE_IN_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights of such skewness and
 /// kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_self_affine(

@@ -52,14 +52,14 @@ impl From<&Spot> for stickslip_spot {
 }
 
 /// Where C wants spots: a buffer with its capacity, how many there are, and the labels of all cells with their number.
-type Wanted = ((*mut stickslip_spot, usize, *mut usize), (*mut u32, usize));
+type SpotOutputs = ((*mut stickslip_spot, usize, *mut usize), (*mut u32, usize));
 
 /// Writes spots and labels.
 ///
 /// # Safety
 /// The rule for pointers.
 unsafe fn put(
-    ((buffer, capacity, count), (labels, cells)): Wanted,
+    ((buffer, capacity, count), (labels, cells)): SpotOutputs,
     find: impl FnOnce() -> Outcome<ContactSpots>,
 ) -> Outcome {
     let name = "buffer of spots";

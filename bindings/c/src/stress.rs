@@ -1,7 +1,7 @@
 //! Stress and displacement below the surface, at points.
 
 use stickslip_rs::Grid;
-use stickslip_rs::subsurface::{self, Body, Response, Stress, Tractions};
+use stickslip_rs::subsurface::{self, Body, PointResult, Stress, Tractions};
 
 use crate::call::{Outcome, call};
 use crate::error::Failure;
@@ -9,7 +9,7 @@ use crate::half_space::stickslip_half_space;
 use crate::handle::reading;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{cells, collected, entries, entries_mut, input, optional};
-use crate::spare::Spare;
+use crate::scratch::Spare;
 use crate::status::stickslip_status;
 use crate::threads::enter;
 
@@ -101,8 +101,8 @@ pub struct stickslip_response {
     pub von_mises: f64,
 }
 
-impl From<Response> for stickslip_response {
-    fn from(at: Response) -> Self {
+impl From<PointResult> for stickslip_response {
+    fn from(at: PointResult) -> Self {
         let stress: Stress = at.stress;
         Self {
             displacement: at.displacement,
@@ -115,7 +115,7 @@ impl From<Response> for stickslip_response {
 }
 
 /// Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
-/// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_REPEATS on a grid
+/// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid
 /// that repeats along both axes. For whole planes stickslip_planes_solve is faster.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_stress_at_points(

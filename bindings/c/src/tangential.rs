@@ -15,12 +15,12 @@ use crate::model::{STICKSLIP_ONE_WAY, STICKSLIP_SCALAR, coupling, model};
 use crate::normal::stickslip_normal_solution;
 use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, field, input, optional};
-use crate::reading::{show, tell, warn};
 use crate::reserved::known;
 use crate::results::{stickslip_report, stickslip_tangential_result, stickslip_warning};
 use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::stiffness::stickslip_tangential_stiffness;
+use crate::text_fields::{show, tell, warn};
 
 /// Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
 #[repr(C)]
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new_under(
     })
 }
 
-type Given = (
+type TangentialArguments = (
     *const stickslip_friction,
     *const stickslip_tangential_load,
     *const stickslip_tangential_options,
@@ -111,7 +111,7 @@ type Given = (
 unsafe fn new(
     half_space: *const stickslip_half_space,
     pressure: PressureSource<'_>,
-    (friction, load, options): Given,
+    (friction, load, options): TangentialArguments,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> Outcome {
     // SAFETY: as of this function.

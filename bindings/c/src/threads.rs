@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::available_parallelism;
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use stickslip_rs::CELLS_ON_ONE_THREAD;
+use stickslip_rs::SERIAL_CELL_LIMIT;
 
 use crate::call::{Outcome, call};
 use crate::error::Failure;
@@ -83,7 +83,7 @@ fn threads(asked: usize) -> usize {
 
 /// Runs work on so many cells where its threads are.
 pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
-    if cells <= CELLS_ON_ONE_THREAD {
+    if cells <= SERIAL_CELL_LIMIT {
         return work();
     }
     enter_always(|_| work())

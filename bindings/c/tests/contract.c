@@ -117,14 +117,14 @@ static void bad_input_is_refused(void) {
     for (int i = 0; i < 9; i++) {
         many[i] = oxide;
     }
-    CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, many, 9, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_REFUSED);
+    CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, many, 9, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_INVALID_ARGUMENT);
     CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, &thin, 1, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_NOT_POSITIVE);
     CHECK(stickslip_half_space_new_coated(&GRID, &STEEL, NULL, 1, &STEEL, NULL, 0, NULL, &none) == STICKSLIP_BAD_POINTER);
     CHECK(none == NULL);
     stickslip_boundary boundary = {7, 0.0};
-    CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &none) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &none) == STICKSLIP_UNKNOWN_OPTION);
     int32_t value = -1;
-    CHECK(stickslip_half_space_set_cell_value(bodies, 7) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_half_space_set_cell_value(bodies, 7) == STICKSLIP_UNKNOWN_OPTION);
     OK(stickslip_half_space_set_cell_value(bodies, STICKSLIP_CENTRE));
     OK(stickslip_half_space_cell_value(bodies, &value));
     CHECK(value == STICKSLIP_CENTRE);
@@ -136,7 +136,7 @@ static void bad_input_is_refused(void) {
     OK(stickslip_last_error(&error));
     CHECK(error.expected == CELLS && error.found == CELLS - 1);
     CHECK(stickslip_normal_solver_new(bodies, NULL, CELLS, &load, NULL, NULL, &solver) == STICKSLIP_BAD_POINTER);
-    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &nan_load, NULL, NULL, &solver) == STICKSLIP_NEGATIVE);
+    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &nan_load, NULL, NULL, &solver) == STICKSLIP_NEGATIVE_OR_NOT_FINITE);
     double holed[CELLS];
     memcpy(holed, ball, sizeof holed);
     holed[37] = NAN;
@@ -180,11 +180,11 @@ static void failed_steps_leave_no_trace(void) {
     OK(stickslip_last_error(&error));
     CHECK(error.value == 60.0 && fabs(error.limit - 50.0) < 1e-9);
     stickslip_report report;
-    CHECK(stickslip_last_error_report(&report) == STICKSLIP_REFUSED);
+    CHECK(stickslip_last_error_report(&report) == STICKSLIP_INVALID_ARGUMENT);
     load = drag(NAN);
     CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_FINITE);
     load = drag(1.0), load.y.kind = STICKSLIP_FORCE, load.y.value = 1.0;
-    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NOT_MODELLED);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_UNSUPPORTED_BY_MODEL);
     load = press(120.0);
     stickslip_observer observer = {cancel, history};
     CHECK(stickslip_history_step(history, &load, &observer) == STICKSLIP_NOT_CONVERGED);

@@ -40,7 +40,7 @@ int main(void) {
     OK(stickslip_normal_solver_solve(presser, pressed, NULL));
     OK(stickslip_normal_solution_edges(pressed, &edges, centres, means, CELLS));
     CLOSE(edges.contact_area, PI, 1e-3);
-    CHECK(edges.refused_share == 0.0 && isnan(edges.stick_area) && isnan(edges.peak_traction));
+    CHECK(edges.unfitted_fraction == 0.0 && isnan(edges.stick_area) && isnan(edges.peak_traction));
     CLOSE(edges.peak_pressure, 2.0 / PI, 1e-3);
     CLOSE(sum(means) * area, 4.0 / 3.0, 1e-3);
     CHECK(sum(centres) > 0.0);
@@ -63,7 +63,7 @@ int main(void) {
     CLOSE(edges.stick_ratio, pow(0.6, 2.0 / 3.0), 2e-3);
     CLOSE(edges.stick_area + edges.slip_area, PI, 1e-3);
     CLOSE(sum(means) * area, force, 2e-3);
-    CHECK(edges.stick_refused_share == 0.0 && edges.peak_traction < 1.0 / PI);
+    CHECK(edges.stick_unfitted_fraction == 0.0 && edges.peak_traction < 1.0 / PI);
     CHECK(stickslip_tangential_solution_edges(sheared, pressed, NULL, &edges, NULL, NULL, 0) == STICKSLIP_BAD_POINTER);
     OK(stickslip_tangential_solution_discretisation_estimate(sheared, &estimate));
     CHECK(estimate > 1e-3 && estimate < 5e-2);

@@ -88,16 +88,16 @@ static void unknown_members_are_refused(void) {
     OK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &history));
 
     options.reserved[7] = 1;
-    CHECK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &none) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &none) == STICKSLIP_UNKNOWN_OPTION);
     CHECK(strstr(stickslip_last_error_message(), "reserved of the options") != NULL);
     options.reserved[7] = 0, options.settings.reserved[0] = 1;
-    CHECK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &none) == STICKSLIP_NO_SUCH_OPTION);
-    CHECK(stickslip_history_set_settings(history, &options.settings) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &none) == STICKSLIP_UNKNOWN_OPTION);
+    CHECK(stickslip_history_set_settings(history, &options.settings) == STICKSLIP_UNKNOWN_OPTION);
     friction.reserved[3] = 1;
-    CHECK(stickslip_history_set_friction(history, &friction) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_history_set_friction(history, &friction) == STICKSLIP_UNKNOWN_OPTION);
     stickslip_load_step load = {0};
     load.normal.kind = STICKSLIP_FORCE, load.normal.value = 100.0, load.reserved[0] = 1;
-    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_UNKNOWN_OPTION);
     load.reserved[0] = 0;
     OK(stickslip_history_step(history, &load, NULL));
 
@@ -112,12 +112,12 @@ static void unknown_members_are_refused(void) {
     friction = stickslip_coulomb(0.5);
     choices.reserved[1] = 1;
     CHECK(stickslip_tangential_solver_new(bodies, pressed, &friction, &drag, &choices, &shearer) ==
-          STICKSLIP_NO_SUCH_OPTION);
+          STICKSLIP_UNKNOWN_OPTION);
     drag.reserved[1] = 1;
-    CHECK(stickslip_tangential_solver_new(bodies, pressed, &friction, &drag, NULL, &shearer) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_tangential_solver_new(bodies, pressed, &friction, &drag, NULL, &shearer) == STICKSLIP_UNKNOWN_OPTION);
     stickslip_self_affine surface = stickslip_self_affine_default();
     surface.rms_height = 1e-6, surface.reserved[2] = 1;
-    CHECK(stickslip_surface_self_affine(&grid, &surface, ball, CELLS) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_surface_self_affine(&grid, &surface, ball, CELLS) == STICKSLIP_UNKNOWN_OPTION);
     CHECK(none == NULL && shearer == NULL);
 
     READS(stickslip_pair, stickslip_half_space_pair(bodies, &found));

@@ -107,7 +107,7 @@ contains
 
         ! Fields that are none, and depths.
         samples => pressed%field(STICKSLIP_TRACTION_X, status)
-        call check(status == STICKSLIP_NO_SUCH_OPTION .and. .not. associated(samples), 'a traction of a pressure')
+        call check(status == STICKSLIP_UNKNOWN_OPTION .and. .not. associated(samples), 'a traction of a pressure')
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
         call check(status == STICKSLIP_OK .and. size(samples) == n * n, 'a stress on its own grid')
         call planes%solve(0, STICKSLIP_BODY_1, ball, status=status)
@@ -160,7 +160,7 @@ contains
         call check(abs(result%normal_force / 100 - 1) < 1d-9, 'another history from bytes')
         call planes%new(bodies, [0.02d0])
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
-        call check(status == STICKSLIP_REFUSED, 'other planes')
+        call check(status == STICKSLIP_INVALID_ARGUMENT, 'other planes')
 
         ! Stiffnesses and stresses end when an observer tells them.
         observer = stickslip_observer(c_funloc(stop_at_once), c_null_ptr)

@@ -96,7 +96,7 @@ static void solve(const stickslip_ranks *ranks, answers *found) {
     /* What one rank refuses all refuse. */
     load.value = ranks->rank == 1 ? -1.0 : 4.0;
     int32_t code = stickslip_normal_solver_set_load(presser, &load);
-    CHECK(code == (ranks->size > 1 ? STICKSLIP_RANKS_APART : STICKSLIP_OK));
+    CHECK(code == (ranks->size > 1 ? STICKSLIP_RANK_FAILURE : STICKSLIP_OK));
     OK(stickslip_history_free(history));
     OK(stickslip_tangential_solution_free(sheared));
     OK(stickslip_tangential_solver_free(shearer));
@@ -291,7 +291,7 @@ static void memory_that_one_rank_lacks_is_told_to_all(void) {
         of_second = works[1].status;
         int is_made = of_second == STICKSLIP_OK;
         CHECK(is_made || of_second == STICKSLIP_MEMORY);
-        CHECK(works[0].status == (is_made ? STICKSLIP_OK : STICKSLIP_RANKS_APART));
+        CHECK(works[0].status == (is_made ? STICKSLIP_OK : STICKSLIP_RANK_FAILURE));
         CHECK(works[2].status == works[0].status);
     }
     printf("%ld allocations of a rank failed\n", can_have - 2);
@@ -312,7 +312,7 @@ static void bad_ranks_are_refused(void) {
     /* The first swap tells that the other is lost. */
     ranks.swap = swap, left = 0;
     CHECK(stickslip_half_space_new_distributed(&GRID, &RUBBER, NULL, 0, &RIGID, NULL, 0, NULL, &ranks, &bodies) ==
-          STICKSLIP_RANKS_APART);
+          STICKSLIP_RANK_FAILURE);
     stickslip_error error;
     OK(stickslip_last_error(&error));
     CHECK(error.index == 1 && bodies == NULL);

@@ -60,14 +60,14 @@ contains
         end associate
         call check(all(transfer(limits, mold) == transfer(stickslip_jump_limits_default(), mold)), 'limits of jumps')
         associate (other => stickslip_history_options_default())
-            call check(all([history%axis, history%model, history%coupling, history%touch_rule, history%permanent_set] == &
-                [other%axis, other%model, other%coupling, other%touch_rule, other%permanent_set]), 'options of histories')
+            call check(all([history%axis, history%model, history%coupling, history%entry_rule, history%permanent_set] == &
+                [other%axis, other%model, other%coupling, other%entry_rule, other%permanent_set]), 'options of histories')
         end associate
         associate (other => stickslip_tangential_options_default())
             call check(all([tangential%model, tangential%coupling] == [other%model, other%coupling]), 'options')
         end associate
         associate (other => stickslip_rolling_options_default())
-            call check(all([rolling%leading_edge, rolling%touch_rule] == [other%leading_edge, other%touch_rule]) .and. &
+            call check(all([rolling%leading_edge, rolling%entry_rule] == [other%leading_edge, other%entry_rule]) .and. &
                 rolling%step == other%step, 'options of rolling')
         end associate
         call check(all(transfer(surface, mold) == transfer(stickslip_self_affine_default(), mold)), 'surface')
@@ -154,7 +154,7 @@ contains
         call check(abs(spots(1)%load / 100 - 1) < 1d-9 .and. spots(1)%stick_ratio /= spots(1)%stick_ratio, 'its load')
         call check(all((labels == 1) .eqv. (pressure > 0)) .and. all(labels >= 0 .and. labels <= 1), 'its cells')
         call pressed%edges(edges, centres)
-        call check(edges%refused_share < 1 .and. abs(edges%contact_area / normal%contact_area - 1) < 0.05d0 .and. &
+        call check(edges%unfitted_fraction < 1 .and. abs(edges%contact_area / normal%contact_area - 1) < 0.05d0 .and. &
             abs(maxval(centres) - edges%peak_pressure) <= 0, 'the edge')
         call check(pressed%discretisation_estimate() > 0, 'an estimate')
         call pressed%warnings(warnings)
@@ -200,7 +200,7 @@ contains
         call presser%reset()
         call presser%set_load(stickslip_normal_load(STICKSLIP_HOLD), status)
         if (status == STICKSLIP_OK) call presser%solve(pressed, status=status)
-        call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
+        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'nothing is held after reset')
     end subroutine contacts
 
     ! A ball that rolls, by creepages and by loads, and Carter's cylinder.
@@ -288,7 +288,7 @@ contains
         call check(size(remarks) >= 0, 'the warnings of rolling')
         traction => pressed%field(STICKSLIP_PRESSURE)
         call roller%set_pressure(traction, status)
-        call check(status == STICKSLIP_NOT_MODELLED, 'no pressure without a gap')
+        call check(status == STICKSLIP_UNSUPPORTED_BY_MODEL, 'no pressure without a gap')
         call roller%set_normal(pressed)
         call roller%reset()
         stiffness = roller%stiffness()
@@ -358,7 +358,7 @@ contains
         call check(abs(normal%force / 100 - 1) < 1d-6, 'the normal force')
         call check(shear%stick_ratio > 0 .and. shear%stick_ratio < 1, 'pressing makes dissimilar bodies slip')
         call solution%warnings(warnings)
-        call check(any(warnings%kind == STICKSLIP_WARNING_PRESSED_AT_ONCE), 'pressed at once')
+        call check(any(warnings%kind == STICKSLIP_WARNING_SINGLE_LOAD_STEP), 'pressed at once')
 
         ! A field and the zones obey the law of Coulomb, and their sums are the forces.
         call solver%set_load(press, drag)
@@ -384,7 +384,7 @@ contains
 
         ! A history of the same first step has the same stiffness.
         call history%new(bodies, heights, stickslip_coulomb(0.3d0), &
-            stickslip_history_options(model=STICKSLIP_VECTOR, touch_rule=STICKSLIP_WHOLE_STEP))
+            stickslip_history_options(model=STICKSLIP_VECTOR, entry_rule=STICKSLIP_WHOLE_STEP))
         call history%step(stickslip_load_step(press, drag%x, drag%y))
         slope = solution%stiffness(bodies, stickslip_coulomb(0.3d0))
         same = history%stiffness()
@@ -407,7 +407,7 @@ contains
         call solver%reset()
         call solver%set_load(stickslip_normal_load(STICKSLIP_HOLD), drag, status)
         if (status == STICKSLIP_OK) call solver%solve(other, status=status)
-        call check(status == STICKSLIP_NOTHING_TO_HOLD, 'nothing is held after reset')
+        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'nothing is held after reset')
 
         ! Bulk strain moves what sticks.
         none = 0
@@ -515,8 +515,8 @@ contains
         slip => cycle%field(STICKSLIP_SLIP_DISTANCE)
         status = stickslip_max_stable_cycles(bodies%handle, stickslip_per_cell(1d-6), slip, size(slip, kind=c_size_t), cycles)
         call check(status == STICKSLIP_OK .and. abs(cycles / jump - 2) < 1d-6, 'half of what is stable')
-        jump = cycle%jump(bodies, depth, stickslip_jump_limits(closed_within=-1d0), status)
-        call check(status == STICKSLIP_NEGATIVE, 'a negative limit')
+        jump = cycle%jump(bodies, depth, stickslip_jump_limits(max_residual=-1d0), status)
+        call check(status == STICKSLIP_NEGATIVE_OR_NOT_FINITE, 'a negative limit')
         call check(loop%cyclic_residual < 0.25d0, 'a closed loop')
 
         ! Bulk strain alone makes cells slip.
@@ -527,7 +527,7 @@ contains
         call copy%set_relative_displacement(worn, 0 * worn)
         call copy%step(stickslip_load_step(has_relative_displacement=1, relative_displacement=1d0))
         now = copy%result()
-        call check(now%energy%mid_step_dissipated_energy > 0 .and. now%stick_ratio < 1, 'bulk strain in a step')
+        call check(now%energy%dissipated_energy_midpoint > 0 .and. now%stick_ratio < 1, 'bulk strain in a step')
         call copy%set_relative_displacement(worn, transpose(worn), status)
         call check(status == STICKSLIP_LENGTH, 'a pattern of shape (ny, nx)')
 

@@ -43,13 +43,13 @@ static void bad_recipes_are_refused(void) {
     memcpy(again, heights, sizeof again);
     CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_NOT_POSITIVE);
     recipe.rms_height = 0.01, recipe.rms_slope = 0.2;
-    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_REFUSED);
+    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_INVALID_ARGUMENT);
     recipe.rms_slope = 0.0, recipe.hurst = 1.5;
     CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_HURST);
     recipe.hurst = 0.8, recipe.longest_wavelength = 0.9, recipe.cut_off_wavelength = 0.8;
-    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_EMPTY_BAND);
+    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_NO_WAVE_IN_BAND);
     recipe.longest_wavelength = 0.0, recipe.cut_off_wavelength = 0.0, recipe.amplitudes = 2;
-    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_NO_SUCH_OPTION);
+    CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS) == STICKSLIP_UNKNOWN_OPTION);
     recipe.amplitudes = STICKSLIP_GAUSSIAN;
     CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS - 1) == STICKSLIP_LENGTH);
     CHECK(memcmp(heights, again, sizeof heights) == 0);

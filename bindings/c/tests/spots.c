@@ -124,10 +124,10 @@ static void cycles_are_jumped_over(void) {
     CHECK(stickslip_cycle_jump(bodies, cycle, depth, N * N, NULL, &jump) == STICKSLIP_CYCLE_NOT_CLOSED && jump == -1.0);
     OK(stickslip_last_error(&error));
     CHECK(error.value > 0.25 && error.limit == 0.25);
-    limits.closed_within = 2.0;
+    limits.max_residual = 2.0;
     OK(stickslip_cycle_jump(bodies, cycle, depth, N * N, &limits, &jump));
     CHECK(jump > 0.0);
-    limits.closed_within = 0.25, limits.cycles_left = -1.0;
+    limits.max_residual = 0.25, limits.cycles_left = -1.0;
     CHECK(stickslip_cycle_jump(bodies, cycle, depth, N * N - 1, NULL, &jump) == STICKSLIP_LENGTH);
 
     double done = 0.0, worn = 0.0, first = 0.0;

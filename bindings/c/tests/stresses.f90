@@ -50,7 +50,7 @@ contains
         pressure => pressed%field(STICKSLIP_PRESSURE)
         call planes%new(bodies, [depth])
         szz => planes%field(STICKSLIP_STRESS_ZZ, status)
-        call check(status == STICKSLIP_REFUSED .and. .not. associated(szz), 'no plane yet')
+        call check(status == STICKSLIP_INVALID_ARGUMENT .and. .not. associated(szz), 'no plane yet')
         call planes%solve(1, STICKSLIP_BODY_1, pressure)
         call planes%measure(STICKSLIP_MAX_SHEAR, shear)
         call check(abs(maxval(shear) / hertz%max_pressure - 0.310d0) < 2d-3, 'largest shear stress')
@@ -88,6 +88,6 @@ contains
         call check(status == STICKSLIP_OK .and. abs(statistics%spectral_rms_slope / 0.1d0 - 1) < 1d-9, 'rms slope')
         recipe%rms_height = 1
         status = stickslip_surface_self_affine(grid, recipe, heights, size(heights, kind=c_size_t))
-        call check(status == STICKSLIP_REFUSED, 'height and slope')
+        call check(status == STICKSLIP_INVALID_ARGUMENT, 'height and slope')
     end subroutine rough
 end program stresses

@@ -51,14 +51,14 @@ int main() {
     const double depth = 0.481 * hertz.contact_radius;
     const ss::Tractions load = ss::tractions(pressed.pressure());
     ss::Planes planes(bodies, {depth});
-    fails(STICKSLIP_REFUSED, [&] { planes.field(STICKSLIP_STRESS_ZZ); });
+    fails(STICKSLIP_INVALID_ARGUMENT, [&] { planes.field(STICKSLIP_STRESS_ZZ); });
     planes.solve(0, STICKSLIP_BODY_1, load);
     const std::vector<double> shear = planes.measure(STICKSLIP_MAX_SHEAR);
     const double largest = *std::max_element(shear.begin(), shear.end());
     check(std::fabs(largest / hertz.max_pressure - 0.310) < 2e-3, "largest shear stress");
     const ss::Response at = ss::stress_at(bodies, STICKSLIP_BODY_1, load, {{0.5 * grid.dx, 0.5 * grid.dy, depth}}).front();
     check(std::fabs(planes.field(STICKSLIP_STRESS_ZZ)[n * n / 2 + n / 2] / at.normal_stress[2] - 1.0) < 1e-9, "szz");
-    fails(STICKSLIP_NO_SUCH_OPTION, [&] { planes.solve(0, 0, load); });
+    fails(STICKSLIP_UNKNOWN_OPTION, [&] { planes.solve(0, 0, load); });
     // On the surface sxz = -qx and syz = -qy.
     const std::size_t middle = n * n / 2 + n / 2;
     std::vector<double> half(pressed.pressure().begin(), pressed.pressure().end());
@@ -93,10 +93,10 @@ int main() {
     check(history.spots().spots[0].stick_ratio == history.result().stick_ratio, "stick ratio of the spot");
     stickslip_jump_limits limits = stickslip_jump_limits_default();
     limits.cycles_left = 7.0;
-    limits.closed_within = 2.0;
+    limits.max_residual = 2.0;
     check(cycle.jump(bodies, worn, limits) == 7.0, "all cycles that are left");
     check(ss::max_stable_cycles(bodies, {1e-6, nullptr, 0}, cycle.field(STICKSLIP_SLIP_DISTANCE)) > 7.0, "stable");
-    limits.closed_within = 0.0;
+    limits.max_residual = 0.0;
     fails(STICKSLIP_CYCLE_NOT_CLOSED, [&] { cycle.jump(bodies, worn, limits); });
 
     // A contact of dissimilar bodies is as stiff as a history after the same first step.
@@ -113,7 +113,7 @@ int main() {
     const ss::Stiffness found = both.stiffness(dissimilar, law);
     stickslip_history_options whole = stickslip_history_options_default();
     whole.model = STICKSLIP_VECTOR;
-    whole.touch_rule = STICKSLIP_WHOLE_STEP;
+    whole.entry_rule = STICKSLIP_WHOLE_STEP;
     ss::History same(dissimilar, ss::sphere(grid, 5.0), law, whole);
     same.step(ss::step(press, drag));
     const ss::Stiffness expected = same.stiffness();
@@ -163,7 +163,7 @@ int main() {
     const double once = rolls.step(roll).force[0];
     const stickslip_step_result twice = rolls.step(roll);
     check(once > 0.0 && twice.force[0] > once && twice.creepage[0] == 1e-4, "a history that rolls");
-    fails(STICKSLIP_NOT_MODELLED, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
+    fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
     recipe.rms_height = 1e-3;

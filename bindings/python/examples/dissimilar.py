@@ -26,7 +26,7 @@ for friction in (0.075, 0.1, 0.125):
     spence = ss.analytical.SpencePressing.round(bodies.pair, friction)
     # A problem presses at once, to another answer, of which its one warning tells.
     contact = ss.CoupledProblem(bodies, ball, friction, normal_force=FORCE, tolerance=1e-6).solve(warn=False)
-    assert [remark.kind for remark in contact.warnings] == ["pressed_at_once"]
+    assert [remark.kind for remark in contact.warnings] == ["single_load_step"]
     print(
         f"{friction:8.3f}   {steps:5d}   {step.stick_ratio**0.5:39.3f}   {spence.stick_radius:6.3f}"
         f"   {contact.tangential.stick_ratio**0.5:7.3f}   {contact.report.error_estimate.pressure:31.1e}"

@@ -35,7 +35,7 @@ while done < CYCLES:
         assert abs(forces.max() + forces.min()) < 0.02 * forces.max()
     depth = ss.wear.energy(COEFFICIENT, cycle.dissipated_energy, grid=grid)
     jump = ss.wear.CycleJump(
-        bodies, cycle, depth, largest_depth=0.05 * history.approach, cycles_left=CYCLES - done, closed_within=0.05
+        bodies, cycle, depth, largest_depth=0.05 * history.approach, cycles_left=CYCLES - done, max_residual=0.05
     ).cycles()
     worn = ss.Field(grid, jump * depth)
     gap = gap + worn

@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
+use crate::conversion::entries;
 use crate::digits::short;
-use crate::due::entries;
 use crate::pickle::picklable;
 use crate::real::Real;
 

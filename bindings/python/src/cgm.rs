@@ -11,8 +11,8 @@ use stickslip::{Iteration, Operator};
 
 use crate::array::{Array, view_slice};
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{in_python, short};
-use crate::due;
 use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Shared, numbers, product_of};
 use crate::pickle::picklable;
@@ -140,7 +140,7 @@ pub(crate) fn minimise<'py>(
     lower: Option<Bound<'py, PyAny>>,
     upper: Option<Bound<'py, PyAny>>,
     total: Option<Real>,
-    spring: Option<due::FarEnd>,
+    spring: Option<conversion::FarEnd>,
     diagonal: Option<Bound<'py, PyAny>>,
     preconditioner: Option<&LinearOperator>,
     lower_bound: Real,
@@ -157,7 +157,7 @@ pub(crate) fn minimise<'py>(
     let total = match (total, spring) {
         (None, None) => Total::Free,
         (Some(Real(total)), None) => Total::Sum(total),
-        (None, Some(due::FarEnd((far_end, compliance)))) => Total::Spring {
+        (None, Some(conversion::FarEnd((far_end, compliance)))) => Total::Spring {
             far_end,
             compliance,
         },

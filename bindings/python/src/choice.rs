@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
-use crate::due::kind_of;
+use crate::conversion::kind_of;
 
 /// An enumeration of the crate whose variants have names.
 pub(crate) trait Named: Copy + PartialEq + 'static {
@@ -94,7 +94,7 @@ named! {
     "stickslip" "TangentialModel": stickslip::TangentialModel { "scalar" = Scalar, "vector" = Vector }
     "stickslip" "Coupling": stickslip::Coupling { "full" = Full, "one_way" = OneWay, "neglected" = Neglected }
     "stickslip" "CellValue": stickslip::CellValue { "uniform" = Uniform, "centre" = Centre }
-    "stickslip.history" "TouchRule": stickslip::history::TouchRule { "growth" = Growth, "whole_step" = WholeStep }
+    "stickslip.history" "EntryRule": stickslip::history::EntryRule { "since_touch" = SinceTouch, "whole_step" = WholeStep }
     "stickslip.rolling" "LeadingEdge": stickslip::rolling::LeadingEdge {
         "plus_x" = PlusX, "minus_x" = MinusX, "plus_y" = PlusY, "minus_y" = MinusY
     }
@@ -109,7 +109,7 @@ named! {
     "stickslip.history" "Regime": stickslip::history::Regime {
         "full_stick" = FullStick, "partial_slip" = PartialSlip, "gross_slip" = GrossSlip
     }
-    "stickslip.history" "LoopEnding": stickslip::history::LoopEnding {
+    "stickslip.history" "StopReason": stickslip::history::StopReason {
         "steady" = Steady, "cycle_limit" = CycleLimit, "stopped" = Stopped
     }
     "stickslip.subsurface" "Body": stickslip::subsurface::Body { "one" = One, "two" = Two }

@@ -36,8 +36,8 @@ impl Edges {
 
     /// The part of the cells at the edge whose fit was refused.
     #[getter]
-    fn refused_share(&self) -> f64 {
-        self.0.refused_share()
+    fn unfitted_fraction(&self) -> f64 {
+        self.0.unfitted_fraction()
     }
 
     /// Values at the centres of all cells, shape (ny, nx): of a contact the pressure, of a stick zone what friction could
@@ -88,10 +88,10 @@ impl Edges {
 
     fn __repr__(&self) -> String {
         format!(
-            "Edges(area={}, {} cells, refused_share={})",
+            "Edges(area={}, {} cells, unfitted_fraction={})",
             short(self.0.area()),
             self.0.cells().len(),
-            short(self.0.refused_share())
+            short(self.0.unfitted_fraction())
         )
     }
 }

@@ -126,12 +126,12 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         GridSize { nx, ny }
         Memory { quantity, bytes }
         NotPositive { quantity, value }
-        Negative { quantity, value }
+        NegativeOrNotFinite { quantity, value }
         NotFinite { quantity, value }
         ExtremeNumber { quantity, value, least, most, remedy }
         Sample { quantity, index, value, rule }
         TooManyLayers { found, limit }
-        Coated { quantity, bodies, remedy }
+        UnsupportedForCoatings { quantity, bodies, remedy }
         NotDefinite { eigenvalue, sides }
         DatumTooNear { datum, least }
         CoupledMaterials { beta }
@@ -148,7 +148,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         BeyondHardness { force, capacity }
         Yielded { quantity, cells }
         ObliqueLoad { x, y }
-        NotModelled { model, quantity, value, remedy }
+        UnsupportedByModel { model, quantity, value, remedy }
         MaterialMismatch { quantity }
         ApproachBeyondMeanGap { approach, mean_gap }
         TooManyCells { cells, limit }
@@ -157,11 +157,11 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         Degree { degree, limit }
         Range { quantity, start, end, count }
         BeyondSamples { axis, reach, limit }
-        Below { quantity, value, least_is, least }
+        BelowMinimum { quantity, value, least_is, least }
         GridTooShort { side, needed, found }
-        EmptyBand { longest, shortest }
-        HeightsNotReached { skewness, kurtosis, reached }
-        StepNotNew { step, last }
+        NoWaveInBand { longest, shortest }
+        HeightMomentsNotReached { skewness, kurtosis, reached }
+        StepAlreadyCounted { step, last }
         CycleNotClosed { residual, limit }
         StepTooLong { part, error, tolerance }
     });
@@ -171,9 +171,11 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         (_, Error::Hurst(value)) => one(&attributes, "Hurst", "value", *value)?,
         (_, Error::Tolerance(value)) => one(&attributes, "Tolerance", "value", *value)?,
         (_, Error::StepsPerCycle(steps)) => one(&attributes, "StepsPerCycle", "steps", *steps)?,
-        (_, Error::KernelMissing(part)) => one(&attributes, "KernelMissing", "part", *part)?,
+        (_, Error::IncompleteKernel(part)) => one(&attributes, "IncompleteKernel", "part", *part)?,
         (_, Error::RigidBody(body)) => one(&attributes, "RigidBody", "body", *body)?,
-        (_, Error::Repeats(quantity)) => one(&attributes, "Repeats", "quantity", *quantity)?,
+        (_, Error::DivergentPeriodicSum(quantity)) => {
+            one(&attributes, "DivergentPeriodicSum", "quantity", *quantity)?
+        }
         (
             _,
             Error::Format {
@@ -190,10 +192,10 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         }
         (_, Error::Ranks(failure)) => {
             let rank = match failure {
-                RankFailure::Lost { rank }
-                | RankFailure::Silent { rank, .. }
-                | RankFailure::OutOfStep { rank }
-                | RankFailure::Refused { rank } => Some(*rank),
+                RankFailure::Disconnected { rank }
+                | RankFailure::Timeout { rank, .. }
+                | RankFailure::CollectiveMismatch { rank }
+                | RankFailure::RejectedByRank { rank } => Some(*rank),
                 _ => None,
             };
             one(&attributes, "Ranks", "rank", rank)?
@@ -218,7 +220,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         }
         (_, Error::BothRigid) => "BothRigid",
         (_, Error::IterationLimit) => "IterationLimit",
-        (_, Error::NothingToHold) => "NothingToHold",
+        (_, Error::NoPressureToHold) => "NoPressureToHold",
         (_, Error::RepeatedDirection) => "RepeatedDirection",
         (_, Error::EmptyContact) => "EmptyContact",
         (_, Error::EmptyPath) => "EmptyPath",

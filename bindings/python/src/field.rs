@@ -9,8 +9,8 @@ use stickslip::Error;
 
 use crate::argument::argument;
 use crate::array::{Array, view};
+use crate::conversion::kind_of;
 use crate::digits::short;
-use crate::due::kind_of;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};

@@ -26,7 +26,7 @@ use crate::real::Real;
 ///
 /// Raises
 /// ------
-/// Negative, Sample, Shape, NotPositive
+/// NegativeOrNotFinite, Sample, Shape, NotPositive
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Friction(pub(crate) stickslip::Friction);

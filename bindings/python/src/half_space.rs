@@ -30,7 +30,7 @@ use crate::ranks::Communicator;
 ///
 /// Raises
 /// ------
-/// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Length, NotModelled
+/// NotPositive, Memory, BelowMinimum, UnsupportedForCoatings, IncompleteKernel, GridMismatch, Length, UnsupportedByModel
 ///
 /// Examples
 /// --------
@@ -83,7 +83,7 @@ impl HalfSpace {
     ///
     /// Raises
     /// ------
-    /// NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Ranks
+    /// NotPositive, Memory, BelowMinimum, UnsupportedForCoatings, IncompleteKernel, GridMismatch, Ranks
     ///
     /// Notes
     /// -----

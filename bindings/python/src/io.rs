@@ -8,16 +8,19 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
 
+use crate::conversion::{self, entries};
 use crate::digits::counted;
-use crate::due::{self, entries};
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
-use crate::held::lock;
 use crate::real::{Real, is_plane};
+use crate::solution_pool::lock;
 
 /// Sides of a cell or of the grid, of files that do not say.
-fn sides(cell: Option<due::CellSides>, size: Option<due::GridSides>) -> PyResult<Sides> {
+fn sides(
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
+) -> PyResult<Sides> {
     match (cell, size) {
         (Some(cell), None) => Ok(Sides::OfCell(cell.0)),
         (None, Some(size)) => Ok(Sides::OfGrid(size.0)),
@@ -193,8 +196,8 @@ fn options(
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<due::CellSides>,
-    size: Option<due::GridSides>,
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
     missing: Option<Real>,
     skip_rows: usize,
     skip_columns: usize,
@@ -213,8 +216,8 @@ pub(crate) fn csv_read(
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],
-    cell: Option<due::CellSides>,
-    size: Option<due::GridSides>,
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
     missing: Option<Real>,
     skip_rows: usize,
     skip_columns: usize,
@@ -250,8 +253,8 @@ pub(crate) fn csv_to_bytes<'py>(
 pub(crate) fn npy_read(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<due::CellSides>,
-    size: Option<due::GridSides>,
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::read(&path, sides))
@@ -265,8 +268,8 @@ pub(crate) fn npy_read(
 pub(crate) fn npy_parse(
     py: Python<'_>,
     bytes: &[u8],
-    cell: Option<due::CellSides>,
-    size: Option<due::GridSides>,
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::parse(bytes, sides))
@@ -280,8 +283,8 @@ pub(crate) fn npy_parse(
 pub(crate) fn npy_grid(
     py: Python<'_>,
     path: PathBuf,
-    cell: Option<due::CellSides>,
-    size: Option<due::GridSides>,
+    cell: Option<conversion::CellSides>,
+    size: Option<conversion::GridSides>,
 ) -> PyResult<Grid> {
     io::npy::grid(&path, sides(cell, size)?)
         .or_raise(py)
@@ -391,13 +394,13 @@ pub(crate) fn vti_to_bytes<'py>(
 /// path : path_like
 ///     The PVD file; the images are written beside it.
 #[pyclass(frozen, module = "stickslip.io.pvd")]
-pub(crate) struct Series(Mutex<io::pvd::Series>);
+pub(crate) struct PvdWriter(Mutex<io::pvd::PvdWriter>);
 
 #[pymethods]
-impl Series {
+impl PvdWriter {
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let series = io::pvd::Series::new(&path).or_raise(py)?;
+        let series = io::pvd::PvdWriter::new(&path).or_raise(py)?;
         Ok(Self(Mutex::new(series)))
     }
 

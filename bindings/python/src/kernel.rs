@@ -61,7 +61,7 @@ impl Kernel {
     ///
     /// Raises
     /// ------
-    /// NotPositive, NotFinite, Coated
+    /// NotPositive, NotFinite, UnsupportedForCoatings
     #[staticmethod]
     fn isotropic(
         py: Python<'_>,
@@ -116,7 +116,7 @@ impl Kernel {
     ///
     /// Raises
     /// ------
-    /// NotPositive, Length, Sample, Coated
+    /// NotPositive, Length, Sample, UnsupportedForCoatings
     #[staticmethod]
     fn tabulated(
         py: Python<'_>,
@@ -172,7 +172,7 @@ impl Kernel {
     ///
     /// Raises
     /// ------
-    /// Coated, KernelMissing, RepeatedDirection, NotPositive, NotFinite, NotModelled, Below, Memory
+    /// UnsupportedForCoatings, IncompleteKernel, RepeatedDirection, NotPositive, NotFinite, UnsupportedByModel, BelowMinimum, Memory
     ///
     /// Notes
     /// -----

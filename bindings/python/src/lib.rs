@@ -7,9 +7,9 @@ mod array;
 mod boundary;
 mod cgm;
 mod choice;
+mod conversion;
 mod coupled;
 mod digits;
-mod due;
 mod edges;
 mod error;
 mod field;
@@ -17,7 +17,6 @@ mod friction;
 mod function;
 mod grid;
 mod half_space;
-mod held;
 mod history;
 mod influence;
 mod io;
@@ -36,6 +35,7 @@ mod report;
 mod rolling;
 mod sequence;
 mod settings;
+mod solution_pool;
 mod solver;
 mod spots;
 mod stiffness;
@@ -89,12 +89,12 @@ mod _stickslip {
         half_space::HalfSpace,
         history::{
             AdaptiveSteps, Cycle, CycleJump, EnergyBalance, History, LoadPath, LoopPoint,
-            LoopPoints, Rolling, State, StepError, StepResult, archard, energy, max_stable_cycles,
-            threshold_energy,
+            LoopPoints, Rolling, State, StepErrorEstimate, StepResult, archard, energy,
+            max_stable_cycles, threshold_energy,
         },
         influence::{Rectangle, Table, Tensor},
         io::{
-            Series, asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid,
+            PvdWriter, asc_parse, asc_read, csv_parse, csv_read, csv_to_bytes, csv_write, npy_grid,
             npy_parse, npy_read, npy_to_bytes, npy_write, read, sdf_parse, sdf_read, sdf_to_bytes,
             sdf_write, sur_parse, sur_read, vti_to_bytes, vti_write, x3p_parse, x3p_read,
             xyz_parse, xyz_read,
@@ -118,7 +118,7 @@ mod _stickslip {
         settings::Settings,
         spots::{ContactSpots, Spot},
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},
-        subsurface::{Plane, Planes, Principal, Response, Responses, Stress, at_points},
+        subsurface::{Plane, Planes, PointResult, PointResults, Principal, Stress, at_points},
         surface::{
             Filled, Filtered, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics,
             bisinusoidal, cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,

@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 use stickslip::{Axis, LoadStep as Step, NormalControl, TangentialControl, TangentialLoad as Load};
 
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{short, tuple};
-use crate::due;
 use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
@@ -33,7 +33,11 @@ pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<No
 }
 
 /// A force, a shift or a spring along both axes.
-pub(crate) type Both = (Option<due::Force>, Option<due::Shift>, Option<due::Springs>);
+pub(crate) type Both = (
+    Option<conversion::Force>,
+    Option<conversion::Shift>,
+    Option<conversion::Springs>,
+);
 
 /// The one control that is given along an axis, if any; these are the kinds there are.
 pub(crate) fn one_along<T>(
@@ -66,7 +70,7 @@ impl Keywords {
         both: Both,
         force: [Option<Real>; 2],
         shift: [Option<Real>; 2],
-        spring: [Option<due::Spring>; 2],
+        spring: [Option<conversion::Spring>; 2],
         twist: Option<Real>,
     ) -> Self {
         Self {
@@ -97,9 +101,11 @@ impl Keywords {
                 shift
                     .as_ref()
                     .map(|shift| TangentialControl::Shift(shift.0[axis])),
-                spring.as_ref().map(|due::Springs((position, stiffness))| {
-                    spring_to((position[axis], *stiffness))
-                }),
+                spring
+                    .as_ref()
+                    .map(|conversion::Springs((position, stiffness))| {
+                        spring_to((position[axis], *stiffness))
+                    }),
                 self.force[axis].map(TangentialControl::Force),
                 self.shift[axis].map(TangentialControl::Shift),
                 self.spring[axis].map(spring_to),
@@ -216,15 +222,15 @@ impl TangentialLoad {
     #[pyo3(signature = (*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
         shift_y=None, spring_x=None, spring_y=None, twist=None))]
     fn new(
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
     ) -> PyResult<Self> {
         let keywords = Keywords::new(
@@ -355,15 +361,15 @@ impl LoadStep {
     fn new(
         normal_force: Option<Real>,
         approach: Option<Real>,
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,

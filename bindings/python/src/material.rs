@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
+use crate::conversion::entries;
 use crate::digits::short;
-use crate::due::entries;
 use crate::error::OrRaise;
 use crate::kernel::Kernel;
 use crate::layers::{Layer, WaveResponse, numbers};
@@ -282,7 +282,7 @@ impl ElasticPair {
     ///
     /// Raises
     /// ------
-    /// NotPositive, KernelMissing
+    /// NotPositive, IncompleteKernel
     fn response(&self, py: Python<'_>, k: Real) -> PyResult<WaveResponse> {
         self.0.response(k.0).or_raise(py).map(WaveResponse)
     }

@@ -23,7 +23,7 @@ pub(crate) type Reduced<'py> = (
 );
 
 /// How an object with bytes of its own is pickled: what restores it, and from which arguments.
-pub(crate) type ByItself<'py, A> = (Bound<'py, PyAny>, A);
+pub(crate) type Standalone<'py, A> = (Bound<'py, PyAny>, A);
 
 /// A function of the module, by which objects are restored.
 fn restoring<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
@@ -31,7 +31,7 @@ fn restoring<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
 }
 
 /// What restores an object that has bytes of its own, by ``from_bytes`` of its class: the first of the arguments.
-pub(crate) fn by_itself<A>(py: Python<'_>, arguments: A) -> PyResult<ByItself<'_, A>> {
+pub(crate) fn by_itself<A>(py: Python<'_>, arguments: A) -> PyResult<Standalone<'_, A>> {
     Ok((restoring(py, "_from_bytes")?, arguments))
 }
 
@@ -213,12 +213,12 @@ kinds!(
     crate::spots::ContactSpots,
     crate::history::LoopPoint,
     crate::history::LoopPoints,
-    crate::history::StepError,
+    crate::history::StepErrorEstimate,
     crate::coupled::ErrorEstimate,
     crate::subsurface::Stress,
     crate::subsurface::Principal,
-    crate::subsurface::Response,
-    crate::subsurface::Responses,
+    crate::subsurface::PointResult,
+    crate::subsurface::PointResults,
     crate::rolling::CreepForce,
     crate::rolling::CreepForces,
     crate::analytical::BentallJohnson,

@@ -70,7 +70,7 @@ fn default_threads() -> usize {
 /// Work outside of the pool of this package stays on the thread that calls: rayon's own pool, which other work would start,
 /// does not live on in a forked process.
 pub(crate) fn initialise() {
-    stickslip::avoid_global_pool();
+    stickslip::disable_global_pool();
 }
 
 /// The pool of this process, or of this rank, made when it is first needed; none where work stays on the calling thread.

@@ -67,7 +67,7 @@ impl Ranks for Communicator {
             };
             swapped().map_err(|error| {
                 tell(py, error, object);
-                RankFailure::Lost { rank: from }
+                RankFailure::Disconnected { rank: from }
             })
         })
     }

@@ -163,9 +163,9 @@ picklable!(Report: stickslip::Report);
 
 /// A remark on a converged solution that may mislead.
 ///
-/// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
-/// ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
-/// ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
+/// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``, ``contact_spans_grid``,
+/// ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
+/// ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
 /// ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -187,14 +187,14 @@ impl Warning {
             W::NoContact => "no_contact",
             W::ContactAtEdge { .. } => "contact_at_edge",
             W::UnresolvedSpots { .. } => "unresolved_spots",
-            W::LineOfCells => "line_of_cells",
-            W::ContactAcross { .. } => "contact_across",
+            W::SingleRowOfCells => "single_row_of_cells",
+            W::ContactSpansGrid { .. } => "contact_spans_grid",
             W::BeyondHardness { .. } => "beyond_hardness",
             W::StalePressure => "stale_pressure",
-            W::CoarseContact { .. } => "coarse_contact",
-            W::CoarseStick { .. } => "coarse_stick",
-            W::NarrowSlip { .. } => "narrow_slip",
-            W::PressedAtOnce => "pressed_at_once",
+            W::UnderresolvedContact { .. } => "underresolved_contact",
+            W::UnderresolvedStickZone { .. } => "underresolved_stick_zone",
+            W::UnderresolvedSlipZone { .. } => "underresolved_slip_zone",
+            W::SingleLoadStep => "single_load_step",
             W::StressAtEdge => "stress_at_edge",
             W::DiscretisationError { .. } => "discretisation_error",
             W::ApproachBeyondGrid { .. } => "approach_beyond_grid",
@@ -213,8 +213,8 @@ impl Warning {
         match self.0 {
             W::ContactAtEdge { cells }
             | W::BeyondHardness { cells }
-            | W::CoarseContact { cells }
-            | W::CoarseStick { cells } => Some(cells),
+            | W::UnderresolvedContact { cells }
+            | W::UnderresolvedStickZone { cells } => Some(cells),
             _ => None,
         }
     }

@@ -9,9 +9,9 @@ use pyo3::prelude::*;
 use stickslip::{Iteration, Result};
 
 use crate::error::with_iterate;
-use crate::held::{Spare, lock};
 use crate::progress::Progress;
 use crate::report::warn;
+use crate::solution_pool::{Spare, lock};
 use crate::work::{solve, unobserved_on};
 
 /// A solver of the crate.

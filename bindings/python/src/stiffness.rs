@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 
+use crate::conversion;
 use crate::digits::{rough, short, tuple};
-use crate::due;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
@@ -76,8 +76,8 @@ impl TangentialStiffness {
     }
 
     /// The stiffness behind springs along x and y (forces over lengths).
-    fn through_springs(&self, py: Python<'_>, springs: due::Stiffnesses) -> PyResult<Self> {
-        self.0.through_springs(springs.0).or_raise(py).map(Self)
+    fn in_series_with(&self, py: Python<'_>, springs: conversion::Stiffnesses) -> PyResult<Self> {
+        self.0.in_series_with(springs.0).or_raise(py).map(Self)
     }
 
     fn __repr__(&self) -> String {

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 use rayon::ThreadPool;
-use stickslip::{CELLS_ON_ONE_THREAD, Error, Iteration, Result};
+use stickslip::{Error, Iteration, Result, SERIAL_CELL_LIMIT};
 
 use crate::error::OrRaise;
 use crate::function::{has_raised, raising};
@@ -55,7 +55,7 @@ pub(crate) fn solve<T: Send>(
         ));
     }
     let callback = progress.callback();
-    let pool = if cells <= CELLS_ON_ONE_THREAD {
+    let pool = if cells <= SERIAL_CELL_LIMIT {
         None
     } else {
         pool::of_this_process(py)?

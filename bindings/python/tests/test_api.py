@@ -62,7 +62,7 @@ WITHOUT = {
     "struct rolling::RollingProblemBuilder": "keywords of rolling.RollingProblem",
     "struct rolling::CoupledRollingProblemBuilder": "keywords of rolling.CoupledRollingProblem",
     "type Result": "exceptions",
-    "fn avoid_global_pool": "the package does it",
+    "fn disable_global_pool": "the package does it",
     "struct Layout": "how sums are cut: of operators written in Rust",
     "struct cgm::Workspace": "buffers of the generic engine, which a call holds itself",
     "struct cgm::Disc": "of minima with several components a cell: engine generics",
@@ -74,7 +74,7 @@ WITHOUT = {
     "struct Scratch": "buffers, which an operator holds itself",
     "struct stiffness::StiffnessWorkspace": "buffers, which Python manages",
     "struct ranks::Threads": "ranks are those of a communicator: HalfSpace.distributed",
-    "struct ranks::Traffic": "as ranks::Threads",
+    "struct ranks::CommunicationStats": "as ranks::Threads",
     "enum ranks::RankFailure": "as ranks::Threads",
     "trait ranks::Ranks": "as ranks::Threads",
     "trait TryClone": "copies of what Python holds are Python's",
@@ -95,7 +95,7 @@ METHODS = {
     "ContactSpots": {"label": "labels"},
     "ElasticPair": {"stands_for_kernel": "Kernel.pair"},
     "kernel::CoefficientTable": dict.fromkeys(["get", "sides", "size", "with"], "arrays of NumPy"),
-    "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_waves": "in Rust alone"},
+    "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_wave_limit": "in Rust alone"},
     "kernel::Operators": {"with": "a dictionary"},
     "Field": {
         **dict.fromkeys(["from_fn", "from_indices", "from_vec", "constant", "zeros"], "Field(grid, samples)"),
@@ -121,7 +121,7 @@ METHODS = {
         "normal": "normal_force= and approach=",
         "tangential": "force_x= and others",
     },
-    "history::State": {"of_slabs": "History.save and load"},
+    "history::State": {"from_slabs": "History.save and load"},
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
@@ -135,7 +135,7 @@ METHODS = {
     "surface::GaussianFilter": {
         **dict.fromkeys(["apply", "sl"], "the function"),
         **dict.fromkeys(["along_x", "along_y"], "along="),
-        "unaffected": "Filtered.unaffected",
+        "valid_range": "Filtered.valid_range",
     },
     "tangential::Friction": {"coulomb": "the class", "per_cell": "the class"},
     "tangential::TangentialLoad": {"along": "force_x= and others"},
@@ -219,7 +219,7 @@ def test_every_variant_of_the_error_has_a_class():
 def test_enumerations_have_the_names_that_the_module_takes():
     from stickslip import _enums
 
-    names = ["Axis", "TangentialModel", "Coupling", "CellValue", "TouchRule", "LeadingEdge", "Method", "Body", "Amplitudes"]
+    names = ["Axis", "TangentialModel", "Coupling", "CellValue", "EntryRule", "LeadingEdge", "Method", "Body", "Amplitudes"]
     for name in [*names, "Component"]:
         assert all(str(member) == member.value for member in getattr(_enums, name))
     assert ss.Settings(method=ss.Method.POLONSKY_KEER) == ss.Settings(method="polonsky_keer")
@@ -338,7 +338,7 @@ def test_sequences_of_the_package_are_iterated_over_with_their_types(tmp_path):
     code = tmp_path / "typed.py"
     code.write_text(
         "import stickslip as ss\n"
-        "def forces(contact: ss.NormalSolution, cycle: ss.history.Cycle, found: ss.subsurface.Responses) -> list[float]:\n"
+        "def forces(contact: ss.NormalSolution, cycle: ss.history.Cycle, found: ss.subsurface.PointResults) -> list[float]:\n"
         "    parts = [[spot.load for spot in contact.spots], [point.twist for point in cycle.points]]\n"
         "    return sum(parts, [response.stress.xx for response in found])\n"
     )

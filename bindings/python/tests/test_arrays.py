@@ -248,7 +248,7 @@ def test_surfaces_and_files_come_back(scene, tmp_path):
     assert ss.io.read(tmp_path / "rough.sdf").max() == pytest.approx(field.max(), rel=1e-6)
     ss.io.vti.write(tmp_path / "rough.vti", {"height": field, "vector": (field.array, field.array)}, grid=field.grid)
     assert b"height" in (tmp_path / "rough.vti").read_bytes()
-    series = ss.io.pvd.Series(tmp_path / "series.pvd")
+    series = ss.io.pvd.PvdWriter(tmp_path / "series.pvd")
     series.write(0.0, {"height": field})
     assert len(series) == 1 and (tmp_path / "series.pvd").exists()
     contact = scene.normal()
@@ -268,7 +268,7 @@ def test_points_below_the_surface_give_arrays(scene):
         assert component.tolist() == [getattr(response.stress, name) for response in found]
     for name in ("von_mises", "hydrostatic", "max_shear"):
         assert getattr(found, name).tolist() == [getattr(response.stress, name) for response in found]
-    assert found.von_mises.shape == (5,) and repr(found) == "Responses(5 points)"
+    assert found.von_mises.shape == (5,) and repr(found) == "PointResults(5 points)"
     assert len(ss.subsurface.at_points(scene.bodies, "one", contact, [])) == 0
     with pytest.raises(IndexError, match="no point of index 5"):
         found[5]

@@ -268,7 +268,7 @@ def test_representations_count_and_round(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     energy = history.step(force_x=30.0).energy
-    assert f"mid_step_dissipated_energy={energy.mid_step_dissipated_energy:.6g}," in repr(energy)
+    assert f"dissipated_energy_midpoint={energy.dissipated_energy_midpoint:.6g}," in repr(energy)
     for number in [0.0, -1.5, 1e5, 999999.7, 1e6, 1e-4, 9.99999e-5, 123456.789, -math.inf]:
         assert repr(ss.LoadStep(shift_x=number)) == f"LoadStep(shift_x={number:.6g})"
 

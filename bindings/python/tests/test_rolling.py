@@ -142,7 +142,7 @@ def test_the_leading_edge_and_the_step_are_chosen(ball):
     back = ball.problem(creepage_x=0.1, leading_edge=ss.rolling.LeadingEdge.MINUS_X).solve()
     assert back.traction[0][:, ::-1] == pytest.approx(along_x.traction[0], abs=1e-6)
     coarse = ball.problem(creepage_x=0.1, step=2).solve()
-    plain = ball.problem(creepage_x=0.1, touch_rule="whole_step").solve()
+    plain = ball.problem(creepage_x=0.1, entry_rule="whole_step").solve()
     assert len({along_x.force[0], coarse.force[0], plain.force[0]}) == 3
     assert plain.force[0] > along_x.force[0]
     assert [edge.axis for edge in ss.rolling.LeadingEdge] == ["x", "x", "y", "y"]
@@ -257,7 +257,7 @@ def test_a_rolled_step_is_one_by_any_name(ball):
     assert repr(load) == "LoadStep(roll=Rolling(2, creepage=(-0.1, 0), spin=0, leading_edge='minus_x'))"
     # Adaptive steps and batches take loads as histories do.
     assert ss.History.step_all([one], [load]) == []
-    with pytest.raises(ss.errors.NotModelled, match="adaptive"):
+    with pytest.raises(ss.errors.UnsupportedByModel, match="adaptive"):
         ss.history.AdaptiveSteps(one, 0.05).step(one, load)
 
 
@@ -269,9 +269,9 @@ def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
         ({"roll": Rolling(20)}, ss.errors.GridTooShort),
         ({"roll": Rolling(1, creepage_x=np.nan)}, ss.errors.NotFinite),
         ({"roll": Rolling(1, spin=np.inf)}, ss.errors.NotFinite),
-        ({"roll": Rolling(1), "shift_x": 0.1}, ss.errors.NotModelled),
-        ({"roll": Rolling(1), "twist": 0.1}, ss.errors.NotModelled),
-        ({"roll": Rolling(1, creepage_x=0.1), "force_x": 0.1}, ss.errors.NotModelled),
+        ({"roll": Rolling(1), "shift_x": 0.1}, ss.errors.UnsupportedByModel),
+        ({"roll": Rolling(1), "twist": 0.1}, ss.errors.UnsupportedByModel),
+        ({"roll": Rolling(1, creepage_x=0.1), "force_x": 0.1}, ss.errors.UnsupportedByModel),
     ]:
         with pytest.raises(error):
             history.step(**given)
@@ -285,7 +285,7 @@ def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
 def test_a_solver_takes_new_loads(ball):
     gap = ss.surface.sphere(ball.bodies.grid, 1.0)
     solver = ball.problem(creepage_x=0.02).solver()
-    with pytest.raises(ss.errors.NotModelled, match="set_normal_solver"):
+    with pytest.raises(ss.errors.UnsupportedByModel, match="set_normal_solver"):
         solver.set_load(force=0.8)
     solver.set_normal_solver(ss.NormalSolver(ball.bodies, gap, force=1.0))
     solver.set_load(force=0.8)
@@ -296,7 +296,7 @@ def test_a_solver_takes_new_loads(ball):
     assert expected.warnings == []
     solver.set_pressure(ball.normal)
     assert solver.solve().force == pytest.approx(ball.problem(creepage_x=0.02).solve().force, abs=1e-6)
-    with pytest.raises(ss.errors.NotModelled, match="gap"):
+    with pytest.raises(ss.errors.UnsupportedByModel, match="gap"):
         solver.set_pressure(ball.normal.pressure)
     with pytest.raises(ss.errors.EmptyContact):
         solver.set_load(force=0.0)

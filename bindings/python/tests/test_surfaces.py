@@ -20,7 +20,7 @@ def test_half_of_a_wave_passes_and_parts_add_up():
     assert np.allclose(filtered.heights, left, rtol=0, atol=1e-12)
     assert np.allclose(filtered.heights + filtered.short_waves + filtered.long_waves, surface, rtol=0, atol=1e-12)
     one = ss.surface.gaussian_filter(surface, s=12.0)
-    assert one.long_waves is None and one.unaffected == ((6, 90), (6, 90))
+    assert one.long_waves is None and one.valid_range == ((6, 90), (6, 90))
     # Along y it does not change.
     assert np.allclose(ss.surface.gaussian_filter(surface, l=12.0, along="y").heights, 0.0, atol=1e-12)
     rows = ss.surface.gaussian_filter(surface, s=12.0, along="x", periodic=True).heights
@@ -29,7 +29,7 @@ def test_half_of_a_wave_passes_and_parts_add_up():
         ss.surface.gaussian_filter(surface)
     with pytest.raises(TypeError, match="along must be"):
         ss.surface.gaussian_filter(surface, s=12.0, along="z")
-    with pytest.raises(ss.errors.Below, match="two cells"):
+    with pytest.raises(ss.errors.BelowMinimum, match="two cells"):
         ss.surface.gaussian_filter(surface, s=1.5)
 
 

@@ -43,7 +43,7 @@
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
 //! ```
 //!
-//! The rest R must be gone at $`kH = 40`$: it is looked at when bodies are made, and refused ([`Error::Below`]) if
+//! The rest R must be gone at $`kH = 40`$: it is looked at when bodies are made, and refused ([`Error::BelowMinimum`]) if
 //! $`k R`$ is more than 1e-10 of $`A_n`$ there. That of a layer is, if `thickness` is its thickness. A body that changes
 //! gradually from the surface on approaches A like $`1/k`$ only, and one that has no half-space as its limit, such as
 //! springs, not at all: take a grid that repeats along both axes, or a table.
@@ -65,7 +65,7 @@
 //!
 //! The pair `near` lends what is one number: its hardness, the ratio of tangential to normal compliance in the law of
 //! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
-//! [refuse](Error::Coated) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
+//! [refuse](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
 //! same: of a closure those of 41 wave numbers in single precision, of a table all, of operators their directions and the
 //! works of two fields of tractions, in single precision too. States of histories keep it, so that a history continues with
 //! the same kernel only.
@@ -77,7 +77,7 @@ mod user_operator;
 
 pub use operators::Operators;
 pub use table::CoefficientTable;
-pub(crate) use user_operator::Part;
+pub(crate) use user_operator::SubOperator;
 
 use std::fmt;
 use std::sync::Arc;
@@ -118,12 +118,12 @@ use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ra
 #[derive(Clone)]
 pub struct Kernel {
     pair: ElasticPair,
-    given: Option<Given>,
+    given: Option<KernelSource>,
 }
 
 /// What a user gives of two bodies.
 #[derive(Clone)]
-pub(crate) enum Given {
+pub(crate) enum KernelSource {
     Isotropic(Isotropic),
     Orthotropic(Arc<dyn Fn([f64; 2]) -> ResponseTensor + Send + Sync>),
     Table(Arc<CoefficientTable>),
@@ -200,7 +200,7 @@ impl Kernel {
     /// as it is.
     ///
     /// # Errors
-    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::NotPositive`] for the thickness, and for a response that is
+    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::NotPositive`] for the thickness, and for a response that is
     /// not positive, or whose coupling is too strong, at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the
     /// thickness; [`Error::NotFinite`].
     pub fn isotropic(
@@ -226,7 +226,7 @@ impl Kernel {
         Ok(Self::new(
             &near,
             (digest_of(&near, thickness, &digested), coupling),
-            Given::Isotropic(Isotropic {
+            KernelSource::Isotropic(Isotropic {
                 response,
                 thickness,
                 far: checked_far(far)?,
@@ -240,9 +240,9 @@ impl Kernel {
     /// without effect.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Below`] for a base that is not that of the response.
-    pub fn with_long_waves(mut self, base: Response) -> Result<Self> {
-        if let Some(Given::Isotropic(isotropic)) = &mut self.given {
+    /// [`Error::NotFinite`]; [`Error::BelowMinimum`] for a base that is not that of the response.
+    pub fn with_long_wave_limit(mut self, base: Response) -> Result<Self> {
+        if let Some(KernelSource::Isotropic(isotropic)) = &mut self.given {
             let base = checked_far(base)?;
             let beside = base.with(isotropic.far, |base, far| (base - far).abs());
             let most = beside.normal.max(beside.along).max(beside.across);
@@ -279,8 +279,8 @@ impl Kernel {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::NotPositive`] for the length, and for a compliance of an axis
-    /// that is not positive at one of 41 wave numbers in three directions; [`Error::NotFinite`]; [`Error::Below`] for a
+    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::NotPositive`] for the length, and for a compliance of an axis
+    /// that is not positive at one of 41 wave numbers in three directions; [`Error::NotFinite`]; [`Error::BelowMinimum`] for a
     /// tensor that is not its mirror image to 1e-10.
     pub fn orthotropic(
         near: ElasticPair,
@@ -305,7 +305,7 @@ impl Kernel {
         Ok(Self::new(
             &near,
             mark,
-            Given::Orthotropic(Arc::new(response)),
+            KernelSource::Orthotropic(Arc::new(response)),
         ))
     }
 
@@ -313,13 +313,13 @@ impl Kernel {
     /// hardness and moduli.
     ///
     /// # Errors
-    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::Sample`] for a coefficient that is odd along an axis and not
+    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::Sample`] for a coefficient that is odd along an axis and not
     /// zero at distance zero along it, to 1e-12 of the largest.
     pub fn tabulated(near: ElasticPair, table: CoefficientTable) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         table.check_odd()?;
         let mark = (table.digest(), table.coupling());
-        Ok(Self::new(&near, mark, Given::Table(Arc::new(table))))
+        Ok(Self::new(&near, mark, KernelSource::Table(Arc::new(table))))
     }
 
     /// Bodies by [operators](Operators) on the cells of a grid, of any boundary: whatever displacements they compute from
@@ -336,10 +336,10 @@ impl Kernel {
     /// [cell value](crate::HalfSpace::with_cell_value) changes nothing of an operator: it says which values it takes.
     ///
     /// # Errors
-    /// [`Error::Coated`] if `near` is not homogeneous; [`Error::KernelMissing`] without an operator;
+    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::IncompleteKernel`] without an operator;
     /// [`Error::RepeatedDirection`]; [`Error::Length`] for operators of different numbers of cells; and, of two fields without
-    /// mean, [`Error::NotPositive`] for an energy, [`Error::NotFinite`], [`Error::NotModelled`] for works that differ by more
-    /// than 1e-9 of the energies or for a coupling that `near` has not, [`Error::Below`] for an energy less than the lower
+    /// mean, [`Error::NotPositive`] for an energy, [`Error::NotFinite`], [`Error::UnsupportedByModel`] for works that differ by more
+    /// than 1e-9 of the energies or for a coupling that `near` has not, [`Error::BelowMinimum`] for an energy less than the lower
     /// bound states; [`Error::Memory`].
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
@@ -348,11 +348,11 @@ impl Kernel {
         Ok(Self::new(
             &near,
             mark,
-            Given::Operators(Arc::new(operators)),
+            KernelSource::Operators(Arc::new(operators)),
         ))
     }
 
-    fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: Given) -> Self {
+    fn new(near: &ElasticPair, (digest, coupling): (u64, f64), given: KernelSource) -> Self {
         let coupling = rounded(coupling);
         Self {
             pair: near.standing_for(KernelMark { digest, coupling }),
@@ -361,21 +361,21 @@ impl Kernel {
     }
 
     /// The pair that lends hardness and moduli, marked as that of this kernel: [`HalfSpace::pair`](crate::HalfSpace::pair). By
-    /// itself it makes no bodies ([`Error::KernelMissing`]).
+    /// itself it makes no bodies ([`Error::IncompleteKernel`]).
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
     /// What a user gives; nothing of a pair of materials.
-    pub(crate) fn given(&self) -> Option<&Given> {
+    pub(crate) fn given(&self) -> Option<&KernelSource> {
         self.given.as_ref()
     }
 
     /// Operators of a user, if they are all there is.
     pub(crate) fn user_operators(&self) -> Option<&Operators> {
         match &self.given {
-            Some(Given::Operators(operators)) => Some(operators),
+            Some(KernelSource::Operators(operators)) => Some(operators),
             _ => None,
         }
     }
@@ -384,7 +384,7 @@ impl Kernel {
     pub(crate) fn check_no_operators(&self, quantity: &'static str) -> Result<()> {
         match self.user_operators() {
             None => Ok(()),
-            Some(_) => Err(Error::Coated {
+            Some(_) => Err(Error::UnsupportedForCoatings {
                 quantity,
                 bodies: "user-defined operators",
                 remedy: "describe the bodies by materials, layers or a response, which are known beyond the cells of one grid",
@@ -395,7 +395,7 @@ impl Kernel {
     /// The wave number k > 0 times the response to waves of it, of bodies without a direction.
     pub(crate) fn times_k(&self, k: f64) -> Response {
         match &self.given {
-            Some(Given::Isotropic(of)) => (of.response)(k).map(|value| k * value),
+            Some(KernelSource::Isotropic(of)) => (of.response)(k).map(|value| k * value),
             _ => self.pair.times_k(k),
         }
     }
@@ -403,7 +403,7 @@ impl Kernel {
     /// The same with the half-space that short waves see in place of the response to them.
     pub(crate) fn short_times_k(&self, k: f64) -> Response {
         match &self.given {
-            Some(Given::Isotropic(of)) if k * of.thickness > NEAR => self.pair.times_k(k),
+            Some(KernelSource::Isotropic(of)) if k * of.thickness > NEAR => self.pair.times_k(k),
             _ => self.times_k(k),
         }
     }
@@ -411,7 +411,7 @@ impl Kernel {
     /// The limit of the wave number times the response for long waves.
     pub(crate) fn long_times_k(&self) -> Response {
         match &self.given {
-            Some(Given::Isotropic(of)) => of.far,
+            Some(KernelSource::Isotropic(of)) => of.far,
             _ => self.pair.times_k(0.0),
         }
     }
@@ -420,7 +420,7 @@ impl Kernel {
     pub(crate) fn has_response(&self) -> bool {
         match &self.given {
             None => self.pair.is_coated(),
-            Some(given) => matches!(given, Given::Isotropic(_)),
+            Some(given) => matches!(given, KernelSource::Isotropic(_)),
         }
     }
 
@@ -430,28 +430,30 @@ impl Kernel {
             "take a grid that repeats along both axes, or a table of coefficients";
         match &self.given {
             None => self.pair.check_no_kernel(),
-            Some(Given::Isotropic(of)) if boundary == Boundary::Periodic => {
+            Some(KernelSource::Isotropic(of)) if boundary == Boundary::Periodic => {
                 let check = |k: f64| checked((of.response)(k)).map(drop);
                 waves_of(grid).try_for_each(check)
             }
-            Some(Given::Isotropic(of)) => {
+            Some(KernelSource::Isotropic(of)) => {
                 check_thickness(of.thickness, grid)?;
                 of.check_near(&self.pair)
             }
-            Some(Given::Orthotropic(of)) if boundary == Boundary::Periodic => {
+            Some(KernelSource::Orthotropic(of)) if boundary == Boundary::Periodic => {
                 let check = |k: f64| checked_tensor(of([0.8 * k, 0.6 * k])).map(drop);
                 waves_of(grid).try_for_each(check)
             }
-            Some(Given::Orthotropic(_)) => Err(Error::Coated {
+            Some(KernelSource::Orthotropic(_)) => Err(Error::UnsupportedForCoatings {
                 quantity: "a grid that does not repeat along both axes",
                 bodies: "an orthotropic response",
                 remedy: REPEATING,
             }),
-            Some(Given::Operators(operators)) => {
+            Some(KernelSource::Operators(operators)) => {
                 operators.check_on(grid.cells(), boundary == Boundary::Periodic)
             }
-            Some(Given::Table(table)) if boundary == Boundary::NonPeriodic => table.check_on(grid),
-            Some(Given::Table(_)) => Err(Error::Coated {
+            Some(KernelSource::Table(table)) if boundary == Boundary::NonPeriodic => {
+                table.check_on(grid)
+            }
+            Some(KernelSource::Table(_)) => Err(Error::UnsupportedForCoatings {
                 quantity: "a grid that repeats",
                 bodies: "a table of coefficients",
                 remedy: "take a grid that does not repeat, or a response to waves",
@@ -528,10 +530,10 @@ impl fmt::Debug for Kernel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = match self.given {
             None => "pair",
-            Some(Given::Isotropic(_)) => "isotropic",
-            Some(Given::Orthotropic(_)) => "orthotropic",
-            Some(Given::Table(_)) => "table",
-            Some(Given::Operators(_)) => "operators",
+            Some(KernelSource::Isotropic(_)) => "isotropic",
+            Some(KernelSource::Orthotropic(_)) => "orthotropic",
+            Some(KernelSource::Table(_)) => "table",
+            Some(KernelSource::Operators(_)) => "operators",
         };
         let mut shown = f.debug_struct("Kernel");
         shown

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::bodies::component::{Component, Direction};
-use crate::bodies::kernel::user_operator::{Part, UserOperator};
+use crate::bodies::kernel::user_operator::{SubOperator, UserOperator};
 use crate::bodies::material::ElasticPair;
 use crate::error::{Error, Result, at_least, finite, length, positive};
 use crate::memory::fallible::zeros;
@@ -84,7 +84,7 @@ impl Operators {
     pub(super) fn examined(&self, near: &ElasticPair) -> Result<Vec<f64>> {
         let unit = near.compliances().normal;
         let [first, ..] = &self.given[..] else {
-            return Err(Error::KernelMissing("there is no operator"));
+            return Err(Error::IncompleteKernel("there is no operator"));
         };
         positive("cells of an operator", first.cells() as f64)?;
         let mut shown = Vec::new();
@@ -122,13 +122,13 @@ impl Operators {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-    ) -> Result<Part<N>> {
+    ) -> Result<SubOperator<N>> {
         let having = |directions| {
             let given = self.given.iter();
             let mut those = given.filter(|given| given.directions().len() == directions);
             those.find_map(|given| given.part(components, size))
         };
-        (1..=3).find_map(having).ok_or(Error::KernelMissing(
+        (1..=3).find_map(having).ok_or(Error::IncompleteKernel(
             "no operator has all directions asked for: Z for pressure, X, Y or both for traction, all three where the half-spaces near are coupled",
         ))
     }
@@ -142,7 +142,7 @@ const MODEL: &str = "the model of user-defined operators";
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {
-        return Err(Error::NotModelled {
+        return Err(Error::UnsupportedByModel {
             model: MODEL,
             quantity: "operators that are not symmetric (value: number of directions)",
             value: directions.len() as f64,
@@ -158,7 +158,7 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let mean = xx.sqrt() * yy.sqrt();
     let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
     if asymmetry > ROUNDED {
-        return Err(Error::NotModelled {
+        return Err(Error::UnsupportedByModel {
             model: MODEL,
             quantity: "a difference between the works of two tractions on each other's displacements (relative to their energies)",
             value: asymmetry,
@@ -190,7 +190,7 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     let others = square(&u[..own.start]) + square(&u[own.end..]);
     let coupled = finite("product of an operator", (others / square(&u[own])).sqrt())?;
     if coupled > ROUNDED {
-        return Err(Error::NotModelled {
+        return Err(Error::UnsupportedByModel {
             model: MODEL,
             quantity: "a tangential displacement by pressure (relative to the normal one)",
             value: coupled,
@@ -212,7 +212,7 @@ fn check_means(given: &UserOperator) -> Result<()> {
         let ratio = (dot(&found, &found) / dot(&uniform, &uniform)).sqrt()
             / (dot(&u, &u) / dot(&x, &x)).sqrt();
         if cells > 1 && finite("product of an operator", ratio)? > ROUNDED {
-            return Err(Error::NotModelled {
+            return Err(Error::UnsupportedByModel {
                 model: MODEL,
                 quantity: "a displacement by a uniform traction on a grid that repeats (relative to that by others)",
                 value: ratio,

@@ -165,7 +165,7 @@ impl CoefficientTable {
     pub(crate) fn check_has(&self, component: Component) -> Result<()> {
         let (place, _) = place(component);
         if place < 3 && self.values[place].is_none() {
-            return Err(Error::KernelMissing(
+            return Err(Error::IncompleteKernel(
                 "its table has no coefficients of a displacement by its own traction, XX, YY or ZZ",
             ));
         }

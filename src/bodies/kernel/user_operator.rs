@@ -11,7 +11,7 @@ use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
 /// An operator without its type: as many slices as it has components.
-trait Erased: Send + Sync {
+trait DynOperator: Send + Sync {
     fn cells(&self) -> usize;
     fn scratch(&self) -> Result<Scratch>;
     fn apply(&self, is_single: bool, x: &[&[f64]], out: &mut [&mut [f64]], scratch: &mut Scratch);
@@ -21,9 +21,9 @@ trait Erased: Send + Sync {
     fn is_symmetric(&self) -> bool;
 }
 
-struct Typed<T, const N: usize>(T);
+struct DynOperatorImpl<T, const N: usize>(T);
 
-impl<T: Operator<N> + Send, const N: usize> Erased for Typed<T, N> {
+impl<T: Operator<N> + Send, const N: usize> DynOperator for DynOperatorImpl<T, N> {
     fn cells(&self) -> usize {
         self.0.cells()
     }
@@ -64,7 +64,7 @@ impl<T: Operator<N> + Send, const N: usize> Erased for Typed<T, N> {
 #[derive(Clone)]
 pub(crate) struct UserOperator {
     directions: Arc<[Direction]>,
-    operator: Arc<dyn Erased>,
+    operator: Arc<dyn DynOperator>,
 }
 
 impl UserOperator {
@@ -74,7 +74,7 @@ impl UserOperator {
     {
         Self {
             directions: Arc::new(directions),
-            operator: Arc::new(Typed(operator)),
+            operator: Arc::new(DynOperatorImpl(operator)),
         }
     }
 
@@ -125,13 +125,13 @@ impl UserOperator {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-    ) -> Option<Part<N>> {
+    ) -> Option<SubOperator<N>> {
         let (mut rows, mut columns) = ([0; N], [0; N]);
         for n in 0..N {
             rows[n] = self.component(components[n][0].directions()[0])?;
             columns[n] = self.component(components[0][n].directions()[1])?;
         }
-        Some(Part {
+        Some(SubOperator {
             given: self.clone(),
             rows,
             columns,
@@ -150,14 +150,14 @@ impl fmt::Debug for UserOperator {
 
 /// Rows and columns of an operator of a user.
 #[derive(Debug, Clone)]
-pub(crate) struct Part<const N: usize> {
+pub(crate) struct SubOperator<const N: usize> {
     given: UserOperator,
     rows: [usize; N],
     columns: [usize; N],
     size: [usize; 2],
 }
 
-impl<const N: usize> Part<N> {
+impl<const N: usize> SubOperator<N> {
     /// Whether both are the same part of the same operator.
     pub(crate) fn is(&self, other: &Self) -> bool {
         let is_of_one = Arc::ptr_eq(&self.given.operator, &other.given.operator);
@@ -199,7 +199,7 @@ struct PartScratch {
     rest: Vec<f64>,
 }
 
-impl<const N: usize> Operator<N> for Part<N> {
+impl<const N: usize> Operator<N> for SubOperator<N> {
     fn cells(&self) -> usize {
         self.given.cells()
     }

@@ -1,7 +1,7 @@
 //! What waves of traction on the surface of a layered body cause at a depth.
 
 use crate::bodies::layers::Layer;
-use crate::bodies::layers::response::{Base, Surface, Waves};
+use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 
 /// At a depth, of a wave with the wave vector k and a unit amplitude on the surface. By pressure and by traction along k, up
 /// to i where the other parity in x is: k times the displacements normal and along, the pressure and the traction that the
@@ -19,7 +19,7 @@ use crate::bodies::layers::response::{Base, Surface, Waves};
 /// bottom carries, so that the bottom's is adj X / det X times the top's; det X is the ratio of the first minors, a sum of
 /// positive terms, and grows as exp(2kh), X as exp(kh).
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Below {
+pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],
     pub(crate) by_traction: [f64; 6],
     /// By traction across: k times the displacement across, the traction passed on, and the shear stress in the plane, up
@@ -27,7 +27,7 @@ pub(crate) struct Below {
     pub(crate) across: [f64; 3],
 }
 
-impl Below {
+impl SubsurfaceResponse {
     pub(crate) fn less(self, other: &Self) -> Self {
         fn less<const N: usize>(one: [f64; N], other: &[f64; N]) -> [f64; N] {
             std::array::from_fn(|n| one[n] - other[n])
@@ -40,7 +40,7 @@ impl Below {
     }
 }
 
-impl Waves<'_> {
+impl LayerWaves<'_> {
     /// The layer at a depth, by its number, and how far below its top; at an interface the outer one. None where the depth
     /// is in the base, with the distance from its top.
     pub(crate) fn place(&self, depth: f64) -> (Option<usize>, f64) {
@@ -65,7 +65,7 @@ impl Waves<'_> {
     }
 
     /// What waves of the wave number k > 0 cause at a depth; in a rigid base nothing.
-    pub(crate) fn at_depth(&self, k: f64, depth: f64) -> Below {
+    pub(crate) fn at_depth(&self, k: f64, depth: f64) -> SubsurfaceResponse {
         let (number, from_top) = self.place(depth);
         let number_of = number.unwrap_or(self.layers.len());
         let (above, below) = self.layers.split_at(number_of);
@@ -87,7 +87,7 @@ impl Waves<'_> {
             0.0
         };
         let here = surface.under(&part(left), k);
-        let mut carried = Carried::ALL;
+        let mut carried = TransferRatio::ALL;
         let mut surface = here;
         for layer in [part(from_top)].iter().chain(above.iter().rev()) {
             let top = surface.under(layer, k);
@@ -100,12 +100,12 @@ impl Waves<'_> {
 
 /// What a plane carries of what acts on the surface: pressure and traction along, by each of the two; traction across.
 #[derive(Debug, Clone, Copy)]
-struct Carried {
+struct TransferRatio {
     along: [[f64; 2]; 2],
     across: f64,
 }
 
-impl Carried {
+impl TransferRatio {
     const ALL: Self = Self {
         along: [[1.0, 0.0], [0.0, 1.0]],
         across: 1.0,
@@ -159,7 +159,7 @@ impl Carried {
 
 impl Surface {
     /// Motion and stress of the surface under what it carries.
-    fn moved_by(&self, carried: Carried, nu: f64) -> Below {
+    fn moved_by(&self, carried: TransferRatio, nu: f64) -> SubsurfaceResponse {
         let [s, n, l, c, _] = self.minors;
         let [n, l, c] = [n / s, l / s, c / s];
         let of = |load: usize| {
@@ -176,7 +176,7 @@ impl Surface {
             ]
         };
         let across = self.across * carried.across;
-        Below {
+        SubsurfaceResponse {
             by_pressure: of(0),
             by_traction: of(1),
             across: [across / self.unit, carried.across, across],

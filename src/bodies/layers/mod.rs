@@ -84,7 +84,7 @@
 //!   the waves of two cells a period, $`k = \pi/h_{max}`$.
 //! - Moduli of a pair that are one number ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
 //!   Dundurs' beta) are those of the outermost layers: what waves much shorter than a layer is thick see. Closed forms,
-//!   which have no other, [refuse](crate::Error::Coated) coated bodies, as do stresses [at
+//!   which have no other, [refuse](crate::Error::UnsupportedForCoatings) coated bodies, as do stresses [at
 //!   points](crate::subsurface::at_points); [planes](crate::subsurface::Planes) have them.
 //!
 //! Sources: J. W. Dunkin, Bull. Seismol. Soc. Am. 55 (1965) 335 (minors); T. C. O'Sullivan and R. B. King, J. Tribology
@@ -94,9 +94,9 @@
 mod depth;
 mod response;
 
-pub(crate) use depth::Below;
+pub(crate) use depth::SubsurfaceResponse;
 pub use response::Response;
-pub(crate) use response::{Base, Waves};
+pub(crate) use response::{Base, LayerWaves};
 
 use std::fmt;
 
@@ -118,7 +118,7 @@ pub const LIMIT: usize = 8;
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "UncheckedLayer")
+    serde(try_from = "RawLayer")
 )]
 pub struct Layer {
     youngs_modulus: f64,
@@ -129,17 +129,17 @@ pub struct Layer {
 /// The values read, before they are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct UncheckedLayer {
+struct RawLayer {
     youngs_modulus: f64,
     poisson_ratio: f64,
     thickness: f64,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<UncheckedLayer> for Layer {
+impl TryFrom<RawLayer> for Layer {
     type Error = Error;
 
-    fn try_from(read: UncheckedLayer) -> Result<Self> {
+    fn try_from(read: RawLayer) -> Result<Self> {
         Self::new(read.youngs_modulus, read.poisson_ratio, read.thickness)
     }
 }

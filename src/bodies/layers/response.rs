@@ -50,7 +50,7 @@ pub(crate) enum Base {
 
 /// Layers, the outermost first, on a base.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Waves<'a> {
+pub(crate) struct LayerWaves<'a> {
     pub(crate) layers: &'a [Layer],
     pub(crate) base: Base,
 }
@@ -66,7 +66,7 @@ pub(super) struct Surface {
     pub(super) determinant: f64,
 }
 
-impl Waves<'_> {
+impl LayerWaves<'_> {
     /// The wave number k > 0 times the response to waves of it.
     pub(crate) fn times_k(&self, k: f64) -> Response {
         let mut surface = Surface::of(self.base);

@@ -1,6 +1,6 @@
 //! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
 
-use crate::cgm::cone::law::{Kind, Law};
+use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{Cone, ConeRun, N};
 use crate::cgm::law::state::Row;
@@ -17,22 +17,22 @@ const TRIALS: usize = 2;
 
 /// The cells that slip least of those that could carry more of what is missing.
 #[derive(Debug, Clone, Copy)]
-struct Nearest {
+struct NearestToStick {
     missing: [f64; 2],
     /// The most that they slip.
     most: f64,
 }
 
-impl Nearest {
-    fn include(self, law: Law, gradient: [f64; N]) -> bool {
+impl NearestToStick {
+    fn include(self, law: ConeCellState, gradient: [f64; N]) -> bool {
         slip_against(law, gradient, self.missing).is_some_and(|slip| slip <= self.most)
     }
 }
 
 /// How far a cell slips whose traction points against what is missing.
-fn slip_against(law: Law, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
+fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
     match law.kind {
-        Kind::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
+        CellKind::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
         _ => None,
     }
 }
@@ -74,7 +74,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
 
     /// Where all cells in contact are at their hardness and a normal force is prescribed, their pressures may move: else
     /// nothing would change the approach.
-    pub(super) fn let_press(&mut self) {
+    pub(super) fn free_hardness_cells(&mut self) {
         if self.problem.totals[0] == Total::Free {
             return;
         }
@@ -92,7 +92,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
 
     /// Where all cells slip the same way and tangential sums are prescribed, they stick: turning alone could not carry
     /// a change along that way.
-    pub(super) fn let_stick(&mut self) {
+    pub(super) fn restore_stick(&mut self) {
         let totals = self.problem.totals;
         let w = &*self.workspace;
         let laws = &w.linear.rows;
@@ -112,7 +112,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
             return;
         }
         self.times_held += 1;
-        let nearest = self.nearest_to_stick();
+        let nearest = self.cell_with_least_slip();
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         parallel::update(&mut w.linear.rows, |first, laws| {
@@ -126,7 +126,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
 
     /// Once it has not helped that all cells stick: the slipping cells that could carry more of what is missing, and of
     /// these those that slip least.
-    fn nearest_to_stick(&self) -> Option<Nearest> {
+    fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;
         }
@@ -136,7 +136,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         let slip = |i: usize| slip_against(laws[i], gradient(i), [x, y]);
         let least = reduce::least(self.problem.layout, |i| slip(i).map(|s| (s, ())));
         let (least, ()) = least?;
-        Some(Nearest {
+        Some(NearestToStick {
             missing: [x, y],
             most: least * (1.0 + 1e-9),
         })

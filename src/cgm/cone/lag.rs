@@ -3,7 +3,7 @@
 //! The lag depends on the pressure that is sought. With $`r = q/p`$ its change is $`\kappa g/p\,(dq - r\,dp)`$; a cell that
 //! slips from the moment it touches has $`r = m'(0)\,n`$ while its pressure is zero.
 
-use crate::cgm::cone::law::{Kind, Lag, Law};
+use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
 use crate::cgm::reduce;
 use crate::numerics::cell_vector::{at, slices, update_cells};
@@ -19,11 +19,11 @@ impl<F: Cone> ConeProblem<'_, F> {
     }
 
     /// Traction over pressure of a cell.
-    pub(super) fn ratio(&self, cell: usize, law: Law, [p, x, y]: [f64; N]) -> [f64; 2] {
+    pub(super) fn ratio(&self, cell: usize, law: ConeCellState, [p, x, y]: [f64; N]) -> [f64; 2] {
         match law.kind {
             _ if p > 0.0 => [x / p, y / p],
-            Kind::Slip(slip) => slip.normal.map(|n| self.friction.slope(cell, 0.0) * n),
-            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; 2],
+            CellKind::Slip(slip) => slip.normal.map(|n| self.friction.slope(cell, 0.0) * n),
+            CellKind::Open | CellKind::Frictionless | CellKind::Stick => [0.0; 2],
         }
     }
 }
@@ -48,18 +48,18 @@ impl<F: Cone> ConeRun<'_, '_, F> {
                 } else {
                     0.0
                 };
-                law.lag = Lag {
+                law.lag = EntryLag {
                     own,
                     deviator: closing.deviator(i).map(|part| part * per_pressure),
                     ratio: problem.ratio(i, *law, at(&x, i)),
                 };
             }
         });
-        self.add_lag(1.0);
+        self.add_entry_compliance(1.0);
     }
 
     /// Adds so many times the lag, as it was last found, to the product.
-    pub(super) fn add_lag(&mut self, part: f64) {
+    pub(super) fn add_entry_compliance(&mut self, part: f64) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let Some(closing) = problem.closing else {
             return;

@@ -20,17 +20,17 @@
 //! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
 
 mod border;
+mod cell_state;
 mod lag;
-mod law;
 mod newton;
 mod response;
 mod workspace;
 
-use crate::cgm::cone::newton::Course;
+use crate::cgm::cone::newton::NewtonProgress;
 use crate::cgm::linear::Border;
 use crate::cgm::monitor::Monitor;
 use crate::cgm::newton::newton;
-use crate::cgm::{Own, Settings, Total, reduce};
+use crate::cgm::{CellCompliance, Settings, Total, reduce};
 use crate::error::Result;
 use crate::grid::per_cell::PerCell;
 use crate::observer::Observer;
@@ -38,7 +38,7 @@ use crate::operator::{LowerBound, Operator};
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-pub(crate) use response::Stand;
+pub(crate) use response::FrozenState;
 pub(crate) use workspace::ConeWorkspace;
 
 /// Components of a vector: along z, x and y.
@@ -63,7 +63,7 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) linear: [&'a [f64]; N],
     /// $`\kappa g`$ of the cells that would enter the contact from a gap g, a tensor: they lag behind their motion by
     /// $`\kappa g\,q/p`$. Zero elsewhere; `None` where no cell of any rank does.
-    pub(crate) closing: Option<Own<'a>>,
+    pub(crate) closing: Option<CellCompliance<'a>>,
     /// The largest pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,
     pub(crate) friction: F,
@@ -78,7 +78,7 @@ pub(crate) struct ConeProblem<'a, F> {
 
 /// What an iterate shows, from one product.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ConeFindings {
+pub(crate) struct ConeMeasures {
     /// Residual of gap and of slip, over the largest displacements.
     pub(crate) residual: f64,
     /// What is missing of the prescribed sums.
@@ -90,7 +90,7 @@ pub(crate) struct ConeFindings {
     free: usize,
 }
 
-impl ConeFindings {
+impl ConeMeasures {
     /// What has to fall to the tolerance.
     pub(crate) fn merit(&self) -> f64 {
         let [normal, tangential] = self.bounds;
@@ -101,18 +101,18 @@ impl ConeFindings {
 
 /// What is known of a start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Opening {
+pub(crate) enum ConeStart {
     /// Its sets come from coarser cells: a deep first solve would be wasted on them.
     Coarse,
     /// Its sets are good.
-    Sound,
+    Trusted,
     /// It is to be refused if its residual is larger.
-    Doubtful(f64),
+    Tentative(f64),
 }
 
-impl Opening {
+impl ConeStart {
     fn refuses(self, residual: f64) -> bool {
-        matches!(self, Self::Doubtful(worst) if residual > worst)
+        matches!(self, Self::Tentative(worst) if residual > worst)
     }
 }
 
@@ -126,8 +126,8 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     is_fresh: bool,
     /// Times that all cells slipped the same way.
     times_held: usize,
-    opening: Opening,
-    course: Course,
+    opening: ConeStart,
+    course: NewtonProgress,
     border: Border<N>,
 }
 
@@ -140,11 +140,11 @@ pub(crate) struct ConeRun<'a, 'b, F> {
 pub(crate) fn solve<F: Cone>(
     problem: &ConeProblem<'_, F>,
     settings: &Settings,
-    opening: Opening,
+    opening: ConeStart,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace,
     observer: Observer<'_>,
-) -> Result<(Option<Status>, ConeFindings)> {
+) -> Result<(Option<Status>, ConeMeasures)> {
     let mut run = ConeRun {
         problem,
         monitor: Monitor::new(
@@ -158,7 +158,7 @@ pub(crate) fn solve<F: Cone>(
         is_fresh: false,
         times_held: 0,
         opening,
-        course: Course::BEGIN,
+        course: NewtonProgress::BEGIN,
         border: Border::NONE,
     };
     let status = newton(&mut run);
@@ -168,9 +168,11 @@ pub(crate) fn solve<F: Cone>(
     }
     run.refresh();
     let findings = run.findings();
-    run.add_lag(-1.0);
+    run.add_entry_compliance(-1.0);
     let report = &mut run.workspace.linear.report;
     let ended = status.unwrap_or(Status::Stalled);
     run.monitor.finish(ended, findings.merit(), report);
-    run.monitor.lack.map_or(Ok((status, findings)), Err)
+    run.monitor
+        .allocation_error
+        .map_or(Ok((status, findings)), Err)
 }

@@ -2,15 +2,15 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::certificate::{Iterate, Shown, measure};
-use crate::cgm::cone::law::{Law, Noise};
+use crate::cgm::active_set_solve::Precision;
+use crate::cgm::certificate::{Iterate, IterateMeasures, measure};
+use crate::cgm::cone::cell_state::{ConeCellState, Noise};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeFindings, ConeRun, N, Opening};
-use crate::cgm::iterate::Precision;
+use crate::cgm::cone::{Cone, ConeMeasures, ConeRun, ConeStart, N};
 use crate::cgm::law::state::Row;
-use crate::cgm::linear::{BASES, Linear, Moved};
+use crate::cgm::linear::{BASES, Linear, UpdatedIterate};
 use crate::cgm::newton::NewtonSteps;
-use crate::cgm::{Admissible, Carried, Disc, Magnitude, Own, reduce};
+use crate::cgm::{AbsBound, BoundedPressure, CellCompliance, ConstraintSet, Disc, reduce};
 use crate::numerics::cell_vector::{chunks, held, norm, put, slices, slices_mut};
 use crate::parallel;
 use crate::parallel::layout::Layout;
@@ -33,7 +33,7 @@ pub(super) const NOTHING: f64 = 1e-9;
 
 /// How the steps of a solve go on.
 #[derive(Debug)]
-pub(super) struct Course {
+pub(super) struct NewtonProgress {
     /// Least residual so far, and steps without halving it.
     best: f64,
     without: usize,
@@ -45,7 +45,7 @@ pub(super) struct Course {
     load_error: f64,
 }
 
-impl Course {
+impl NewtonProgress {
     pub(super) const BEGIN: Self = Self {
         best: f64::INFINITY,
         without: 0,
@@ -77,12 +77,12 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
         }
         let merit = findings.merit();
         let report = &mut self.workspace.linear.report;
-        self.monitor.judge(merit, report)?;
+        self.monitor.check_termination(merit, report)?;
         (self.course.residual, self.course.load_error) = (findings.residual, findings.load_error);
         ControlFlow::Continue(merit)
     }
 
-    fn is_stuck_at(&mut self, merit: f64) -> bool {
+    fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
         // What is missing of the totals does no harm: the first step adds it.
         if course.best.is_infinite() && self.opening.refuses(course.residual) {
@@ -103,9 +103,10 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
     }
 
     fn linearise(&mut self, _: f64) -> ControlFlow<Status, bool> {
-        self.monitor.unless_lacking(self.workspace.list_contact())?;
-        self.let_press();
-        self.let_stick();
+        self.monitor
+            .record_allocation_failure(self.workspace.list_contact())?;
+        self.free_hardness_cells();
+        self.restore_stick();
         self.measure_slip();
         self.border = self.border();
         let missing = self.missing();
@@ -115,7 +116,7 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let (border, missing) = (self.border, self.missing());
-        let reduction = if self.course.changes == usize::MAX && self.opening == Opening::Coarse {
+        let reduction = if self.course.changes == usize::MAX && self.opening == ConeStart::Coarse {
             FIRST_REDUCTION
         } else if self.course.changes > 0 {
             INNER_REDUCTION
@@ -157,7 +158,11 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
                 };
                 let [x, y] = disc.project([x, y]);
                 let tractions = [pressure, x, y];
-                (Law::of(tractions, disc.radius, hardness), tractions, false)
+                (
+                    ConeCellState::of(tractions, disc.radius, hardness),
+                    tractions,
+                    false,
+                )
             },
         );
         self.hold_springs();
@@ -192,7 +197,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
     }
 
     /// Examines the iterate by the product at hand, and writes the findings to the report.
-    pub(super) fn findings(&mut self) -> ConeFindings {
+    pub(super) fn findings(&mut self) -> ConeMeasures {
         let (problem, w) = (self.problem, &*self.workspace);
         let normal = Iterate {
             layout: problem.layout,
@@ -213,8 +218,8 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
             multiplier: [w.multiplier[1], w.multiplier[2]],
         };
         let [least_normal, least_plane] = problem.lower_bounds;
-        let normal = measure(&normal, &Carried(problem.hardness), least_normal);
-        let plane = measure(&plane, &Magnitude(&w.limits), least_plane);
+        let normal = measure(&normal, &BoundedPressure(problem.hardness), least_normal);
+        let plane = measure(&plane, &AbsBound(&w.limits), least_plane);
         let findings = self.found(&normal, &plane);
         let report = &mut self.workspace.linear.report;
         report.residual = findings.residual;
@@ -223,7 +228,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         findings
     }
 
-    fn found(&self, normal: &Shown, plane: &Shown) -> ConeFindings {
+    fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
         let pressed = normal.measure();
         // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
@@ -241,7 +246,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
                 f64::INFINITY
             }
         });
-        ConeFindings {
+        ConeMeasures {
             residual: reduce::larger(residuals[0], residuals[1]),
             load_error: reduce::larger(normal.load_error, plane.load_error),
             bounds,
@@ -268,25 +273,25 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
     }
 
     /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
-    pub(super) fn linear(&mut self) -> Linear<'_, 'a, Law, N> {
+    pub(super) fn linear(&mut self) -> Linear<'_, 'a, ConeCellState, N> {
         self.parts().0
     }
 
     /// The same, and the iterate that its solution moves.
-    fn parts(&mut self) -> (Linear<'_, 'a, Law, N>, Moved<'_, 'a, N>) {
+    fn parts(&mut self) -> (Linear<'_, 'a, ConeCellState, N>, UpdatedIterate<'_, 'a, N>) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let linear = Linear {
             operator: &problem.operator,
             preconditioner: &problem.preconditioner,
             layout: problem.layout,
-            own: Own::default(),
+            own: CellCompliance::default(),
             self_compliance: 0.0,
             restraint: 0.0,
             stiff: f64::INFINITY,
             monitor: &mut self.monitor,
             workspace: &mut w.linear,
         };
-        let moved = Moved {
+        let moved = UpdatedIterate {
             x: &mut self.x,
             displacement: &mut w.product,
             gap: problem.linear,
@@ -331,11 +336,11 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
 fn move_cells(
     layout: &Layout,
     x: &mut [&mut [f64]; N],
-    laws: &mut [Law],
-    next: impl Fn(usize, Law, [f64; N]) -> (Law, [f64; N], bool) + Sync,
+    laws: &mut [ConeCellState],
+    next: impl Fn(usize, ConeCellState, [f64; N]) -> (ConeCellState, [f64; N], bool) + Sync,
 ) -> usize {
     let data = (chunks(layout, x), layout.blocks(laws));
-    let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, Law>)| {
+    let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, ConeCellState>)| {
         let mut changed = 0_usize;
         for (place, law) in laws.items.iter_mut().enumerate() {
             let cell = task * layout.chunk() + place;

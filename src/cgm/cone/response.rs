@@ -1,6 +1,6 @@
 //! The laws of the cells of a contact at its last state, as the linear problem of a stiffness has them.
 
-use crate::cgm::cone::law::{Lag, Law};
+use crate::cgm::cone::cell_state::{ConeCellState, EntryLag};
 use crate::cgm::cone::newton::NOTHING;
 use crate::cgm::cone::{Cone, ConeProblem, ConeWorkspace, N};
 use crate::cgm::linear::LinearWorkspace;
@@ -10,7 +10,7 @@ use crate::numerics::cell_vector::at;
 
 /// Where the cells stand: tractions, slip of the last step, and compliance of their own, of no cells where none has one.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Stand<'a> {
+pub(crate) struct FrozenState<'a> {
     pub(crate) x: [&'a [f64]; N],
     pub(crate) slip: [&'a [f64]; 2],
     pub(crate) own: &'a [f64],
@@ -26,9 +26,9 @@ impl ConeWorkspace {
     pub(crate) fn hold(
         &mut self,
         problem: &ConeProblem<'_, impl Cone>,
-        stand: Stand<'_>,
-    ) -> Result<&mut LinearWorkspace<Law, N>> {
-        let Stand {
+        stand: FrozenState<'_>,
+    ) -> Result<&mut LinearWorkspace<ConeCellState, N>> {
+        let FrozenState {
             x,
             slip,
             own,
@@ -38,8 +38,8 @@ impl ConeWorkspace {
         let least = NOTHING * reduce::max(problem.layout, limit);
         self.linear.hold(|i| {
             let (tractions, slope) = (at(&x, i), problem.friction.slope(i, x[0][i]));
-            let mut law = Law::of(tractions, limit(i), problem.hardness.of(i));
-            law.lag = Lag {
+            let mut law = ConeCellState::of(tractions, limit(i), problem.hardness.of(i));
+            law.lag = EntryLag {
                 own: own.get(i).copied().unwrap_or(0.0),
                 deviator: [0.0; 2],
                 ratio: problem.ratio(i, law, tractions),

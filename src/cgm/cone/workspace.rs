@@ -1,7 +1,7 @@
 //! What a solve of cones writes to.
 
 use crate::cgm::cone::N;
-use crate::cgm::cone::law::Law;
+use crate::cgm::cone::cell_state::ConeCellState;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
@@ -13,7 +13,7 @@ use crate::report::Report;
 #[derive(Debug, Clone)]
 pub(crate) struct ConeWorkspace {
     /// Its rows are the laws of the cells.
-    pub(super) linear: LinearWorkspace<Law, N>,
+    pub(super) linear: LinearWorkspace<ConeCellState, N>,
     pub(super) product: [Vec<f64>; N],
     /// The friction limit of every cell.
     pub(super) limits: Vec<f64>,

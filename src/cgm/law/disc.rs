@@ -12,12 +12,12 @@
 //! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of
 //! the Delft Institute of Applied Mathematics, 2014).
 
-use crate::cgm::iterate::Run;
+use crate::cgm::active_set_solve::ActiveSetSolve;
+use crate::cgm::law::disc_motion::DiscMotion;
 use crate::cgm::law::interval::EDGE;
-use crate::cgm::law::state::{Linearised, Motion, Reach};
-use crate::cgm::law::turn::Turn;
+use crate::cgm::law::state::{CellMotion, LinearisedSet, TotalFeasibility};
 use crate::cgm::newton::newton;
-use crate::cgm::{Admissible, Constraint, reduce};
+use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result, SLIDE, non_negative};
 use crate::numerics::cell_vector::{at, dot, norm, plus, slices, update_cells};
 use crate::numerics::small_matrix::Small;
@@ -47,7 +47,7 @@ impl Disc {
     }
 }
 
-impl Admissible<2> for Disc {
+impl ConstraintSet<2> for Disc {
     #[inline]
     fn project(self, q: [f64; 2]) -> [f64; 2] {
         let size = norm(q);
@@ -59,8 +59,8 @@ impl Admissible<2> for Disc {
     }
 }
 
-impl Linearised<2> for Disc {
-    type Motion = Turn;
+impl LinearisedSet<2> for Disc {
+    type CellMotion = DiscMotion;
     const HAS_SINGLE_LOOP: bool = false;
 
     fn check(self, _: usize) -> Result<()> {
@@ -116,19 +116,19 @@ impl Linearised<2> for Disc {
     }
 
     #[inline]
-    fn motion(self, q: [f64; 2]) -> Turn {
+    fn motion(self, q: [f64; 2]) -> DiscMotion {
         if self.radius <= 0.0 {
-            Turn::Fixed
+            DiscMotion::Fixed
         } else if self.is_at_limit(q) {
-            Turn::along(q, 0.0)
+            DiscMotion::along(q, 0.0)
         } else {
-            Turn::Free
+            DiscMotion::Free
         }
     }
 
     #[inline]
-    fn measured(self, mut motion: Turn, g: [f64; 2]) -> Turn {
-        if let Turn::Along {
+    fn measured(self, mut motion: DiscMotion, g: [f64; 2]) -> DiscMotion {
+        if let DiscMotion::Tangential {
             tangent, stiffness, ..
         } = &mut motion
         {
@@ -141,26 +141,32 @@ impl Linearised<2> for Disc {
     #[inline]
     fn next(
         self,
-        was: Turn,
+        was: DiscMotion,
         q: [f64; 2],
         g: [f64; 2],
         noise: f64,
         [self_compliance, diagonal]: [f64; 2],
-    ) -> (Turn, [f64; 2]) {
+    ) -> (DiscMotion, [f64; 2]) {
         let size = norm(q);
         match was {
-            Turn::Fixed => (was, self.project(q)),
-            Turn::Free if size <= self.radius => (was, self.project(q)),
+            DiscMotion::Fixed => (was, self.project(q)),
+            DiscMotion::Free if size <= self.radius => (was, self.project(q)),
             // As stiff as if its own compliance alone had held what is beyond the limit. Were it not stiff before its
             // slip is measured, a total that is spread in the meantime would turn it right round.
-            Turn::Free => {
+            DiscMotion::Free => {
                 let excess = self_compliance * (1.0 - self.radius / size);
-                let held = self.measured(Turn::along(q, 0.0), q.map(|q| -excess * q));
-                (held.weighed(self_compliance, diagonal), self.rim_along(q))
+                let held = self.measured(DiscMotion::along(q, 0.0), q.map(|q| -excess * q));
+                (
+                    held.with_preconditioner_weight(self_compliance, diagonal),
+                    self.rim_along(q),
+                )
             }
-            Turn::Along { .. } if dot(g, q) > noise * size => (Turn::Free, self.project(q)),
-            Turn::Along { stiffness, .. } => {
-                let turned = Turn::along(q, stiffness).weighed(self_compliance, diagonal);
+            DiscMotion::Tangential { .. } if dot(g, q) > noise * size => {
+                (DiscMotion::Free, self.project(q))
+            }
+            DiscMotion::Tangential { stiffness, .. } => {
+                let turned = DiscMotion::along(q, stiffness)
+                    .with_preconditioner_weight(self_compliance, diagonal);
                 (turned, self.rim_along(q))
             }
         }
@@ -170,7 +176,7 @@ impl Linearised<2> for Disc {
         layout: &Layout,
         constraint: &impl Constraint<2, Set = Self>,
         sums: [Option<f64>; 2],
-    ) -> Result<Reach<2>> {
+    ) -> Result<TotalFeasibility<2>> {
         let limit = reduce::total_of(layout, |i| constraint.of(i).radius);
         let total = sums.map(|sum| sum.unwrap_or(0.0));
         let size = norm(total);
@@ -182,9 +188,9 @@ impl Linearised<2> for Disc {
             });
         }
         Ok(if size > 0.0 && size >= limit * (1.0 - EDGE) {
-            Reach::Extreme(total.map(|total| total / size))
+            TotalFeasibility::Extreme(total.map(|total| total / size))
         } else {
-            Reach::Inside
+            TotalFeasibility::Inside
         })
     }
 
@@ -216,7 +222,9 @@ impl Linearised<2> for Disc {
     }
 
     /// Refused before any work.
-    fn single_loop<K: Constraint<2, Set = Self>>(run: &mut Run<'_, '_, K, 2>) -> Option<Status> {
+    fn single_loop<K: Constraint<2, Set = Self>>(
+        run: &mut ActiveSetSolve<'_, '_, K, 2>,
+    ) -> Option<Status> {
         newton(run)
     }
 }
@@ -258,7 +266,7 @@ fn shift_to_sums(
 }
 
 /// What the sums become when the selected vectors are moved by the same amount and projected.
-struct Shifted {
+struct ShiftedSums {
     /// What is left to the prescribed sums.
     missing: [f64; 2],
     /// Derivative of the sums.
@@ -274,7 +282,7 @@ fn shifted(
     sums: [Option<f64>; 2],
     selected: impl Fn(usize, [f64; 2]) -> bool + Sync,
     t: [f64; 2],
-) -> Shifted {
+) -> ShiftedSums {
     let (found, slope, size) = reduce::sum(layout, |i| {
         let held = at(q, i);
         if !selected(i, held) {
@@ -296,14 +304,14 @@ fn shifted(
         };
         (nearest, slope, norm(nearest))
     });
-    Shifted {
+    ShiftedSums {
         missing: [0, 1].map(|c| sums[c].map_or(0.0, |sum| sum - found[c])),
         slope: Small(slope),
         size,
     }
 }
 
-impl Shifted {
+impl ShiftedSums {
     /// Newton's step in the components whose sum is prescribed.
     fn step(&self, sums: [Option<f64>; 2]) -> [f64; 2] {
         let prescribed = sums.map(|sum| sum.is_some());
@@ -320,13 +328,13 @@ impl Shifted {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cgm::Magnitude;
+    use crate::cgm::AbsBound;
 
     /// Restores the sums of three cells of limit one, two of them at their limits, as when the engine ends.
     fn restored(sums: [f64; 2]) -> [[f64; 3]; 2] {
         let [mut x, mut y] = [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3]];
         let layout = Layout::of([3, 1]);
-        let limits = Magnitude(&[1.0; 3]);
+        let limits = AbsBound(&[1.0; 3]);
         Disc::restore(
             &layout,
             [&mut x, &mut y],

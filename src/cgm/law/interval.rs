@@ -1,8 +1,8 @@
 //! Intervals: one unknown a cell between two bounds.
 
-use crate::cgm::iterate::Run;
-use crate::cgm::law::state::{Linearised, Motion, Reach, Row};
-use crate::cgm::{Admissible, Constraint, reduce};
+use crate::cgm::active_set_solve::ActiveSetSolve;
+use crate::cgm::law::state::{CellMotion, LinearisedSet, Row, TotalFeasibility};
+use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::update_cells;
 use crate::parallel::layout::Layout;
@@ -23,7 +23,7 @@ pub struct Interval {
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum IntervalMotion {
     /// Between the bounds, or free to move from one.
     Free,
     /// Held by the lower bound.
@@ -34,7 +34,7 @@ pub enum Side {
     Fixed,
 }
 
-impl Row<1> for Side {
+impl Row<1> for IntervalMotion {
     const IS_CURVED: bool = false;
     const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
@@ -75,12 +75,12 @@ impl Row<1> for Side {
     }
 }
 
-impl Motion<1> for Side {
-    fn weighed(self, _: f64, _: f64) -> Self {
+impl CellMotion<1> for IntervalMotion {
+    fn with_preconditioner_weight(self, _: f64, _: f64) -> Self {
         self
     }
 
-    fn released(self, [g]: [f64; 1]) -> Self {
+    fn released_from_bound(self, [g]: [f64; 1]) -> Self {
         match self {
             Self::Lower if g < 0.0 => Self::Free,
             Self::Upper if g > 0.0 => Self::Free,
@@ -89,15 +89,15 @@ impl Motion<1> for Side {
     }
 }
 
-impl Admissible<1> for Interval {
+impl ConstraintSet<1> for Interval {
     #[inline]
     fn project(self, [x]: [f64; 1]) -> [f64; 1] {
         [x.max(self.lower).min(self.upper)]
     }
 }
 
-impl Linearised<1> for Interval {
-    type Motion = Side;
+impl LinearisedSet<1> for Interval {
+    type CellMotion = IntervalMotion;
     const HAS_SINGLE_LOOP: bool = true;
 
     fn check(self, index: usize) -> Result<()> {
@@ -169,36 +169,36 @@ impl Linearised<1> for Interval {
         }]
     }
 
-    fn motion(self, [x]: [f64; 1]) -> Side {
+    fn motion(self, [x]: [f64; 1]) -> IntervalMotion {
         if self.lower >= self.upper {
-            Side::Fixed
+            IntervalMotion::Fixed
         } else if x <= self.lower {
-            Side::Lower
+            IntervalMotion::Lower
         } else if x >= self.upper {
-            Side::Upper
+            IntervalMotion::Upper
         } else {
-            Side::Free
+            IntervalMotion::Free
         }
     }
 
-    fn measured(self, motion: Side, _: [f64; 1]) -> Side {
+    fn measured(self, motion: IntervalMotion, _: [f64; 1]) -> IntervalMotion {
         motion
     }
 
     #[inline]
     fn next(
         self,
-        was: Side,
+        was: IntervalMotion,
         [x]: [f64; 1],
         [g]: [f64; 1],
         noise: f64,
         _: [f64; 2],
-    ) -> (Side, [f64; 1]) {
+    ) -> (IntervalMotion, [f64; 1]) {
         let next = match was {
-            Side::Free if x < self.lower => Side::Lower,
-            Side::Free if x > self.upper => Side::Upper,
-            Side::Lower if g < -noise => Side::Free,
-            Side::Upper if g > noise => Side::Free,
+            IntervalMotion::Free if x < self.lower => IntervalMotion::Lower,
+            IntervalMotion::Free if x > self.upper => IntervalMotion::Upper,
+            IntervalMotion::Lower if g < -noise => IntervalMotion::Free,
+            IntervalMotion::Upper if g > noise => IntervalMotion::Free,
             other => other,
         };
         (next, self.project([x]))
@@ -208,9 +208,9 @@ impl Linearised<1> for Interval {
         layout: &Layout,
         constraint: &impl Constraint<1, Set = Self>,
         [sum]: [Option<f64>; 1],
-    ) -> Result<Reach<1>> {
+    ) -> Result<TotalFeasibility<1>> {
         let Some(total) = sum else {
-            return Ok(Reach::Inside);
+            return Ok(TotalFeasibility::Inside);
         };
         let [lower, upper, lower_size, upper_size] = reduce::sum(layout, |i| {
             let Self { lower, upper } = constraint.of(i);
@@ -226,11 +226,11 @@ impl Linearised<1> for Interval {
                 upper,
             })
         } else if total <= lower + low_edge {
-            Ok(Reach::Extreme([-1.0]))
+            Ok(TotalFeasibility::Extreme([-1.0]))
         } else if total >= upper - high_edge {
-            Ok(Reach::Extreme([1.0]))
+            Ok(TotalFeasibility::Extreme([1.0]))
         } else {
-            Ok(Reach::Inside)
+            Ok(TotalFeasibility::Inside)
         }
     }
 
@@ -249,7 +249,9 @@ impl Linearised<1> for Interval {
         suffices
     }
 
-    fn single_loop<K: Constraint<1, Set = Self>>(run: &mut Run<'_, '_, K, 1>) -> Option<Status> {
+    fn single_loop<K: Constraint<1, Set = Self>>(
+        run: &mut ActiveSetSolve<'_, '_, K, 1>,
+    ) -> Option<Status> {
         run.polonsky_keer()
     }
 }

@@ -1,16 +1,16 @@
 //! What each cell is allowed to carry.
 
 pub(super) mod disc;
+pub(super) mod disc_motion;
 pub(super) mod interval;
 pub(super) mod state;
-pub(super) mod turn;
 
-use crate::cgm::law::state::Linearised;
+use crate::cgm::law::state::LinearisedSet;
 use crate::cgm::{Disc, Interval};
 use crate::error::{Result, length};
 use crate::grid::per_cell::PerCell;
 
-/// The sets of all cells: one closed convex set a cell, from those that [`Admissible`] lists.
+/// The sets of all cells: one closed convex set a cell, from those that [`ConstraintSet`] lists.
 ///
 /// The engine asks for [`of`](Self::of) and nothing else of a cell, and each answer must be the same at every call.
 /// `N` is the number of components a cell has, one by default.
@@ -38,7 +38,7 @@ use crate::grid::per_cell::PerCell;
 /// ```
 pub trait Constraint<const N: usize = 1>: Sync {
     /// The kind of set.
-    type Set: Admissible<N>;
+    type Set: ConstraintSet<N>;
 
     /// The number of cells the constraint is for; `None` (the default) if it fits any.
     fn cells(&self) -> Option<usize> {
@@ -52,7 +52,7 @@ pub trait Constraint<const N: usize = 1>: Sync {
 /// A closed convex set of `N` components: an [`Interval`] of one, a [`Disc`] of two.
 ///
 /// Sealed, because the engine linearises each kind of set in its own way.
-pub trait Admissible<const N: usize>: Linearised<N> {
+pub trait ConstraintSet<const N: usize>: LinearisedSet<N> {
     /// The nearest point of the set.
     #[must_use]
     fn project(self, x: [f64; N]) -> [f64; N];
@@ -84,9 +84,9 @@ impl Constraint for NonNegative {
 
 /// `0 <= p <= H`, with or without a limit.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Carried<'a>(pub(crate) PerCell<&'a [f64]>);
+pub(crate) struct BoundedPressure<'a>(pub(crate) PerCell<&'a [f64]>);
 
-impl Constraint for Carried<'_> {
+impl Constraint for BoundedPressure<'_> {
     type Set = Interval;
 
     fn cells(&self) -> Option<usize> {
@@ -111,7 +111,7 @@ pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 /// `lower_i <= x_i <= upper_i`.
 ///
 /// ```
-/// use stickslip::cgm::{Admissible, Bounds, Constraint};
+/// use stickslip::cgm::{ConstraintSet, Bounds, Constraint};
 /// let bounds = Bounds { lower: &[0.0, -1.0], upper: &[f64::INFINITY, 1.0] };
 /// assert_eq!(bounds.of(1).project([3.0]), [1.0]);
 /// ```
@@ -148,12 +148,12 @@ impl Constraint for Bounds<'_> {
 /// (`N = 2`, `|x|` being the length of the vector).
 ///
 /// ```
-/// use stickslip::cgm::{self, Magnitude, Problem, Settings};
+/// use stickslip::cgm::{self, AbsBound, Problem, Settings};
 /// use stickslip::Identity;
 ///
 /// // The points of two discs nearest to (3, 4).
 /// let (x, y) = ([-3.0; 2], [-4.0; 2]);
-/// let problem = Problem::new(Identity::new(2), [&x, &y], Magnitude(&[10.0, 1.0]));
+/// let problem = Problem::new(Identity::new(2), [&x, &y], AbsBound(&[10.0, 1.0]));
 /// let (mut qx, mut qy) = ([0.0; 2], [0.0; 2]);
 /// cgm::minimise(&problem, &Settings::default(), [&mut qx, &mut qy])?;
 /// assert!((qx[0] - 3.0).abs() < 1e-8 && (qy[0] - 4.0).abs() < 1e-8);
@@ -161,13 +161,13 @@ impl Constraint for Bounds<'_> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Magnitude<'a>(pub &'a [f64]);
+pub struct AbsBound<'a>(pub &'a [f64]);
 
-impl<const N: usize> Constraint<N> for Magnitude<'_>
+impl<const N: usize> Constraint<N> for AbsBound<'_>
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
-    type Set = <Within as Ball<N>>::Set;
+    type Set = <NormBound as Ball<N>>::Set;
 
     fn cells(&self) -> Option<usize> {
         Some(self.0.len())
@@ -175,24 +175,24 @@ where
 
     #[inline]
     fn of(&self, cell: usize) -> Self::Set {
-        Within::of_radius(self.0[cell])
+        NormBound::of_radius(self.0[cell])
     }
 }
 
 /// Vectors within a radius; [`Ball`] says which set that is for each number of components.
 #[derive(Debug, Clone, Copy)]
-pub struct Within;
+pub struct NormBound;
 
 /// The set of all vectors of `N` components no longer than a radius.
 pub trait Ball<const N: usize> {
     /// [`Interval`] for one component, [`Disc`] for two.
-    type Set: Admissible<N>;
+    type Set: ConstraintSet<N>;
 
     /// The ball of a radius.
     fn of_radius(radius: f64) -> Self::Set;
 }
 
-impl Ball<1> for Within {
+impl Ball<1> for NormBound {
     type Set = Interval;
 
     #[inline]
@@ -204,7 +204,7 @@ impl Ball<1> for Within {
     }
 }
 
-impl Ball<2> for Within {
+impl Ball<2> for NormBound {
     type Set = Disc;
 
     #[inline]

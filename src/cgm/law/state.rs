@@ -3,8 +3,8 @@
 //! Newton's method linearises the law of every cell: a cell that cannot move leaves the linear system, one inside
 //! its set moves freely, and one on a curved bound moves along the tangent, against the curvature of the bound.
 
-use crate::cgm::iterate::Run;
-use crate::cgm::{Admissible, Constraint};
+use crate::cgm::active_set_solve::ActiveSetSolve;
+use crate::cgm::{Constraint, ConstraintSet};
 use crate::error::Result;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
@@ -62,15 +62,15 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
-pub trait Motion<const N: usize>: Row<N> {
+pub trait CellMotion<const N: usize>: Row<N> {
     /// With the stiffness in force known to the preconditioner, beside an operator of this
     /// [compliance](crate::Operator::self_compliance) of a cell and what the cell has of its own.
     #[must_use]
-    fn weighed(self, self_compliance: f64, diagonal: f64) -> Self;
+    fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
 
     /// A cell that has to move although its bound holds it, if a gradient `g` pushes it from there.
     #[must_use]
-    fn released(self, g: [f64; N]) -> Self;
+    fn released_from_bound(self, g: [f64; N]) -> Self;
 }
 
 /// Where prescribed sums lie in what the sets allow together.
@@ -79,21 +79,21 @@ pub trait Motion<const N: usize>: Row<N> {
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Reach<const N: usize> {
+pub enum TotalFeasibility<const N: usize> {
     /// Strictly between the extremes: multipliers exist.
     Inside,
     /// Every cell at the extreme point of its set along this direction.
     Extreme([f64; N]),
 }
 
-/// What the engine asks of a kind of set, beside what [`Admissible`] says of it.
+/// What the engine asks of a kind of set, beside what [`ConstraintSet`] says of it.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
-pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// How a cell of this set may move.
-    type Motion: Motion<N>;
+    type CellMotion: CellMotion<N>;
     /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for it.
     const HAS_SINGLE_LOOP: bool;
 
@@ -124,31 +124,31 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
     fn arrive(self, x: [f64; N], d: [f64; N]) -> [f64; N];
 
     /// How a cell at `x` may move before anything is known of its gradient.
-    fn motion(self, x: [f64; N]) -> Self::Motion;
+    fn motion(self, x: [f64; N]) -> Self::CellMotion;
 
     /// With the curvature that a gradient `g` gives the bound.
-    fn measured(self, motion: Self::Motion, g: [f64; N]) -> Self::Motion;
+    fn measured(self, motion: Self::CellMotion, g: [f64; N]) -> Self::CellMotion;
 
     /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
     /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the
     /// [compliance](crate::Operator::self_compliance) of a cell and on what the cell has of its own, `weighing`.
     fn next(
         self,
-        was: Self::Motion,
+        was: Self::CellMotion,
         x: [f64; N],
         g: [f64; N],
         noise: f64,
         weighing: [f64; 2],
-    ) -> (Self::Motion, [f64; N]);
+    ) -> (Self::CellMotion, [f64; N]);
 
     /// Where prescribed sums lie, or an error if the sets cannot hold them.
     fn reach(
         layout: &Layout,
         constraint: &impl Constraint<N, Set = Self>,
         sums: [Option<f64>; N],
-    ) -> Result<Reach<N>>
+    ) -> Result<TotalFeasibility<N>>
     where
-        Self: Admissible<N>;
+        Self: ConstraintSet<N>;
 
     /// Moves the cells within their sets to the nearest points that have the sums: those of `preferred`, and where
     /// all cells [move](Row::IS_STEADY) those inside their bounds, alone if they suffice. Says whether the cells keep
@@ -161,11 +161,13 @@ pub trait Linearised<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'st
         sums: [Option<f64>; N],
     ) -> bool
     where
-        Self: Admissible<N>;
+        Self: ConstraintSet<N>;
 
     /// The iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer): ends with the status of the run,
     /// or `None` if the sets cycle.
-    fn single_loop<K: Constraint<N, Set = Self>>(run: &mut Run<'_, '_, K, N>) -> Option<Status>
+    fn single_loop<K: Constraint<N, Set = Self>>(
+        run: &mut ActiveSetSolve<'_, '_, K, N>,
+    ) -> Option<Status>
     where
-        Self: Admissible<N>;
+        Self: ConstraintSet<N>;
 }

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::iterate::{Precision, Run};
+use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
 use crate::cgm::law::state::Row;
 use crate::cgm::totals::TotalsSystem;
 use crate::cgm::{Constraint, MotionOf};
@@ -18,7 +18,7 @@ fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
 }
 
 /// A step along the direction, at multipliers changed since the last residual.
-struct Move<const N: usize> {
+struct DirectionStep<const N: usize> {
     length: f64,
     change: [f64; N],
 }
@@ -43,7 +43,7 @@ struct Correction<const N: usize> {
     overlap: f64,
 }
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
     ///
     /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
@@ -87,7 +87,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
             let moved = turning.map(|change| length * change);
             self.add_to_multiplier(moved);
             let change = plus(at_once, 1.0, moved);
-            let residual = self.step_and_residual(&totals, Some(&Move { length, change }));
+            let residual = self.step_and_residual(&totals, Some(&DirectionStep { length, change }));
             (last_products, products) = (products, residual.products);
             if is_last || residual.square <= reduction * reduction * first.square {
                 self.add_to_multiplier(residual.change);
@@ -106,7 +106,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     fn step_and_residual(
         &mut self,
         totals: &TotalsSystem<N>,
-        step: Option<&Move<N>>,
+        step: Option<&DirectionStep<N>>,
     ) -> Residual<N> {
         if step.is_some() {
             self.product_error = f64::INFINITY;
@@ -146,7 +146,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
                 let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
                 entries.sums(|k, place| {
                     let (motion, u) = (entries.row(motions, k, place), at(&images, place));
-                    if let Some(&Move { length, .. }) = step {
+                    if let Some(&DirectionStep { length, .. }) = step {
                         let moved = plus(held(&x, place), length, directions[k]);
                         put(&mut x, place, moved);
                         if MotionOf::<K, N>::IS_STEADY {
@@ -156,7 +156,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
                     }
                     let r = match step {
                         // The residual of a curved bound is not the gradient's: it is followed from step to step.
-                        Some(&Move { length, change }) if MotionOf::<K, N>::IS_CURVED => {
+                        Some(&DirectionStep { length, change }) if MotionOf::<K, N>::IS_CURVED => {
                             let moved = motion.restrict(plus(change, -length, u));
                             let bend = motion.bend(directions[k]);
                             std::array::from_fn(|c| last[k][c] + moved[c] - length * bend[c])
@@ -169,7 +169,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
                 })
             },
         );
-        let change = totals.without_mean(products);
+        let change = totals.remove_mean(products);
         Residual {
             change,
             products,

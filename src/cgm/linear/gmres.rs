@@ -3,7 +3,7 @@
 
 use std::ops::{ControlFlow, Range};
 
-use crate::cgm::iterate::Precision;
+use crate::cgm::active_set_solve::Precision;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::{Border, Linear};
 use crate::memory::fallible;
@@ -182,7 +182,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
             .into_iter()
             .flatten()
             .try_for_each(|vector| fallible::resize(vector, w.residual.len(), [0.0; N]));
-        self.monitor.unless_lacking(room)
+        self.monitor.record_allocation_failure(room)
     }
 
     /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.

@@ -14,16 +14,16 @@
 
 mod cg;
 mod gmres;
-mod moved;
 mod response;
+mod updated_iterate;
 
 use std::ops::ControlFlow;
 
-use crate::cgm::diagonal::Own;
-use crate::cgm::free_cells::MovingCells;
-use crate::cgm::iterate::Precision;
+use crate::cgm::active_set_solve::Precision;
+use crate::cgm::diagonal::CellCompliance;
+use crate::cgm::free_cells::FreeCells;
+use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
-use crate::cgm::law::turn::Weight;
 use crate::cgm::monitor::Monitor;
 use crate::error::Result;
 use crate::memory::fallible;
@@ -36,8 +36,8 @@ use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 
 use gmres::RESTART;
-pub(in crate::cgm) use moved::Moved;
-pub(crate) use response::Held;
+pub(crate) use response::FixedSetSystem;
+pub(in crate::cgm) use updated_iterate::UpdatedIterate;
 
 /// Bases of GMRES begun before the sets are looked at again.
 pub(in crate::cgm) const BASES: usize = 2;
@@ -53,7 +53,7 @@ pub(crate) struct LinearWorkspace<R, const N: usize> {
     /// How each cell moves; of [steady](Row::IS_STEADY) ones only those that move, in the order of their list.
     pub(in crate::cgm) rows: Vec<R>,
     /// The cells that move; the vectors below hold these alone.
-    pub(in crate::cgm) moving: MovingCells,
+    pub(in crate::cgm) moving: FreeCells,
     pub(in crate::cgm) residual: Vec<[f64; N]>,
     /// Of GMRES; of no cells before it is needed.
     pub(in crate::cgm) correction: Vec<[f64; N]>,
@@ -77,7 +77,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
             direction: fallible::vector(cells)?,
             image: fallible::vector(cells)?,
             rows: fallible::filled(R::FIXED, cells)?,
-            moving: MovingCells::new(operator.layout())?,
+            moving: FreeCells::new(operator.layout())?,
             residual: Vec::new(),
             correction: Vec::new(),
             spread: Vec::new(),
@@ -137,7 +137,7 @@ pub(crate) struct Linear<'a, 'm, R, const N: usize> {
     pub(in crate::cgm) preconditioner: &'a dyn Operator<N>,
     pub(in crate::cgm) layout: &'a Layout,
     /// Compliance that cells have of their own beside the operator.
-    pub(in crate::cgm) own: Own<'a>,
+    pub(in crate::cgm) own: CellCompliance<'a>,
     /// How far a unit traction displaces its own cell; zero if it is not known.
     pub(in crate::cgm) self_compliance: f64,
     /// Stiffness that is added to the operator; zero but in the way out of a cycle.

@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::Settings;
-use crate::cgm::diagonal::Own;
-use crate::cgm::iterate::Precision;
+use crate::cgm::active_set_solve::Precision;
+use crate::cgm::diagonal::CellCompliance;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::gmres::Equations;
 use crate::cgm::linear::{Border, Linear, LinearWorkspace};
@@ -21,7 +21,7 @@ use crate::report::{Report, Status};
 const BASES: usize = 100;
 
 /// The right side of the equations, and the unknowns that answer it.
-struct Response<'a, const N: usize> {
+struct LinearResponse<'a, const N: usize> {
     right: &'a [[f64; N]],
     unknowns: &'a mut [[f64; N]],
     /// The size of the right side, and what was left of it before the last basis.
@@ -29,7 +29,7 @@ struct Response<'a, const N: usize> {
     last: f64,
 }
 
-impl<R: Row<N>, const N: usize> Equations<R, N> for Response<'_, N> {
+impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
         linear.proceed()?;
         linear.workspace.correction.copy_from_slice(self.unknowns);
@@ -75,18 +75,18 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for Response<'_, N> {
 
 /// Operator and preconditioner of cells whose way to move is held.
 #[derive(Clone, Copy)]
-pub(crate) struct Held<'a, const N: usize> {
+pub(crate) struct FixedSetSystem<'a, const N: usize> {
     pub(crate) operator: &'a dyn Operator<N>,
     pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
     /// Compliance that cells have of their own beside the operator.
-    pub(crate) own: Own<'a>,
+    pub(crate) own: CellCompliance<'a>,
 }
 
-impl<const N: usize> Held<'_, N> {
+impl<const N: usize> FixedSetSystem<'_, N> {
     /// Finds the unknowns that answer a right side, in double precision, to a relative residual; where a basis does not halve
     /// it they are left as they are, and the report says [`Status::Stalled`]. The residual is then in
-    /// [`LinearWorkspace::left`], the tractions are in [`LinearWorkspace::tractions`].
+    /// [`LinearWorkspace::residual_rows`], the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Memory`].
@@ -115,7 +115,7 @@ impl<const N: usize> Held<'_, N> {
             monitor: &mut monitor,
             workspace: &mut *workspace,
         };
-        let mut response = Response {
+        let mut response = LinearResponse {
             right,
             unknowns,
             first: f64::INFINITY,
@@ -123,8 +123,8 @@ impl<const N: usize> Held<'_, N> {
         };
         let limits = (BASES, tolerance);
         let found = linear.solve(&Border::NONE, [0.0; N], limits, &mut response);
-        if let Some(lack) = monitor.lack.take() {
-            return Err(lack);
+        if let Some(allocation_error) = monitor.allocation_error.take() {
+            return Err(allocation_error);
         }
         let is_solved = workspace.report.residual <= tolerance;
         let status = match found {
@@ -209,7 +209,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     }
 
     /// What the last response leaves of its equations.
-    pub(crate) fn left(&self) -> &[[f64; N]] {
+    pub(crate) fn residual_rows(&self) -> &[[f64; N]] {
         &self.residual
     }
 

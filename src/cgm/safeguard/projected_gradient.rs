@@ -8,10 +8,10 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::iterate::{Precision, Run};
-use crate::cgm::law::state::Linearised;
+use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
+use crate::cgm::law::state::LinearisedSet;
 use crate::cgm::totals::{Total, sums_of};
-use crate::cgm::{Admissible, Constraint, reduce};
+use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
 use crate::report::Status;
 
@@ -22,7 +22,7 @@ pub(in crate::cgm) enum Objective {
     Stands,
 }
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// At most `steps` steps from the present iterate.
     pub(in crate::cgm) fn project_gradients(
         &mut self,
@@ -30,9 +30,9 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     ) -> ControlFlow<Status, Objective> {
         self.mark_start();
         self.restore_totals(true);
-        self.ask()?;
+        self.notify_observer()?;
         self.refresh();
-        self.ask()?;
+        self.notify_observer()?;
         let Some(mut length) = self.length_without_bounds() else {
             return ControlFlow::Continue(Objective::Stands);
         };

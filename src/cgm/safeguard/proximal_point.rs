@@ -14,8 +14,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::iterate::{Precision, Run};
-use crate::cgm::law::state::Linearised;
+use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
+use crate::cgm::law::state::LinearisedSet;
 use crate::cgm::newton::newton;
 use crate::cgm::{Constraint, reduce};
 use crate::memory::fallible;
@@ -38,11 +38,11 @@ const POWERS: usize = 8;
 /// Attempts without a stiffness after which the residual was not halved before the iteration counts as stalled.
 const STALLS: usize = 6;
 
-impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// From where the sets have cycled to the end.
     pub(in crate::cgm) fn by_proximal_points(&mut self) -> Status {
         let ended = self.approach();
-        self.restrain(0.0);
+        self.set_proximal_weight(0.0);
         ended.break_value().unwrap_or(Status::Stalled)
     }
 
@@ -60,7 +60,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
             self.count_step();
             self.proceed()?;
             let is_last = stiffness < least;
-            self.restrain(if is_last { 0.0 } else { stiffness });
+            self.set_proximal_weight(if is_last { 0.0 } else { stiffness });
             self.inner_reduction = REDUCTION;
             match newton(self) {
                 Some(Status::Converged) if !is_last => {
@@ -77,7 +77,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
                 best = best.min(self.monitor.best);
                 stalls = if is_halved { 0 } else { stalls + 1 };
             }
-            self.return_to_centre();
+            self.restore_proximal_centre();
             if ratio > LEAST_RATIO {
                 stiffness *= ratio - ratio.sqrt();
                 ratio = ratio.sqrt();
@@ -105,7 +105,7 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
         });
         let mut largest = 0.0;
         for _ in 0..POWERS {
-            self.ask()?;
+            self.notify_observer()?;
             self.linear().apply(Precision::Single);
             let w = &mut *self.workspace;
             let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
@@ -133,20 +133,20 @@ impl<K: Constraint<N>, const N: usize> Run<'_, '_, K, N> {
     fn set_centre(&mut self) -> ControlFlow<Status> {
         for (centre, x) in self.workspace.centre.iter_mut().zip(&self.x) {
             let room = fallible::resize(centre, x.len(), 0.0);
-            self.monitor.unless_lacking(room)?;
+            self.monitor.record_allocation_failure(room)?;
             centre.copy_from_slice(x);
         }
         ControlFlow::Continue(())
     }
 
-    fn return_to_centre(&mut self) {
+    fn restore_proximal_centre(&mut self) {
         for (x, centre) in self.x.iter_mut().zip(&self.workspace.centre) {
             x.copy_from_slice(centre);
         }
     }
 
     /// What is solved from now on has this stiffness about the centre, and a residual to match.
-    fn restrain(&mut self, stiffness: f64) {
+    fn set_proximal_weight(&mut self, stiffness: f64) {
         if stiffness.max(self.restraint) > 0.0 {
             self.product_error = f64::INFINITY;
         }

@@ -13,7 +13,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 /// else the pressure stays that of the old gap, and the [step](crate::history::StepResult::warnings) says so.
 ///
 /// ```
-/// use stickslip::history::{FrettingLoop, LoadPath, LoopEnding, Regime};
+/// use stickslip::history::{FrettingLoop, LoadPath, StopReason, Regime};
 /// use stickslip::*;
 /// let grid = Grid::square(48, 0.30e-3)?;
 /// let steel = Material::new(213e9, 0.29)?;
@@ -29,7 +29,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 ///     .run(&mut history, 10)?;
 ///
 /// // The first cycle holds the first loading, the second is a loop that closes.
-/// assert_eq!((outcome.ending, outcome.cycles), (LoopEnding::Steady, 2));
+/// assert_eq!((outcome.ending, outcome.cycles), (StopReason::Steady, 2));
 /// assert_eq!(outcome.last.regime(), Regime::PartialSlip);
 /// assert!(outcome.last.energy_ratio() < 0.2);
 /// # Ok::<(), Error>(())
@@ -74,7 +74,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     /// # Errors
     /// [`Error::Tolerance`] before any step; as [`History::step`], with the history as it was after the last
     /// good one.
-    pub fn run(&self, history: &mut History, cycles: usize) -> Result<LoopOutcome> {
+    pub fn run(&self, history: &mut History, cycles: usize) -> Result<FrettingResult> {
         self.run_observed(history, cycles, |_, _| Ok(ControlFlow::Continue(())))
     }
 
@@ -89,7 +89,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         history: &mut History,
         cycles: usize,
         mut observer: impl FnMut(&mut History, &Cycle) -> Result<ControlFlow<()>>,
-    ) -> Result<LoopOutcome> {
+    ) -> Result<FrettingResult> {
         if let Some(tolerance) = self.tolerance {
             // Not a number is refused too.
             if !(tolerance > 0.0 && tolerance < 1.0) {
@@ -98,21 +98,21 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         }
         let mut last = Cycle::new(history);
         let mut done = 0;
-        let mut ending = LoopEnding::CycleLimit;
-        while ending == LoopEnding::CycleLimit && done < cycles {
+        let mut ending = StopReason::CycleLimit;
+        while ending == StopReason::CycleLimit && done < cycles {
             if self.pass(history, &mut last, &mut observer)?.is_break() {
-                ending = LoopEnding::Stopped;
+                ending = StopReason::Stopped;
             } else {
                 done += 1;
                 if self
                     .tolerance
                     .is_some_and(|most| last.cyclic_residual() <= most)
                 {
-                    ending = LoopEnding::Steady;
+                    ending = StopReason::Steady;
                 }
             }
         }
-        Ok(LoopOutcome {
+        Ok(FrettingResult {
             cycles: done,
             ending,
             last,
@@ -144,7 +144,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub enum LoopEnding {
+pub enum StopReason {
     /// The last cycle closed, to the tolerance asked for.
     Steady,
     /// All cycles were taken, and none was steady, or none had to be.
@@ -157,11 +157,11 @@ pub enum LoopEnding {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub struct LoopOutcome {
+pub struct FrettingResult {
     /// Whole cycles taken.
     pub cycles: usize,
     /// Why there were no more.
-    pub ending: LoopEnding,
+    pub ending: StopReason,
     /// The last cycle, with the [warnings](Cycle::warnings) of its steps. It is incomplete if the observer broke off,
     /// and has no steps if none were asked for.
     pub last: Cycle,

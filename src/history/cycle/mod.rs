@@ -6,9 +6,9 @@ use crate::error::positive;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
-use crate::history::step::remarks::Remarks;
+use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::{EnergyBalance, History};
-use crate::memory::fallible::or_abort;
+use crate::memory::fallible::unwrap_or_abort;
 use crate::numerics::cell_vector::norm;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::support::debug::shown;
@@ -50,13 +50,13 @@ pub(super) mod hysteresis;
 /// // The second cycle ends as it began, and all its work is dissipated.
 /// assert!(cycle.cyclic_residual() < 1e-6);
 /// let energy = cycle.energy();
-/// assert!((energy.work / energy.mid_step_dissipated_energy - 1.0).abs() < 1e-6);
+/// assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-6);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
-    sums: Sums,
+    sums: CycleSums,
     /// The largest magnitude of a traction in the cycle.
     largest_traction: f64,
     /// The largest magnitude of what a traction has changed since the beginning.
@@ -65,7 +65,7 @@ pub struct Cycle {
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     regime: Regime,
-    pub(super) remarks: Remarks,
+    pub(super) remarks: StepDiagnostics,
     /// The number of the last step in it, or of that it begins after.
     last_step: u64,
 }
@@ -75,7 +75,7 @@ shown!(Cycle: steps(), regime, stick_ratios, energy);
 /// What the steps of a cycle add up to in every cell.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-struct Sums {
+struct CycleSums {
     slip_distance: Field,
     slip_pressure: Field,
     dissipated_energy: Field,
@@ -86,7 +86,7 @@ struct Sums {
 }
 
 #[cfg(feature = "serde")]
-impl Sums {
+impl CycleSums {
     fn fields(&self) -> impl Iterator<Item = &Field> {
         let scalars = [
             &self.slip_distance,
@@ -102,22 +102,22 @@ impl Sums {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "Cycle")]
-struct Unchecked {
-    sums: Sums,
+struct RawCycle {
+    sums: CycleSums,
     largest_traction: f64,
     traction_change: f64,
     energy: EnergyBalance,
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     regime: Regime,
-    remarks: Remarks,
+    remarks: StepDiagnostics,
     last_step: u64,
 }
 
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for Cycle {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawCycle::deserialize(deserializer)?, |read| {
             let grid = read.sums.slip_distance.grid();
             for field in read.sums.fields() {
                 field.check("field of the cycle", grid)?;
@@ -131,7 +131,7 @@ impl Cycle {
     /// No steps yet, from where the history is.
     #[must_use]
     pub fn new(history: &History) -> Self {
-        or_abort(Self::try_new(history))
+        unwrap_or_abort(Self::try_new(history))
     }
 
     /// [`Self::new`] where memory may run out.
@@ -141,7 +141,7 @@ impl Cycle {
     pub fn try_new(history: &History) -> Result<Self> {
         let zeros = || Field::try_zeros(history.grid());
         let mut cycle = Self {
-            sums: Sums {
+            sums: CycleSums {
                 slip_distance: zeros()?,
                 slip_pressure: zeros()?,
                 dissipated_energy: zeros()?,
@@ -155,7 +155,7 @@ impl Cycle {
             points: Vec::new(),
             stick_ratios: [1.0, 0.0],
             regime: Regime::FullStick,
-            remarks: Remarks::default(),
+            remarks: StepDiagnostics::default(),
             last_step: 0,
         };
         cycle.restart(history);
@@ -167,7 +167,7 @@ impl Cycle {
     /// # Errors
     /// [`Error::GridMismatch`]; [`Error::Ranks`]; the cycle is then as it was.
     pub fn begin(&mut self, history: &History) -> Result<()> {
-        history.bodies.agreed(self.check(history))?;
+        history.bodies.collective_result(self.check(history))?;
         self.restart(history);
         Ok(())
     }
@@ -191,14 +191,14 @@ impl Cycle {
         self.points.clear();
         self.points.push(LoopPoint::of(history));
         (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
-        self.remarks = Remarks::default();
+        self.remarks = StepDiagnostics::default();
         self.last_step = history.steps();
     }
 
     /// Adds the last step of the history: to be called once after each. Steps that are never added are left out.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::StepNotNew`] if the history has taken no step since the last one added, or
+    /// [`Error::GridMismatch`]; [`Error::StepAlreadyCounted`] if the history has taken no step since the last one added, or
     /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
     /// passes. [`Error::Ranks`]. The cycle is then as it was.
     pub fn add(&mut self, history: &History) -> Result<()> {
@@ -207,9 +207,9 @@ impl Cycle {
         let is_new = if number > last {
             Ok(())
         } else {
-            Err(Error::StepNotNew { step: number, last })
+            Err(Error::StepAlreadyCounted { step: number, last })
         };
-        bodies.agreed(self.check(history).and(is_new))?;
+        bodies.collective_result(self.check(history).and(is_new))?;
         // What ranks find together comes first: where they lose each other the cycle is as it was.
         let [largest_traction, traction_change] = self.compare_traction(history);
         let regime = self.regime_with(history);

@@ -6,23 +6,24 @@ use std::ops::RangeBounds;
 use super::FORMAT;
 use crate::error::{Error, Result, samples_obey};
 use crate::files::Cursor;
-use crate::memory::fallible::lacking;
+use crate::memory::fallible::out_of_memory;
 
 /// A rule for numbers, in words and in code.
-pub(super) type Rule = (&'static str, fn(f64) -> bool);
+pub(super) type NumberRule = (&'static str, fn(f64) -> bool);
 
-pub(super) const FINITE: Rule = ("must be finite", f64::is_finite);
-pub(super) const NOT_NEGATIVE: Rule = ("must be non-negative and finite", |value| {
+pub(super) const FINITE: NumberRule = ("must be finite", f64::is_finite);
+pub(super) const NOT_NEGATIVE: NumberRule = ("must be non-negative and finite", |value| {
     value >= 0.0 && value.is_finite()
 });
-pub(super) const POSITIVE: Rule = ("must be positive and finite", |value| {
+pub(super) const POSITIVE: NumberRule = ("must be positive and finite", |value| {
     value > 0.0 && value.is_finite()
 });
 /// An error that was not measured is infinite.
-pub(super) const NOT_NEGATIVE_OR_INFINITE: Rule = ("must be non-negative", |value| value >= 0.0);
+pub(super) const NOT_NEGATIVE_OR_INFINITE: NumberRule =
+    ("must be non-negative", |value| value >= 0.0);
 /// The modulus of a rigid body is infinite.
-pub(super) const POSITIVE_OR_INFINITE: Rule = ("must be positive", |value| value > 0.0);
-pub(super) const TOLERANCE: Rule = ("must lie strictly between 0 and 1", |value| {
+pub(super) const POSITIVE_OR_INFINITE: NumberRule = ("must be positive", |value| value > 0.0);
+pub(super) const TOLERANCE: NumberRule = ("must lie strictly between 0 and 1", |value| {
     value > 0.0 && value < 1.0
 });
 
@@ -39,9 +40,9 @@ pub(super) trait Codec {
     ) -> Result<()>;
 
     /// The next numbers, as many as there are values.
-    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: Rule) -> Result<()>;
+    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: NumberRule) -> Result<()>;
 
-    fn number(&mut self, what: &str, value: &mut f64, rule: Rule) -> Result<()> {
+    fn number(&mut self, what: &str, value: &mut f64, rule: NumberRule) -> Result<()> {
         let to = |value: &f64| value.to_le_bytes();
         self.value(what, value, to, |bytes| {
             let (found, (words, obeys)) = (f64::from_le_bytes(bytes), rule);
@@ -123,7 +124,7 @@ impl Writer {
         bytes: impl IntoIterator<Item = u8>,
     ) -> Result<()> {
         let room = self.0.try_reserve(count);
-        room.map_err(|_| lacking(self.0.len() + count))?;
+        room.map_err(|_| out_of_memory(self.0.len() + count))?;
         self.0.extend(bytes);
         Ok(())
     }
@@ -140,7 +141,7 @@ impl Codec for Writer {
         self.extend(N, to(value))
     }
 
-    fn numbers(&mut self, _: &str, values: &mut [f64], _: Rule) -> Result<()> {
+    fn numbers(&mut self, _: &str, values: &mut [f64], _: NumberRule) -> Result<()> {
         let bytes = values.iter().flat_map(|v| v.to_le_bytes());
         self.extend(size_of_val(values), bytes)
     }
@@ -184,7 +185,7 @@ impl Codec for Reader<'_> {
         Ok(())
     }
 
-    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: Rule) -> Result<()> {
+    fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: NumberRule) -> Result<()> {
         let start = self.0.position();
         let stored = self.0.take(what, size_of_val(values))?;
         for (value, stored) in values.iter_mut().zip(stored.chunks_exact(8)) {

@@ -15,7 +15,7 @@ use std::io::{Read, Result as IoResult, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-use super::format::Host;
+use super::format::SnapshotHeader;
 use super::{FORMAT, HEADER, Reader, check_kind};
 use crate::error::Result;
 use crate::files::{Cursor, in_file, refused, replace, replace_bytes};
@@ -91,13 +91,13 @@ impl History {
     ///
     /// # Errors
     /// [`Error::File`](crate::Error::File) if the file cannot be read; as [`History::from_bytes`] and, of slabs,
-    /// [`State::of_slabs`].
+    /// [`State::from_slabs`].
     pub fn load(bodies: &HalfSpace, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let parts = bodies.agreed(parts_of(path))?;
+        let parts = bodies.collective_result(parts_of(path))?;
         let state = match &parts[..] {
             [part] if !bodies.is_shared() => state_in(path, part)?,
-            _ => State::of_slabs(bodies, held_of(path, &parts, &bodies.grid().rows()))?,
+            _ => State::from_slabs(bodies, local_slabs(path, &parts, &bodies.grid().rows()))?,
         };
         Self::from_state(bodies, state)
     }
@@ -113,7 +113,7 @@ fn table_of(lengths: &[u64]) -> Vec<u8> {
 }
 
 /// The first of the slabs in a file, which tells what they have in common, and those that have some of the rows.
-fn held_of<'a>(
+fn local_slabs<'a>(
     path: &'a Path,
     parts: &'a [Range<u64>],
     held: &'a Range<usize>,
@@ -178,7 +178,7 @@ fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
         let mut start = Cursor::new(FORMAT, &beginning);
         check_kind(&mut start)?;
         start.take("the length", HEADER - start.position())?;
-        let mut host = Host::default();
+        let mut host = SnapshotHeader::default();
         host.visit(&mut Reader(start))?;
         Ok(host.rows())
     };

@@ -5,14 +5,14 @@ use std::time::Duration;
 
 use super::FORMAT;
 use super::codec::{
-    Codec, FINITE, NOT_NEGATIVE, NOT_NEGATIVE_OR_INFINITE, POSITIVE, POSITIVE_OR_INFINITE, Rule,
-    TOLERANCE,
+    Codec, FINITE, NOT_NEGATIVE, NOT_NEGATIVE_OR_INFINITE, NumberRule, POSITIVE,
+    POSITIVE_OR_INFINITE, TOLERANCE,
 };
 use crate::bodies::coupling::Coupling;
 use crate::bodies::layers::{LIMIT, Layer};
 use crate::bodies::material::{ElasticPair, KernelMark, Material};
 use crate::cgm::{Method, Settings};
-use crate::contact::Trend;
+use crate::contact::LoadTrend;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
@@ -22,11 +22,11 @@ use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
-use crate::history::state::relative_displacement::Relative;
+use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::report::{EigenvalueBound, Status};
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 
 /// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.
@@ -38,7 +38,7 @@ pub(super) const LEAST_PER_CELL: usize = 7 * 8 + 1;
 
 /// What tells the bodies of a state from others.
 #[derive(Default)]
-pub(super) struct Host {
+pub(super) struct SnapshotHeader {
     /// Of the whole grid.
     cells: [usize; 2],
     /// First of the rows held, and their number.
@@ -54,7 +54,7 @@ pub(super) struct Host {
     kernel: Option<KernelMark>,
 }
 
-impl Host {
+impl SnapshotHeader {
     pub(super) fn of(state: &State) -> Self {
         let grid = state.grid();
         let constants =
@@ -141,7 +141,7 @@ impl Host {
             friction,
             Axis::X.alone(),
             settings,
-            TouchRule::default(),
+            EntryRule::default(),
         )
     }
 
@@ -174,8 +174,8 @@ impl State {
         codec.numbers("tangential force", &mut self.force, FINITE)?;
         codec.number("moment", &mut self.moment, FINITE)?;
 
-        let rules = [TouchRule::Growth, TouchRule::WholeStep];
-        codec.kind("touch rule", &mut self.touch_rule, &rules)?;
+        let rules = [EntryRule::SinceTouch, EntryRule::WholeStep];
+        codec.kind("entry rule", &mut self.entry_rule, &rules)?;
         let choices = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
         codec.kind("coupling", &mut self.coupling, &choices)?;
         codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
@@ -241,7 +241,7 @@ impl State {
 
     fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let (grid, what) = (self.grid(), "relative displacement");
-        let none = || Relative::new(RelativeDisplacement::zeros(grid)?);
+        let none = || RelativeDisplacementState::new(RelativeDisplacement::zeros(grid)?);
         codec.option(what, &mut self.relative, none)?;
         if let Some(relative) = &mut self.relative {
             codec.number(
@@ -266,7 +266,7 @@ impl State {
             self.trend.forget();
             return Ok(());
         };
-        let Trend {
+        let LoadTrend {
             change: [change],
             by: [by],
         } = &mut self.trend;
@@ -295,7 +295,7 @@ impl State {
             codec.numbers("offset", offset, FINITE)?;
         }
         if is_joint {
-            memory.trend = Trend::default();
+            memory.trend = LoadTrend::default();
         }
         for change in &mut memory.trend.change {
             codec.numbers("change of the traction", change, FINITE)?;
@@ -380,7 +380,7 @@ fn visit_per_cell<C: Codec>(
     codec: &mut C,
     what: &'static str,
     quantity: &mut PerCell<Field>,
-    uniform: Rule,
+    uniform: NumberRule,
     grid: Grid,
 ) -> Result<()> {
     let mut is_per_cell = matches!(quantity, PerCell::Cells(_));

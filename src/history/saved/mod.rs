@@ -20,11 +20,11 @@ use crate::files::{Cursor, Format};
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::memory::fallible::{TryClone, or_abort};
+use crate::memory::fallible::{TryClone, unwrap_or_abort};
 use crate::support::checksum;
 
 use codec::{Reader, Writer};
-use format::{Host, LEAST_PER_CELL};
+use format::{LEAST_PER_CELL, SnapshotHeader};
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
@@ -57,10 +57,10 @@ impl State {
     /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
     /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
     /// it is written, as much memory again holds a copy of the state. Of a slab they are those of its rows; from the bytes of
-    /// all slabs [`State::of_slabs`] makes the state again, on any number of ranks.
+    /// all slabs [`State::from_slabs`] makes the state again, on any number of ranks.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        or_abort(self.try_to_bytes())
+        unwrap_or_abort(self.try_to_bytes())
     }
 
     /// [`State::to_bytes`] where memory may run out.
@@ -78,7 +78,7 @@ impl State {
         writer.extend(size_of_val(&VERSION), VERSION.to_le_bytes())?;
         // The length, which is known at the end only.
         writer.extend(8, [0; 8])?;
-        Host::of(&self).visit(&mut writer)?;
+        SnapshotHeader::of(&self).visit(&mut writer)?;
         self.visit(&mut writer)?;
 
         let length = (writer.0.len() + SUM) as u64;
@@ -91,14 +91,14 @@ impl State {
     /// A state saved by [`State::to_bytes`].
     ///
     /// Of a slab, force, contact area and the like of the [normal contact](State::normal) are those of its rows until
-    /// [`State::of_slabs`] or a history takes it, on the bodies that ranks share: then they are those of the whole grid.
+    /// [`State::from_slabs`] or a history takes it, on the bodies that ranks share: then they are those of the whole grid.
     ///
     /// # Errors
     /// [`Error::Format`](crate::Error::Format), with the byte, if the bytes are no such state, of another version,
     /// truncated or changed. It takes no more than twice the memory of the bytes.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut reader = Reader(opened(bytes)?);
-        let mut host = Host::default();
+        let mut host = SnapshotHeader::default();
         host.visit(&mut reader)?;
         let grid = host.grid()?;
         reader.expect("the cells", grid.cells().saturating_mul(LEAST_PER_CELL))?;
@@ -116,7 +116,7 @@ impl State {
 #[cfg(feature = "serde")]
 impl From<State> for Vec<u8> {
     fn from(state: State) -> Self {
-        or_abort(state.into_bytes())
+        unwrap_or_abort(state.into_bytes())
     }
 }
 
@@ -159,7 +159,7 @@ impl History {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_bytes(bodies: &HalfSpace, bytes: &[u8]) -> Result<Self> {
-        Self::from_state(bodies, bodies.agreed(State::from_bytes(bytes))?)
+        Self::from_state(bodies, bodies.collective_result(State::from_bytes(bytes))?)
     }
 }
 

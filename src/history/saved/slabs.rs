@@ -9,9 +9,9 @@ use crate::half_space::HalfSpace;
 use crate::history::saved::codec::Writer;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
-use crate::memory::fallible::or_abort;
+use crate::memory::fallible::unwrap_or_abort;
 use crate::normal::Hardness;
-use crate::parallel::ranks::Words;
+use crate::parallel::ranks::WireFormat;
 use crate::support::checksum;
 use crate::tangential::{Axis, Zone};
 
@@ -21,8 +21,8 @@ impl State {
     ///
     /// # Errors
     /// The first error among the slabs; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    /// [`Error::MaterialMismatch`] for other bodies; [`Error::Ranks`] with [`RankFailure::NoSlab`] if a row is missing, with
-    /// [`RankFailure::OtherState`] for slabs that were not saved together.
+    /// [`Error::MaterialMismatch`] for other bodies; [`Error::Ranks`] with [`RankFailure::MissingSlab`] if a row is missing, with
+    /// [`RankFailure::InconsistentSlabs`] for slabs that were not saved together.
     ///
     /// ```
     /// use std::{sync::Arc, time::Duration};
@@ -48,22 +48,22 @@ impl State {
     /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
     /// let shifts = Threads::run(2, patience, |rank| {
     ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
-    ///     let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    ///     let mut history = History::from_state(&bodies, State::from_slabs(&bodies, states())?)?;
     ///     Ok::<_, Error>(history.step(&slide)?.shift())
     /// });
     /// let bodies = HalfSpace::new(grid, pair)?;
-    /// let mut history = History::from_state(&bodies, State::of_slabs(&bodies, states())?)?;
+    /// let mut history = History::from_state(&bodies, State::from_slabs(&bodies, states())?)?;
     /// let alone = history.step(&slide)?.shift();
     /// for shift in shifts {
     ///     assert_eq!(shift?, alone);
     /// }
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn of_slabs(
+    pub fn from_slabs(
         bodies: &HalfSpace,
         slabs: impl IntoIterator<Item = Result<Self>>,
     ) -> Result<Self> {
-        let mut state = bodies.agreed(put_together(bodies, slabs))?;
+        let mut state = bodies.collective_result(assemble(bodies, slabs))?;
         state.gather_whole(bodies);
         bodies.joint(Ok(state))
     }
@@ -119,7 +119,7 @@ impl State {
         let nothing = self.grid().whole().slab(0..0);
         let mut writer = Writer::default();
         let mut rest = self.clone().blank_on(nothing);
-        or_abort(rest.visit(&mut writer));
+        unwrap_or_abort(rest.visit(&mut writer));
         checksum::of_bytes(&writer.0)
     }
 
@@ -188,10 +188,7 @@ impl State {
     }
 }
 
-fn put_together(
-    bodies: &HalfSpace,
-    slabs: impl IntoIterator<Item = Result<State>>,
-) -> Result<State> {
+fn assemble(bodies: &HalfSpace, slabs: impl IntoIterator<Item = Result<State>>) -> Result<State> {
     let grid = bodies.grid();
     let mut found: Option<(State, u64)> = None;
     let mut is_missing = vec![true; grid.ny()];
@@ -201,7 +198,9 @@ fn put_together(
         let rows = slab.grid().rows();
         let state = match &mut found {
             Some((_, digest)) if *digest != slab.digest() => {
-                return Err(Error::Ranks(RankFailure::OtherState { row: rows.start }));
+                return Err(Error::Ranks(RankFailure::InconsistentSlabs {
+                    row: rows.start,
+                }));
             }
             Some((state, _)) => state,
             none => {
@@ -216,11 +215,11 @@ fn put_together(
     }
     let first = grid.rows().start;
     let missing = is_missing.iter().position(|is_missing| *is_missing);
-    let missing = missing.map(|row| RankFailure::NoSlab { row: first + row });
+    let missing = missing.map(|row| RankFailure::MissingSlab { row: first + row });
     match (found, missing) {
         (Some((state, _)), None) => Ok(state),
         (_, missing) => Err(Error::Ranks(
-            missing.unwrap_or(RankFailure::NoSlab { row: first }),
+            missing.unwrap_or(RankFailure::MissingSlab { row: first }),
         )),
     }
 }

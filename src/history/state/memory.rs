@@ -1,28 +1,30 @@
 //! The memory of the cells in and around the contact.
 
-use crate::contact::Trend;
+use crate::contact::LoadTrend;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
 use crate::history::state::State;
 use crate::memory::fallible::{self, TryClone, try_clone, try_each};
-use crate::tangential::{Axis, Demand, Increment, Motion, PlaneVector, centre, zeros};
+use crate::tangential::{
+    Axis, RigidMotion, TangentialIncrement, TangentialTarget, TangentialVector, centre, zeros,
+};
 
 /// Displacement and offset of the cells of a window that are held here.
 #[derive(Debug)]
 pub(crate) struct Memory {
     pub(crate) window: Window,
     /// Displacement u after the last step.
-    pub(in crate::history) displacement: PlaneVector,
+    pub(in crate::history) displacement: TangentialVector,
     /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
     /// the contact, where it would touch now.
-    pub(in crate::history) offset: PlaneVector,
+    pub(in crate::history) offset: TangentialVector,
     /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and traction are
     /// found together.
-    pub(in crate::history) trend: Trend<2>,
+    pub(in crate::history) trend: LoadTrend<2>,
     /// Slip of the last step, which resists turning; of no cells in the scalar model.
-    pub(crate) slip: PlaneVector,
+    pub(crate) slip: TangentialVector,
     /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
     pub(crate) entered: Vec<f64>,
     /// Whether cells entered, here or on another rank.
@@ -47,7 +49,7 @@ impl Memory {
         grid: Grid,
         axes: &[Axis],
         window: Window,
-        motion: Motion,
+        motion: RigidMotion,
     ) -> Result<Self> {
         let held = window.held(grid);
         let mut offset = zeros(axes, held.cells())?;
@@ -61,14 +63,14 @@ impl Memory {
             window,
             displacement: zeros(axes, held.cells())?,
             offset,
-            trend: Trend {
+            trend: LoadTrend {
                 change: zeros(axes, held.cells())?,
-                ..Trend::default()
+                ..LoadTrend::default()
             },
             slip: if axes == Axis::BOTH {
                 zeros(axes, held.cells())?
             } else {
-                PlaneVector::default()
+                TangentialVector::default()
             },
             entered: Vec::new(),
             has_entered: false,
@@ -91,9 +93,9 @@ impl Memory {
     pub(in crate::history) fn widen(
         &mut self,
         grid: Grid,
-        increment: &mut Increment,
+        increment: &mut TangentialIncrement,
         traction: [&Field; 2],
-        motion: Motion,
+        motion: RigidMotion,
     ) -> Result<()> {
         let (held, old) = (increment.pressed.region.held(), self.window.held(grid));
         let axes = increment.axes();
@@ -152,10 +154,10 @@ impl Memory {
     pub(in crate::history) fn parts_ahead(
         &self,
         state: &State,
-        demand: &Demand,
+        demand: &TangentialTarget,
         is_rolled: bool,
     ) -> Option<f64> {
-        let ahead = demand.ahead(state.force, state.motion.shift);
+        let ahead = demand.remaining_load(state.force, state.motion.shift);
         let turns = !is_rolled && demand.twist.to_bits() != state.motion.twist.to_bits();
         let parts = self.trend.parts(ahead);
         parts.filter(|parts| *parts > 0.0 && !turns)

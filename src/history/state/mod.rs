@@ -1,17 +1,17 @@
 //! What survives from one step to the next.
 
 pub(super) mod memory;
-pub(super) mod narrowing;
 pub(super) mod over_ranks;
 pub(super) mod permanent_set;
 pub(super) mod readers;
 pub(super) mod relative_displacement;
+pub(super) mod window_shrinking;
 
 use crate::bodies::component::Direction;
 use crate::bodies::coupling::Coupling;
 use crate::bodies::material::ElasticPair;
 use crate::cgm::Settings;
-use crate::contact::Trend;
+use crate::contact::LoadTrend;
 use crate::coupled::check_joint;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
@@ -21,12 +21,12 @@ use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
-use crate::history::state::relative_displacement::Relative;
+use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::{self, TryClone, try_clone};
 use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
 use crate::support::debug::shown;
-use crate::tangential::TouchRule;
-use crate::tangential::{Axis, Friction, Motion, Zone, check_axes};
+use crate::tangential::EntryRule;
+use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 
 /// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
 /// the buffers.
@@ -79,7 +79,7 @@ pub struct State {
     /// What has yielded, if it is to stay.
     pub(super) yielded: Option<Field>,
     /// What displaces the bodies beside the contact.
-    pub(super) relative: Option<Relative>,
+    pub(super) relative: Option<RelativeDisplacementState>,
     /// The normal contact after the last step.
     pub(super) normal: NormalSolution,
     /// The gap that the pressure belongs to; another than `gap` after wear.
@@ -90,7 +90,7 @@ pub struct State {
     /// Where the pressure was found; `None` before the first contact.
     pub(crate) press_window: Option<Window>,
     /// How the pressure changed with the load there.
-    pub(super) trend: Trend<1>,
+    pub(super) trend: LoadTrend<1>,
     /// What the cells in and around the contact remember; `None` before the first contact.
     pub(crate) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
@@ -98,11 +98,11 @@ pub struct State {
     pub(super) accumulated_slip: Field,
     pub(super) dissipated_energy: Field,
     pub(super) zones: Vec<Zone>,
-    pub(super) motion: Motion,
+    pub(super) motion: RigidMotion,
     pub(super) force: [f64; 2],
     pub(super) moment: f64,
     pub(super) steps: u64,
-    pub(super) touch_rule: TouchRule,
+    pub(super) entry_rule: EntryRule,
     pub(crate) coupling: Coupling,
     /// What friction holds in all, where ranks share the contact.
     pub(super) capacity: Option<f64>,
@@ -134,7 +134,7 @@ clone_in_place!(State {
     force,
     moment,
     steps,
-    touch_rule,
+    entry_rule,
     coupling,
     capacity,
 });
@@ -143,7 +143,7 @@ try_clone!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
-    axes, settings, is_pressure_stale, pressed_by, press_window, motion, force, moment, steps, touch_rule, coupling, capacity,
+    axes, settings, is_pressure_stale, pressed_by, press_window, motion, force, moment, steps, entry_rule, coupling, capacity,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -157,7 +157,7 @@ impl State {
         friction: Friction,
         axes: &'static [Axis],
         settings: Settings,
-        touch_rule: TouchRule,
+        entry_rule: EntryRule,
     ) -> Result<Self> {
         let grid = gap.grid();
         let zeros = || Field::try_zeros(grid);
@@ -175,18 +175,18 @@ impl State {
             is_pressure_stale: false,
             pressed_by: NormalControl::Hold,
             press_window: None,
-            trend: Trend::default(),
+            trend: LoadTrend::default(),
             contact: None,
             traction: [zeros()?, zeros()?],
             slip: [zeros()?, zeros()?],
             accumulated_slip: zeros()?,
             dissipated_energy: zeros()?,
             zones: fallible::filled(Zone::Separated, grid.cells())?,
-            motion: Motion::default(),
+            motion: RigidMotion::default(),
             force: [0.0; 2],
             moment: 0.0,
             steps: 0,
-            touch_rule,
+            entry_rule,
             coupling: Coupling::default(),
             capacity: None,
         })
@@ -217,7 +217,7 @@ impl State {
     }
 
     /// Makes what the cells remember that of this window again, which was widened since; `None` if there was none.
-    pub(super) fn forget_beyond(&mut self, window: Option<Window>) {
+    pub(super) fn crop_memory(&mut self, window: Option<Window>) {
         let grid = self.grid();
         match (&mut self.contact, window) {
             (Some(memory), Some(window)) => memory.narrow(grid, window),
@@ -316,8 +316,8 @@ impl State {
 
     /// How far a cell that comes into contact within a step follows its motion.
     #[must_use]
-    pub fn touch_rule(&self) -> TouchRule {
-        self.touch_rule
+    pub fn entry_rule(&self) -> EntryRule {
+        self.entry_rule
     }
 
     /// How much is modelled of the coupling between pressure and traction, if the bodies have any

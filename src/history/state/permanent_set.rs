@@ -4,7 +4,7 @@ use crate::history::state::State;
 
 /// Takes out of the surfaces what overlaps where the pressure just found is at the hardness: the same load then finds
 /// them fitting, and a smaller one an elastic contact.
-pub(in crate::history) fn settle(state: &mut State) {
+pub(in crate::history) fn update_permanent_set(state: &mut State) {
     let (Some(yielded), Some(hardness)) = (&mut state.yielded, &state.hardness) else {
         return;
     };

@@ -9,22 +9,22 @@ use crate::tangential::RelativeDisplacement;
 
 /// A pattern of relative displacement, how much of it is reached, and what that is in each cell.
 #[derive(Debug)]
-pub(in crate::history) struct Relative {
+pub(in crate::history) struct RelativeDisplacementState {
     pub(in crate::history) pattern: RelativeDisplacement,
     pub(in crate::history) amount: f64,
     /// The displacement that is in the offsets: of another pattern, if it has been changed since.
     pub(in crate::history) reached: RelativeDisplacement,
 }
 
-clone_in_place!(Relative {
+clone_in_place!(RelativeDisplacementState {
     pattern,
     amount,
     reached,
 });
 
-try_clone!(Relative { pattern, reached } { amount });
+try_clone!(RelativeDisplacementState { pattern, reached } { amount });
 
-impl Relative {
+impl RelativeDisplacementState {
     /// None of it reached.
     pub(in crate::history) fn new(pattern: RelativeDisplacement) -> Result<Self> {
         let [along_x, _] = pattern.fields();
@@ -54,7 +54,7 @@ impl State {
                 finite("largest relative displacement", amount * largest)?;
             }
             None if amount != 0.0 => {
-                return Err(Error::NotModelled {
+                return Err(Error::UnsupportedByModel {
                     model: "the model of this history",
                     quantity: "a relative displacement",
                     value: amount,
@@ -72,7 +72,7 @@ impl State {
         load: &LoadStep,
     ) -> Option<impl Fn(usize, usize) -> f64 + use<'_>> {
         let relative = self.relative.as_ref()?;
-        let Relative {
+        let RelativeDisplacementState {
             pattern, reached, ..
         } = relative;
         let amount = relative.end(load);
@@ -102,15 +102,15 @@ impl History {
     /// history had none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::NotModelled`] for one along an axis of which the model finds no traction; [`Error::Sample`] for a
+    /// [`Error::GridMismatch`]; [`Error::UnsupportedByModel`] for one along an axis of which the model finds no traction; [`Error::Sample`] for a
     /// bulk strain along an axis on which the grid repeats; [`Error::Memory`]; [`Error::Ranks`]; the
     /// pattern is then as it was.
     pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
         let checked = pattern.check(&self.bodies, self.state.axes);
-        self.bodies.agreed(checked)?;
+        self.bodies.collective_result(checked)?;
         match &mut self.state.relative {
             Some(relative) => relative.pattern.try_clone_from(pattern)?,
-            none => *none = Some(Relative::new(pattern.try_clone()?)?),
+            none => *none = Some(RelativeDisplacementState::new(pattern.try_clone()?)?),
         }
         Ok(())
     }

@@ -17,7 +17,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub struct StepError {
+pub struct StepErrorEstimate {
     /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits; zero without
     /// contact.
     pub traction: f64,
@@ -32,8 +32,8 @@ pub struct StepError {
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step.
 ///
 /// The state after a step is that of a load that went straight from beginning to end, up to an error whose order is
-/// told by [growing contacts](crate::guide::growing_contacts). A step is compared with the same load in two halves,
-/// and the halves count. They are taken if [`StepError::traction`] is at most the tolerance times the root of the
+/// told by [growing contacts](crate::guide::load_steps). A step is compared with the same load in two halves,
+/// and the halves count. They are taken if [`StepErrorEstimate::traction`] is at most the tolerance times the root of the
 /// step's part of the load, else the step is shortened: an estimate, no bound. On a ball that turns its shift while
 /// it grows, the error after the load was up to 2.5 times the tolerance.
 ///
@@ -42,7 +42,7 @@ pub struct StepError {
 /// load does not depend on it as strongly, since the contact outgrows it.
 ///
 /// The tolerance is that of tractions. Where cells slip while the contact grows, the energy they dissipate converges
-/// more slowly: compare [`StepError::dissipated_energy`] with the energy of the step.
+/// more slowly: compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
 ///
 /// All that is prescribed goes from its value before to that of the load in proportion. The buffers take the memory of
 /// four states. A step allocates where the contact outgrows its box, each time that the step is tried.
@@ -84,7 +84,7 @@ pub struct AdaptiveSteps {
 shown!(AdaptiveSteps: tolerance);
 
 impl AdaptiveSteps {
-    /// For histories on the grid of this one, with the tolerance of [`StepError::traction`] for a whole load, in `(0,
+    /// For histories on the grid of this one, with the tolerance of [`StepErrorEstimate::traction`] for a whole load, in `(0,
     /// 1)`.
     ///
     /// A tolerance below about a hundred times that of the history's [settings](History::settings) cannot be met: the
@@ -111,7 +111,7 @@ impl AdaptiveSteps {
     ///
     /// # Errors
     /// As [`History::step`], and [`Error::GridMismatch`] for a history on another grid.
-    pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepError> {
+    pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepErrorEstimate> {
         self.begin(history, load)?;
         let outcome = self.compare(history, load, [0.0, 1.0]);
         history.go_back(&mut self.beginning)?;
@@ -122,7 +122,7 @@ impl AdaptiveSteps {
     ///
     /// # Errors
     /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
-    /// 1/4096 of the load are not short enough; [`Error::NotModelled`] for a load that rolls. The state is then as it
+    /// 1/4096 of the load are not short enough; [`Error::UnsupportedByModel`] for a load that rolls. The state is then as it
     /// was; the [last step](History::last_step) is that of the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
@@ -150,7 +150,7 @@ impl AdaptiveSteps {
     fn begin(&mut self, history: &History, load: &LoadStep) -> Result<()> {
         let checked = self.whole[0].check("buffers of adaptive steps", history.grid());
         let checked = checked.and_then(|()| load.check_still());
-        history.bodies.agreed_alike(
+        history.bodies.collective_result_checked(
             checked,
             &[
                 ("load", load),
@@ -205,7 +205,7 @@ impl AdaptiveSteps {
         history: &mut History,
         load: &LoadStep,
         [start, end]: [f64; 2],
-    ) -> Result<StepError> {
+    ) -> Result<StepErrorEstimate> {
         let part = |part| load.part(&self.beginning, part);
         let whole = history.step(&part(end))?;
         let (force, shift) = (whole.tangential_force(), whole.shift());
@@ -221,7 +221,7 @@ impl AdaptiveSteps {
         let second = history.step(&part(end))?;
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
-        Ok(StepError {
+        Ok(StepErrorEstimate {
             force: difference(force, second.tangential_force()),
             shift: difference(shift, second.shift()),
             dissipated_energy: dissipated - halves,
@@ -239,11 +239,11 @@ impl AdaptiveSteps {
         self.kept.try_clone_from(history.state())?;
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
-        let outcome = history.bodies.agreed_on(|| observer(history));
+        let outcome = history.bodies.run_collectively(|| observer(history));
         std::mem::swap(&mut history.step, step);
         history.set_state(&self.kept)?;
         outcome?;
-        history.bodies.agreed_on(|| observer(history))
+        history.bodies.run_collectively(|| observer(history))
     }
 }
 

@@ -9,7 +9,7 @@ impl History {
     /// the errors of those that did not take theirs, each with its place.
     ///
     /// Each contact comes to the bits that it has alone. Those that fail are as they were, and the others take
-    /// their steps. Contacts of at most [`CELLS_ON_ONE_THREAD`](crate::CELLS_ON_ONE_THREAD) cells are solved on one
+    /// their steps. Contacts of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) cells are solved on one
     /// thread each, larger ones share; the time limit of a larger one may then run while its thread works on
     /// another; contacts that ranks share are solved one after the other. A call allocates what the steps do, and
     /// the list of failures if there are any.

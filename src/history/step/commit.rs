@@ -1,6 +1,6 @@
 //! A solved step enters state and account.
 
-use crate::cgm::reduce::Tally;
+use crate::cgm::reduce::Reduction;
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::grid::window::Window;
@@ -10,17 +10,17 @@ use crate::history::state::memory::Memory;
 use crate::history::step::result::StepResult;
 use crate::numerics::cell_vector::{dot, minus, plus, slices};
 use crate::parallel::Blocks;
-use crate::parallel::ranks::Words;
-use crate::rolling::Travel;
-use crate::tangential::{Answer, Motion, Zone, at, centre};
+use crate::parallel::ranks::WireFormat;
+use crate::rolling::RollingShift;
+use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
 
 /// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled
 /// along `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields
 /// were last written in.
 pub(in crate::history) fn commit(
-    answer: Option<&Answer<'_>>,
-    motion: Motion,
-    travel: Option<&Travel>,
+    answer: Option<&StepSolution<'_>>,
+    motion: RigidMotion,
+    travel: Option<&RollingShift>,
     pressure_before: Option<&Field>,
     state: &mut State,
     step: &mut StepResult,
@@ -37,7 +37,7 @@ pub(in crate::history) fn commit(
     if let Some(travel) = travel {
         // The next step starts from how the tractions of the cells change, whichever particles are there.
         state.keep_traction(travel, pressure_before);
-        state.carry(travel, motion);
+        state.shift_with_particles(travel, motion);
     }
     let back = travel.map_or([0.0; 2], |travel| travel.back);
     (step.stick_cells, step.slip_cells) = (0, 0);
@@ -66,14 +66,14 @@ pub(in crate::history) fn commit(
 /// Enters the cells held here of the window, whose step led from the motion `before` to that of the state, and their
 /// particles from `back` to where they are.
 fn enter(
-    answer: &Answer<'_>,
-    (before, back): (Motion, [f64; 2]),
+    answer: &StepSolution<'_>,
+    (before, back): (RigidMotion, [f64; 2]),
     memory: &mut Memory,
     state: &mut State,
     step: &mut StepResult,
 ) {
     let (grid, held) = (state.grid(), answer.region.held());
-    let taken = Taken {
+    let taken = CommittedStep {
         answer,
         grid,
         held,
@@ -92,7 +92,7 @@ fn enter(
         &mut state.dissipated_energy,
         &mut step.slip_distance,
         &mut step.dissipated_energy,
-        &mut step.mid_step_dissipated_energy,
+        &mut step.dissipated_energy_midpoint,
     ];
     let vectors = vectors.map(|parts| parts.map(|part| held.lines_of(part.as_mut_slice())));
     let numbers = numbers.map(|field| held.lines_of(field.as_mut_slice()));
@@ -104,11 +104,11 @@ fn enter(
     ];
     let own = own.map(|parts| parts.each_mut().map(|part| held.lines(part)));
     let columns = held.ranges()[0].clone();
-    let work = |row: usize, (vectors, numbers, (zones, own)): Lines<'_>| {
+    let work = |row: usize, (vectors, numbers, (zones, own)): RowParts<'_>| {
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let [mut offset, mut trend, mut last_slip] = own;
-        let mut account = Account::ZERO;
+        let mut account = StepTotals::ZERO;
         for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
@@ -131,7 +131,7 @@ fn enter(
             path.items[i] += distance.items[i];
             dissipated.items[i] = cell.energy.dissipated_energy;
             energy.items[i] += dissipated.items[i];
-            mid_step.items[i] = cell.energy.mid_step_dissipated_energy;
+            mid_step.items[i] = cell.energy.dissipated_energy_midpoint;
             account = account.plus(&cell.account());
         }
         account
@@ -158,20 +158,20 @@ fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
 
 /// The parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities;
 /// zones, offsets, trends and slip of the step.
-type Lines<'a> = (
+type RowParts<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
 /// A step that was taken, as its cells see it.
-struct Taken<'a> {
-    answer: &'a Answer<'a>,
+struct CommittedStep<'a> {
+    answer: &'a StepSolution<'a>,
     grid: Grid,
     held: Window,
     /// Of body 2 at the end of the step, and in it.
-    motion: Motion,
-    change: Motion,
+    motion: RigidMotion,
+    change: RigidMotion,
     /// From where a particle is to the middle of its way.
     middle: [f64; 2],
     /// Whether the trend of a cell holds the traction that it had before.
@@ -180,7 +180,7 @@ struct Taken<'a> {
     displacement: [&'a [f64]; 2],
 }
 
-impl Taken<'_> {
+impl CommittedStep<'_> {
     /// What the step did to a cell that had a traction and an offset before.
     fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
         let (answer, cell_area) = (self.answer, self.grid.cell_area());
@@ -215,7 +215,7 @@ impl Taken<'_> {
                 elastic_before: 0.5 * cell_area * dot(before, u_before),
                 elastic_after: 0.5 * cell_area * dot(traction, u),
                 dissipated_energy: 0.0 - cell_area * dot(traction, slip),
-                mid_step_dissipated_energy: 0.0 - cell_area * dot(mean, slip),
+                dissipated_energy_midpoint: 0.0 - cell_area * dot(mean, slip),
                 released,
                 residual,
             },
@@ -246,9 +246,9 @@ impl CellStep {
         }
     }
 
-    fn account(&self) -> Account {
+    fn account(&self) -> StepTotals {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
-        Account {
+        StepTotals {
             traction: self.traction,
             moment: x * qy - y * qx,
             energy: self.energy,
@@ -259,7 +259,7 @@ impl CellStep {
 
 /// What cells add up to.
 #[derive(Debug, Clone, Copy)]
-struct Account {
+struct StepTotals {
     traction: [f64; 2],
     moment: f64,
     energy: EnergyBalance,
@@ -267,7 +267,7 @@ struct Account {
     cells: [usize; 2],
 }
 
-impl Words for Account {
+impl WireFormat for StepTotals {
     const COUNT: usize = Parts::COUNT;
     const ZERO: Self = Self {
         traction: [0.0; 2],
@@ -295,13 +295,13 @@ impl Words for Account {
 /// What travels of an account.
 type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
 
-impl Account {
+impl StepTotals {
     fn plus(&self, other: &Self) -> Self {
         Self {
-            traction: Tally::plus(self.traction, other.traction),
+            traction: Reduction::plus(self.traction, other.traction),
             moment: self.moment + other.moment,
             energy: self.energy.plus(&other.energy),
-            cells: Tally::plus(self.cells, other.cells),
+            cells: Reduction::plus(self.cells, other.cells),
         }
     }
 }

@@ -2,13 +2,13 @@
 
 pub(super) mod adaptive;
 pub(super) mod batch;
+pub(super) mod closing_gaps;
 pub(super) mod commit;
-pub(super) mod entering;
-pub(super) mod joint;
+pub(super) mod coupled_steps;
+pub(super) mod diagnostics;
 pub(super) mod neglected;
 pub(super) mod pool;
 pub(super) mod pressing;
-pub(super) mod remarks;
 pub(super) mod result;
 pub(super) mod rolled;
 pub(super) mod solve;
@@ -24,22 +24,22 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::state::State;
-use crate::history::state::narrowing::narrow;
-use crate::history::state::permanent_set::{add_yielded, settle};
+use crate::history::state::permanent_set::{add_yielded, update_permanent_set};
+use crate::history::state::window_shrinking::narrow;
 use crate::history::step::commit::commit;
-use crate::history::step::joint::new_joint;
+use crate::history::step::coupled_steps::new_joint;
+use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::step::neglected::NeglectedLift;
-use crate::history::step::pool::Increments;
-use crate::history::step::remarks::Remarks;
+use crate::history::step::pool::IncrementPool;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::memory::fallible::TryClone;
-use crate::memory::pool::Lease;
+use crate::memory::pool::PooledBuffer;
 use crate::normal::{NormalControl, NormalSolution, PressureSolver};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
 use crate::support::debug::shown;
-use crate::tangential::{Friction, Increment, Motion, TangentialModel};
+use crate::tangential::{Friction, RigidMotion, TangentialIncrement, TangentialModel};
 use crate::warning::Resolution;
 
 /// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
@@ -93,10 +93,10 @@ pub struct History {
     pub(crate) state: State,
     pub(super) press: PressureSolver,
     /// The normal contact of the step under way.
-    pub(super) candidate: Lease<NormalSolution>,
-    pub(super) increments: Increments,
+    pub(super) candidate: PooledBuffer<NormalSolution>,
+    pub(super) increments: IncrementPool,
     /// The tangential contact of the step under way.
-    pub(super) increment: Option<Increment>,
+    pub(super) increment: Option<TangentialIncrement>,
     /// Pressure and traction found together, instead of the above; none where they are not coupled.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
@@ -137,7 +137,7 @@ impl History {
     /// [`Error::MaterialMismatch`] for other bodies;
     /// [`Error::Memory`]; [`Error::Ranks`].
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
-        bodies.agreed_alike(
+        bodies.collective_result_checked(
             state.check_bodies(bodies),
             &[(ALL_BUT_FIELDS, &state.digest_on(bodies))],
         )?;
@@ -147,9 +147,9 @@ impl History {
         bodies.joint(Ok(()))?;
         Ok(Self {
             bodies: bodies.clone(),
-            candidate: Lease::new(bodies.pool(&[], bodies.grid().size())?),
+            candidate: PooledBuffer::new(bodies.pool(&[], bodies.grid().size())?),
             press,
-            increments: Increments::default(),
+            increments: IncrementPool::default(),
             increment: None,
             joint: new_joint(bodies, &state)?,
             step: StepResult::new(state.grid())?,
@@ -173,7 +173,7 @@ impl History {
     /// # Errors
     /// As [`History::from_state`]; the history is then as it was.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
-        self.bodies.agreed_alike(
+        self.bodies.collective_result_checked(
             state.check_bodies(&self.bodies),
             &[(ALL_BUT_FIELDS, &state.numbers_on(&self.bodies))],
         )?;
@@ -224,10 +224,10 @@ impl History {
     /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`],
+    /// [`Error::NotFinite`], [`Error::NegativeOrNotFinite`],
     /// [`Error::NotPositive`],
     /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::NotModelled`] for the load; [`Error::GridTooShort`] if the grid ends less than a rolled step ahead of
+    /// [`Error::UnsupportedByModel`] for the load; [`Error::GridTooShort`] if the grid ends less than a rolled step ahead of
     /// the contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
     /// [`Error::EmptyContact`] for a tangential force while no cell carries pressure;
     /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
@@ -253,7 +253,8 @@ impl History {
         let checked = self.state.check_rolling(load, &self.bodies);
         let checked = checked.and_then(|()| demand.check(self.state.axes, self.boundary()));
         let checked = checked.and_then(|()| self.state.check_relative(load));
-        self.bodies.agreed_alike(checked, &[("load", load)])?;
+        self.bodies
+            .collective_result_checked(checked, &[("load", load)])?;
         let outcome = parallel::enter_with(self.grid().cells(), || {
             let outcome = self.take(load, &mut observer);
             if let Some(increment) = self.increment.take() {
@@ -278,13 +279,13 @@ impl History {
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
             (self.state, self.step) = kept;
-            self.state.forget_beyond(remembered);
+            self.state.crop_memory(remembered);
         }
         entered
     }
 
     /// Makes a step that was solved part of the state.
-    fn enter(&mut self, load: &LoadStep, motion: Motion) {
+    fn enter(&mut self, load: &LoadStep, motion: RigidMotion) {
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
@@ -314,7 +315,7 @@ impl History {
                 step.normal_report.clone_from(state.normal.report());
             }
         }
-        step.remarks = Remarks {
+        step.remarks = StepDiagnostics {
             is_pressed_at_once: false,
             is_pressure_stale: state.is_pressure_stale,
             edge_cells: state.normal.cells_on_edge(),
@@ -324,7 +325,7 @@ impl History {
                 .rolling()
                 .and(self.lifting.as_ref())
                 .and_then(|lifting| lifting.found),
-            ..Remarks::default()
+            ..StepDiagnostics::default()
         };
         step.normal_force = state.normal.force();
         step.approach = state.approach();
@@ -372,7 +373,7 @@ impl History {
         }
         state.reach(load);
         if is_pressed {
-            settle(state);
+            update_permanent_set(state);
             state.gather_capacity(&self.bodies);
             state.normal.measure_scale(&self.bodies, &state.pressed_gap);
         }
@@ -394,7 +395,8 @@ impl History {
     /// [`Error::GridMismatch`] or [`Error::Sample`];
     /// [`Error::Ranks`]; the gap is then as it was.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        self.bodies.agreed(gap.check("gap", self.grid()))?;
+        self.bodies
+            .collective_result(gap.check("gap", self.grid()))?;
         let state = &mut self.state;
         let is_pressed = state.normal.report().status != Status::Unsolved;
         let (pressed, new) = (state.pressed_gap.as_slice(), gap.as_slice());
@@ -434,7 +436,7 @@ impl History {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
         self.bodies
-            .agreed_alike(checked, &[("settings", &settings.common())])?;
+            .collective_result_checked(checked, &[("settings", &settings.common())])?;
         self.state.settings = settings;
         Ok(())
     }
@@ -450,7 +452,7 @@ impl TryClone for History {
             bodies: bodies.clone(),
             candidate: self.candidate.clone(),
             press,
-            increments: Increments::default(),
+            increments: IncrementPool::default(),
             increment: None,
             joint,
             step: self.step.try_clone()?,

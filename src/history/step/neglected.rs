@@ -5,7 +5,7 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
-use crate::tangential::{Answer, Lifting, lift_residual};
+use crate::tangential::{Lifting, StepSolution, lift_residual};
 use crate::warning::Warning;
 
 /// Operator of the lift on the window of a contact with one-way coupling, and the lift of the last rolled step.
@@ -24,7 +24,7 @@ impl NeglectedLift {
     pub(in crate::history) fn measure(
         slot: &mut Option<Self>,
         bodies: &HalfSpace,
-        answer: &Answer<'_>,
+        answer: &StepSolution<'_>,
         (normal, gap): (&NormalSolution, &Field),
         tolerance: f64,
     ) -> Result<()> {

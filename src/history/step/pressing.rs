@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Iteration, reduce};
-use crate::coupled::Growth;
+use crate::coupled::SensitivityInput;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::history::step::adaptive::traction_distance;
@@ -23,7 +23,7 @@ impl History {
     /// ([dissimilar bodies](crate::guide::dissimilar_bodies#load-steps)). The history takes the load in 1, 2, 4, 8, ...
     /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
     /// tractions of half as many steps by at most the tolerance. The difference is
-    /// [`StepError::traction`](crate::history::StepError::traction). The tolerance lies in `(0, 1)`: 0.01 is a good
+    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction). The tolerance lies in `(0, 1)`: 0.01 is a good
     /// choice. The error of tractions falls with an order between 1 and 1.5, so that the steps taken have about half of the
     /// tolerance as their error, or less. This is an estimate, not a bound. The stick ratio has a first-order error
     /// ([table](crate::guide::dissimilar_bodies#load-steps)).
@@ -49,13 +49,13 @@ impl History {
     /// let steps = history.press(&load, 0.03)?;
     /// let exact = SpencePressing::round(bodies.pair(), 0.1)?.stick_radius();
     /// assert!(steps <= 16 && (history.last_step().stick_ratio().sqrt() - exact).abs() < 0.05);
-    /// assert!(!history.last_step().warnings().contains(&Warning::PressedAtOnce));
+    /// assert!(!history.last_step().warnings().contains(&Warning::SingleLoadStep));
     /// # Ok::<(), Error>(())
     /// ```
     ///
     /// # Errors
     /// - [`Error::Tolerance`] for a tolerance outside `(0, 1)`.
-    /// - [`Error::NotModelled`] for a load that rolls.
+    /// - [`Error::UnsupportedByModel`] for a load that rolls.
     /// - [`Error::StepTooLong`] if 1024 steps are too few.
     /// - [`Error::Memory`] if memory runs out.
     /// - The errors of [`History::step`] for the load or one of the steps.
@@ -81,13 +81,13 @@ impl History {
             let is_valid = tolerance > 0.0 && tolerance < 1.0;
             is_valid.then_some(()).ok_or(Error::Tolerance(tolerance))
         });
-        self.bodies.agreed_alike(
+        self.bodies.collective_result_checked(
             checked,
             &[("load", load), ("tolerance of pressing", &tolerance)],
         )?;
-        let mut pressing = Pressing {
+        let mut pressing = LoadRamp {
             load,
-            course: Course::of(load, self),
+            course: LoadPath::of(load, self),
             start: self.state().try_clone()?,
             coarse: try_each(|axis| self.traction()[axis].try_clone())?,
         };
@@ -100,15 +100,15 @@ impl History {
 }
 
 /// A load that is taken in more and more steps.
-struct Pressing<'a> {
+struct LoadRamp<'a> {
     load: &'a LoadStep,
-    course: Course,
+    course: LoadPath,
     start: State,
     /// Tractions after half as many steps.
     coarse: [Field; 2],
 }
 
-impl Pressing<'_> {
+impl LoadRamp<'_> {
     /// Takes the load in twice as many steps each time, until the tractions differ by no more than the tolerance.
     fn refine(
         &mut self,
@@ -158,7 +158,7 @@ impl Pressing<'_> {
 
 /// The normal load between its ends.
 #[derive(Debug, Clone, Copy)]
-enum Course {
+enum LoadPath {
     /// In proportion to the number of the step.
     Linear,
     /// With a power of a length that grows in equal steps.
@@ -173,7 +173,7 @@ enum Course {
     },
 }
 
-impl Course {
+impl LoadPath {
     fn of(load: &LoadStep, history: &History) -> Self {
         let (state, layout) = (history.state(), history.bodies.grid_layout());
         let (exponent, origin, ends) = match load.normal_control() {
@@ -218,7 +218,7 @@ impl Course {
 impl State {
     /// Returns whether too much of the contact of dissimilar bodies came in a step that began with this pressure.
     pub(in crate::history) fn has_grown_at_once(&self, before: &Field, layout: &Layout) -> bool {
-        let growth = Growth {
+        let growth = SensitivityInput {
             gap: self.pressed_gap.as_slice(),
             before: Some(before.as_slice()),
             pressure: self.pressure().as_slice(),

@@ -6,7 +6,7 @@ use crate::error::{all_finite, at_least, finite};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::history::EnergyBalance;
-use crate::history::step::remarks::Remarks;
+use crate::history::step::diagnostics::StepDiagnostics;
 use crate::memory::fallible::try_clone;
 use crate::report::{Report, Status};
 use crate::support::debug::shown;
@@ -24,7 +24,7 @@ pub struct StepResult {
     pub(in crate::history) slip: [Field; 2],
     pub(in crate::history) slip_distance: Field,
     pub(in crate::history) dissipated_energy: Field,
-    pub(in crate::history) mid_step_dissipated_energy: Field,
+    pub(in crate::history) dissipated_energy_midpoint: Field,
     pub(in crate::history) energy: EnergyBalance,
     pub(in crate::history) normal_force: f64,
     pub(in crate::history) approach: f64,
@@ -35,14 +35,14 @@ pub struct StepResult {
     pub(in crate::history) creepage: Option<[f64; 2]>,
     pub(in crate::history) stick_cells: usize,
     pub(in crate::history) slip_cells: usize,
-    pub(in crate::history) remarks: Remarks,
+    pub(in crate::history) remarks: StepDiagnostics,
     pub(in crate::history) normal_report: Report,
     pub(in crate::history) tangential_report: Report,
 }
 
 shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
 
-try_clone!(StepResult { slip, slip_distance, dissipated_energy, mid_step_dissipated_energy } {
+try_clone!(StepResult { slip, slip_distance, dissipated_energy, dissipated_energy_midpoint } {
     energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks,
     normal_report, tangential_report,
 });
@@ -51,11 +51,11 @@ try_clone!(StepResult { slip, slip_distance, dissipated_energy, mid_step_dissipa
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "StepResult")]
-struct Unchecked {
+struct RawStepResult {
     slip: [Field; 2],
     slip_distance: Field,
     dissipated_energy: Field,
-    mid_step_dissipated_energy: Field,
+    dissipated_energy_midpoint: Field,
     energy: EnergyBalance,
     normal_force: f64,
     approach: f64,
@@ -67,7 +67,7 @@ struct Unchecked {
     creepage: Option<[f64; 2]>,
     stick_cells: usize,
     slip_cells: usize,
-    remarks: Remarks,
+    remarks: StepDiagnostics,
     normal_report: Report,
     tangential_report: Report,
 }
@@ -75,14 +75,14 @@ struct Unchecked {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for StepResult {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawStepResult::deserialize(deserializer)?, |read| {
             let grid = read.slip_distance.grid();
             for slip in &read.slip {
                 slip.check("slip", grid)?;
             }
             read.slip_distance.check("slip length", grid)?;
             read.dissipated_energy.check("dissipated energy", grid)?;
-            read.mid_step_dissipated_energy
+            read.dissipated_energy_midpoint
                 .check("dissipated energy", grid)?;
             finite("normal force", read.normal_force)?;
             finite("approach", read.approach)?;
@@ -110,7 +110,7 @@ impl StepResult {
             slip: [zeros()?, zeros()?],
             slip_distance: zeros()?,
             dissipated_energy: zeros()?,
-            mid_step_dissipated_energy: zeros()?,
+            dissipated_energy_midpoint: zeros()?,
             energy: EnergyBalance::default(),
             normal_force: 0.0,
             approach: 0.0,
@@ -121,7 +121,7 @@ impl StepResult {
             creepage: None,
             stick_cells: 0,
             slip_cells: 0,
-            remarks: Remarks::default(),
+            remarks: StepDiagnostics::default(),
             normal_report: Report::with_room(),
             tangential_report: Report::with_room(),
         })
@@ -132,7 +132,7 @@ impl StepResult {
         let fields = [
             &mut self.slip_distance,
             &mut self.dissipated_energy,
-            &mut self.mid_step_dissipated_energy,
+            &mut self.dissipated_energy_midpoint,
         ];
         for field in self.slip.iter_mut().chain(fields) {
             field.as_mut_slice().fill(0.0);
@@ -162,8 +162,8 @@ impl StepResult {
     /// Energy each cell dissipates in the step by the mean of its tractions before and after,
     /// `-A (q_n + q_{n+1})/2 s`: the measure that closes the [`EnergyBalance`].
     #[must_use]
-    pub fn mid_step_dissipated_energy(&self) -> &Field {
-        &self.mid_step_dissipated_energy
+    pub fn dissipated_energy_midpoint(&self) -> &Field {
+        &self.dissipated_energy_midpoint
     }
 
     /// Work, elastic energy and dissipation of the step.
@@ -244,7 +244,7 @@ impl StepResult {
 
     /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
     /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], those of contacts and zones
-    /// of too few cells, such as [`Warning::NarrowSlip`], those of large approaches and slopes,
+    /// of too few cells, such as [`Warning::UnderresolvedSlipZone`], those of large approaches and slopes,
     /// [`Warning::HeldShiftLostForce`], and [`Warning::NeglectedLift`] of a rolled step with one-way coupling. Others, such as spots too small to resolve, are among the warnings
     /// of [`History::normal`](crate::History::normal) only.
     #[must_use]

@@ -6,8 +6,8 @@ use crate::half_space::HalfSpace;
 use crate::history::LoadStep;
 use crate::history::state::State;
 use crate::rolling::LeadingEdge;
-use crate::rolling::Travel;
-use crate::tangential::{Axis, Demand, Motion, TangentialControl, TangentialModel};
+use crate::rolling::RollingShift;
+use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
 
 /// How the bodies roll in a step: by how many cells, where their particles enter the contact, and what body 2 moves over
 /// body 1 on the way.
@@ -94,8 +94,8 @@ impl Rolling {
     }
 
     /// The way of the particles on the grid of these bodies.
-    pub(in crate::history) fn travel(&self, bodies: &HalfSpace) -> Travel {
-        Travel::new(bodies.grid(), self.leading_edge, self.cells)
+    pub(in crate::history) fn travel(&self, bodies: &HalfSpace) -> RollingShift {
+        RollingShift::new(bodies.grid(), self.leading_edge, self.cells)
     }
 
     /// The creepages of a step: those given, and what body 2 has moved by where a force is.
@@ -113,7 +113,12 @@ impl Rolling {
     }
 
     /// The demand of a step from this state: a creepage is the shift at its end, and the spin the twist.
-    fn prescribe(&self, mut demand: Demand, state: &State, length: f64) -> Demand {
+    fn compute_target(
+        &self,
+        mut demand: TangentialTarget,
+        state: &State,
+        length: f64,
+    ) -> TangentialTarget {
         for (axis, control) in demand.controls.iter_mut().enumerate() {
             // Held where it does not move, which the start of the solve tells from a motion.
             if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
@@ -136,7 +141,7 @@ impl Rolling {
         }
         finite("spin", self.spin)?;
         let refused = |quantity, value, remedy| {
-            Err(Error::NotModelled {
+            Err(Error::UnsupportedByModel {
                 model: "the model of rolling",
                 quantity,
                 value,
@@ -187,7 +192,7 @@ impl Rolling {
             return refused("spin", self.spin, TangentialModel::VECTOR_REMEDY);
         }
         let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
-        let demand = self.prescribe(load.demand(0.0), state, length);
+        let demand = self.compute_target(load.demand(0.0), state, length);
         finite("turn by the spin", demand.twist * extent)?;
         travel.check_behind(bodies, state.pressure())
     }
@@ -197,7 +202,7 @@ impl LoadStep {
     /// `Ok` if the step does not roll: parts of a cell cannot be rolled.
     pub(in crate::history) fn check_still(&self) -> Result<()> {
         self.rolling().map_or(Ok(()), |rolling| {
-            Err(Error::NotModelled {
+            Err(Error::UnsupportedByModel {
                 model: "the method of adaptive steps",
                 quantity: "steps that roll",
                 value: rolling.cells as f64,
@@ -209,10 +214,14 @@ impl LoadStep {
 
 impl State {
     /// What a step asks of the tangential contact.
-    pub(in crate::history) fn demand(&self, load: &LoadStep, bodies: &HalfSpace) -> Demand {
+    pub(in crate::history) fn demand(
+        &self,
+        load: &LoadStep,
+        bodies: &HalfSpace,
+    ) -> TangentialTarget {
         let demand = load.demand(self.motion.twist);
         match load.rolling() {
-            Some(rolling) => rolling.prescribe(demand, self, rolling.travel(bodies).length),
+            Some(rolling) => rolling.compute_target(demand, self, rolling.travel(bodies).length),
             None => demand,
         }
     }
@@ -233,7 +242,7 @@ impl State {
 impl State {
     /// Writes to where the trend of a step is to be what it is measured from: the tractions that have followed the pressure
     /// from `before` on, if it has changed.
-    pub(crate) fn keep_traction(&mut self, travel: &Travel, before: Option<&Field>) {
+    pub(crate) fn keep_traction(&mut self, travel: &RollingShift, before: Option<&Field>) {
         let (grid, after) = (self.grid(), self.normal.pressure());
         let before = before.unwrap_or(after);
         if let Some(memory) = &mut self.contact {
@@ -248,11 +257,11 @@ impl State {
 
     /// Carries what the particles have to where they are after a step that ended with this motion; they come without any of
     /// it from beyond the grid.
-    pub(crate) fn carry(&mut self, travel: &Travel, end: Motion) {
+    pub(crate) fn shift_with_particles(&mut self, travel: &RollingShift, end: RigidMotion) {
         let passage = travel.through(self.grid().size());
         let fields = [&mut self.accumulated_slip, &mut self.dissipated_energy];
         for field in self.traction.iter_mut().chain(&mut self.slip).chain(fields) {
-            passage.carry(field.as_mut_slice());
+            passage.shift_with_particles(field.as_mut_slice());
         }
         if let Some(memory) = &mut self.contact {
             let passage = travel.through(memory.window.size);
@@ -261,12 +270,12 @@ impl State {
                 .iter_mut()
                 .filter(|part| !part.is_empty())
             {
-                passage.carry(part);
+                passage.shift_with_particles(part);
             }
-            let turned = travel.turned(0.5 * (self.motion.twist + end.twist));
+            let turned = travel.rotation_correction(0.5 * (self.motion.twist + end.twist));
             for (part, turned) in memory.offset.iter_mut().zip(turned) {
                 if !part.is_empty() {
-                    passage.carry(part);
+                    passage.shift_with_particles(part);
                 }
                 for offset in part {
                     *offset += turned;

@@ -1,6 +1,6 @@
 //! How a step is solved, before any of it enters the state.
 
-use crate::contact::{Cancellation, Conditions};
+use crate::contact::{Cancellation, SolveContext};
 use crate::error::{Result, of_rolling};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
@@ -9,12 +9,14 @@ use crate::history::state::memory::Memory;
 use crate::history::step::neglected::NeglectedLift;
 use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, Pressing};
+use crate::normal::{NormalControl, NormalInput};
 use crate::observer::Observer;
 use crate::parallel;
-use crate::rolling::Travel;
+use crate::rolling::RollingShift;
 use crate::rolling::entry::compliance;
-use crate::tangential::{Demand, Increment, Motion, OwnCompliance, Start};
+use crate::tangential::{
+    EntryCompliance, RigidMotion, Start, TangentialIncrement, TangentialTarget,
+};
 
 impl History {
     /// Solves both halves of a step; returns the motion of body 2 at its end. Of the state it changes the window of what
@@ -23,8 +25,8 @@ impl History {
         &mut self,
         load: &LoadStep,
         observer: Observer<'_>,
-    ) -> Result<Motion> {
-        let mut attempt = Attempt {
+    ) -> Result<RigidMotion> {
+        let mut attempt = StepTransaction {
             remembered: self.state.contact.as_ref().map(|memory| memory.window),
             history: self,
             is_over: false,
@@ -41,7 +43,7 @@ impl History {
             ..
         } = &*attempt.history;
         let mut outcome = cancellation.applied(bodies, found, || {
-            let of_traction = || increment.as_ref().map(Increment::report);
+            let of_traction = || increment.as_ref().map(TangentialIncrement::report);
             let report = match joint {
                 Some(joint) => Some(joint.report()),
                 None => of_traction(),
@@ -66,7 +68,10 @@ impl History {
         fallible::make_room(change, self.press.trend_cells())?;
         let entered = match &self.joint {
             Some(_) => self.bodies.grid().cells(),
-            None => self.increment.as_ref().map_or(0, Increment::entered_cells),
+            None => self
+                .increment
+                .as_ref()
+                .map_or(0, TangentialIncrement::entered_cells),
         };
         let memory = self.state.contact.as_mut();
         memory.map_or(Ok(()), |memory| {
@@ -75,8 +80,8 @@ impl History {
     }
 
     /// Solves both halves of a step.
-    fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
-        self.press.age();
+    fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
+        self.press.tick();
         let joint = self.joint.as_ref();
         let window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
         if window != self.state.press_window || joint.is_some() != self.state.is_joint() {
@@ -96,7 +101,7 @@ impl History {
     fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
         let state = &self.state;
         control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
-        let of = Pressing {
+        let of = NormalInput {
             bodies: &self.bodies,
             gap: &state.gap,
             hardness: state.hardness.as_ref(),
@@ -112,7 +117,7 @@ impl History {
     }
 
     /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
-    fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<Motion> {
+    fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
         let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let State { axes, motion, .. } = self.state;
@@ -156,7 +161,7 @@ impl History {
             press(increment, state, (&self.bodies, control), is_pressed)?;
             increment.set_traction(state.traction.each_ref().map(Field::as_slice));
         }
-        let mut conditions = Conditions::new(&state.settings, observer);
+        let mut conditions = SolveContext::new(&state.settings, observer);
         let memory = state.contact.as_ref().filter(|_| !is_widened);
         let is_rolled = travel.is_some();
         let ahead = memory
@@ -190,21 +195,21 @@ impl History {
 }
 
 /// A step under way.
-struct Attempt<'a> {
+struct StepTransaction<'a> {
     history: &'a mut History,
     /// Where the cells remembered their slip before it; `None` before the first contact.
     remembered: Option<Window>,
     is_over: bool,
 }
 
-impl Attempt<'_> {
+impl StepTransaction<'_> {
     /// Makes the state that of before.
     fn forget(&mut self) {
-        self.history.state.forget_beyond(self.remembered);
+        self.history.state.crop_memory(self.remembered);
     }
 }
 
-impl Drop for Attempt<'_> {
+impl Drop for StepTransaction<'_> {
     /// What a panic of the observer has interrupted may be in pieces: the next step makes it anew.
     fn drop(&mut self) {
         if !self.is_over {
@@ -225,7 +230,7 @@ impl Drop for Attempt<'_> {
 
 /// Poses a step in which the pressure of the cells changes, if it does.
 fn press(
-    increment: &mut Increment,
+    increment: &mut TangentialIncrement,
     state: &State,
     (bodies, control): (&HalfSpace, NormalControl),
     is_pressed: bool,
@@ -244,24 +249,24 @@ fn press(
 
 /// Poses a step in which other particles come to the cells.
 fn roll(
-    increment: &mut Increment,
+    increment: &mut TangentialIncrement,
     state: &State,
     (bodies, control): (&HalfSpace, NormalControl),
-    travel: &Travel,
-    demand: &Demand,
+    travel: &RollingShift,
+    demand: &TangentialTarget,
 ) -> Result<()> {
     let passage = travel.through(increment.pressed.window().size);
-    let turned = travel.turned(0.5 * (state.twist() + demand.twist));
-    increment.carry_offset(|part| passage.carry(part), turned);
+    let turned = travel.rotation_correction(0.5 * (state.twist() + demand.twist));
+    increment.carry_offset(|part| passage.shift_with_particles(part), turned);
     let pressure = state.pressure().as_slice();
     increment.draw_from(|i| travel.before(i).map_or(0.0, |before| pressure[before]));
     let Some(gap) = state.closing(bodies, control, true) else {
         increment.enter_nowhere();
         return Ok(());
     };
-    increment.roll_in(|i, pressure| {
+    increment.set_rolling_entry_compliance(|i, pressure| {
         let entered = |before| compliance(&state.normal, before, gap(before), pressure);
-        travel.before(i).map_or(OwnCompliance::NONE, entered)
+        travel.before(i).map_or(EntryCompliance::NONE, entered)
     })
 }
 
@@ -272,7 +277,7 @@ fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> O
     let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {
         return present;
     };
-    let contact = bodies.confined(contact);
+    let contact = bodies.restrict_to_window(contact);
     Some(match present {
         Some(window) if window.covers(contact) => window,
         Some(window) => window.union(contact.widened(grid)),

@@ -24,7 +24,7 @@ use crate::operator::Operator;
 /// friction. Of [distributed](HalfSpace::distributed) bodies all ranks ask for it together.
 ///
 /// # Errors
-/// [`Error::Negative`] for the coefficient,
+/// [`Error::NegativeOrNotFinite`] for the coefficient,
 /// [`Error::GridMismatch`] or [`Error::Sample`] for
 /// coefficients and slip length; [`Error::NotPositive`] for operators of a user without a lower bound; as
 /// [`HalfSpace::operator`]; [`Error::Ranks`].
@@ -47,7 +47,7 @@ pub fn max_stable_cycles<'a>(
 ) -> Result<f64> {
     let coefficient = coefficient.into();
     let checked = coefficient.check(bodies.grid());
-    bodies.agreed_alike(
+    bodies.collective_result_checked(
         checked.and_then(|()| check("slip length", slip_distance, bodies.grid())),
         &[("wear coefficient", &coefficient.common())],
     )?;
@@ -101,7 +101,7 @@ pub struct CycleJump {
     without_overshoot: f64,
     depth_per_cycle: f64,
     residual: f64,
-    closed_within: f64,
+    max_residual: f64,
     largest_depth: Option<f64>,
     cycles_left: Option<f64>,
 }
@@ -120,7 +120,8 @@ impl CycleJump {
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid);
-        bodies.agreed(checked.and_then(|()| check("depth of the cycle", depth, grid)))?;
+        bodies
+            .collective_result(checked.and_then(|()| check("depth of the cycle", depth, grid)))?;
         let (pressure, removed) = (slip_pressure.as_slice(), depth.as_slice());
         let layout = bodies.grid_layout();
         let rate = reduce::max(&layout, |i| {
@@ -135,7 +136,7 @@ impl CycleJump {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
             depth_per_cycle,
             residual: cycle.cyclic_residual(),
-            closed_within: CLOSED,
+            max_residual: CLOSED,
             largest_depth: None,
             cycles_left: None,
         })
@@ -151,8 +152,8 @@ impl CycleJump {
     /// Accepts a cycle whose [residual](Cycle::cyclic_residual) is no more than this (a part of its amplitude; default:
     /// 0.25). A first cycle from rest, or after a change of the gap, does not close, and would stand for others than
     /// those that follow.
-    pub fn closed_within(mut self, residual: f64) -> Self {
-        self.closed_within = residual;
+    pub fn max_residual(mut self, residual: f64) -> Self {
+        self.max_residual = residual;
         self
     }
 
@@ -165,10 +166,10 @@ impl CycleJump {
     /// The number of cycles, not rounded: the least that a limit allows, infinite without a limit.
     ///
     /// # Errors
-    /// [`Error::Negative`] for a limit that is negative or not finite,
+    /// [`Error::NegativeOrNotFinite`] for a limit that is negative or not finite,
     /// [`Error::CycleNotClosed`] for a cycle that does not close within what is allowed.
     pub fn cycles(&self) -> Result<f64> {
-        let limit = non_negative("residual of a closed cycle", self.closed_within)?;
+        let limit = non_negative("residual of a closed cycle", self.max_residual)?;
         if self.residual.is_nan() || self.residual > limit {
             return Err(Error::CycleNotClosed {
                 residual: self.residual,

@@ -15,7 +15,7 @@ use crate::parallel;
 /// under. Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample)
+/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient, [`Error::Sample`](crate::Error::Sample)
 /// for a coefficient, pressure or length that is negative or not finite,
 /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// greatest depth; the depth is then as it was.
@@ -46,7 +46,7 @@ pub fn archard<'a>(
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for the coefficient, [`Error::Sample`](crate::Error::Sample)
+/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient, [`Error::Sample`](crate::Error::Sample)
 /// for a coefficient or energy that is negative or not finite,
 /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// greatest depth; the depth is then as it was.
@@ -94,7 +94,7 @@ pub fn energy<'a>(
 /// ```
 ///
 /// # Errors
-/// [`Error::Negative`](crate::Error::Negative) for coefficient or threshold,
+/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for coefficient or threshold,
 /// [`Error::Sample`](crate::Error::Sample) for a coefficient or energy that is negative or not finite,
 /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
 /// greatest depth; the depth is then as it was.

@@ -14,7 +14,7 @@ use super::text::excerpt;
 use super::{Place, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
-use crate::files::{Number, Order};
+use crate::files::{ByteOrder, Number};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use zip::Archive;
@@ -60,7 +60,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         (Some(name), _) => {
             let number = required("Record1/Axes/CZ/DataType", main.number)?;
             let stored = linked(name, grid.cells() * number.size())?;
-            number.decode(Order::LeastFirst, &stored)
+            number.decode(ByteOrder::LeastFirst, &stored)
         }
         (None, false) => main.list,
         (None, true) => return Err(FORMAT.in_entry(MAIN, "there is no data, linked or listed")),

@@ -11,7 +11,7 @@ use crate::error::Result;
 const DEEPEST: usize = 16;
 
 /// Calls `visit` with the path and the trimmed text of each element when it ends. A path holds names
-/// without prefixes, from the child of the root on: `Record1/Axes/CX/Increment`.
+/// without prefixes, from the child of the root on: `Record1/Axes/CX/TangentialIncrement`.
 pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
     let broken = |problem: String| FORMAT.in_entry(MAIN, problem);
     let xml = std::str::from_utf8(xml).map_err(|error| broken(format!("not UTF-8: {error}")))?;

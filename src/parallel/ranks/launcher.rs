@@ -19,10 +19,12 @@ pub(super) fn check(
 ) -> Result<(), RankFailure> {
     let count = |name| Some((name, variable(name)?.trim().parse().ok()?));
     match COUNTS.into_iter().find_map(count) {
-        Some((variable, processes)) if size == 1 && processes > 1 => Err(RankFailure::Apart {
-            variable,
-            processes,
-        }),
+        Some((variable, processes)) if size == 1 && processes > 1 => {
+            Err(RankFailure::SeparateMpiJobs {
+                variable,
+                processes,
+            })
+        }
         _ => Ok(()),
     }
 }
@@ -38,7 +40,7 @@ mod tests {
             check(size, |name| found(name).map(|(_, value)| (*value).into()))
         };
         let apart = |variable, processes| {
-            Err(RankFailure::Apart {
+            Err(RankFailure::SeparateMpiJobs {
                 variable,
                 processes,
             })

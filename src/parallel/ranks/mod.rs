@@ -17,13 +17,13 @@
 //! therefore compared where a call begins, in one exchange of a word for each input: grid, pair and boundary of the bodies,
 //! parameters of a rough surface, loads, friction and hardness that are uniform, model, coupling and settings of a problem
 //! or a history, also where they are changed later, the load of each step, and the state that a history starts from or
-//! returns to. All ranks refuse what differs on any of them, by its name ([`RankFailure::Different`]), and stay as they were. Fields
+//! returns to. All ranks refuse what differs on any of them, by its name ([`RankFailure::InconsistentInput`]), and stay as they were. Fields
 //! cannot be compared, since each rank has other rows of them: a gap, or a coefficient for each cell, must be made of the
 //! same numbers everywhere.
 //!
 //! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
 //! that differs from cell to cell, relative displacements, wear and stiffnesses, and stresses on planes below the surface
-//! ([`Planes`](crate::subsurface::Planes)), of which each rank gets its rows. Refused ([`RankFailure::NotShared`]) are
+//! ([`Planes`](crate::subsurface::Planes)), of which each rank gets its rows. Refused ([`RankFailure::UnsupportedOnRanks`]) are
 //! stresses at single points, since a sum over the loaded cells of all ranks is not made in slabs, stresses under values
 //! at the centres of cells, files of stresses, and dense matrices.
 //!
@@ -36,7 +36,7 @@
 //! |---|---|
 //! | [`Threads`] | threads of one process, to try and test distributed programs |
 //! | `Mpi` (feature `mpi`) | processes of an MPI program |
-//! | in Python, in C | a communicator of mpi4py, a function of the program ([guide](crate::guide::past_one_machine)) |
+//! | in Python, in C | a communicator of mpi4py, a function of the program ([guide](crate::guide::distributed)) |
 //! | your own | anything that swaps blocks: implement [`Ranks::swap`], and what can be done faster than by swaps |
 //!
 //! # The same bits
@@ -51,7 +51,7 @@
 //! The state of a history is that of the rows of the slab. All ranks save it together, in one
 //! file that replaces the earlier one when every rank has written its rows ([`History::save`](crate::History::save)). Any
 //! number of ranks continues from it to the same bits ([`History::load`](crate::History::load)), or from the
-//! [bytes](crate::History::to_bytes) of the slabs ([`State::of_slabs`](crate::history::State::of_slabs)). A step
+//! [bytes](crate::History::to_bytes) of the slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step
 //! brings tractions and offsets of the contact's window to the ranks that share its rows, and the answer back: about ten
 //! numbers per cell of the window and component. Gap, friction and settings are changed by all ranks alike; energies and
 //! sums of cycles are those of the whole contact, slip and wear those of the slab. An observer of a
@@ -88,11 +88,11 @@
 //!
 //! # Failure
 //!
-//! Input that one rank refuses all refuse: its own error there, [`RankFailure::Refused`] on the others; so do kernels that one
+//! Input that one rank refuses all refuse: its own error there, [`RankFailure::RejectedByRank`] on the others; so do kernels that one
 //! rank cannot make, for want of memory or as its response fails. If a rank ends
-//! or is silent for too long, the calls of the others return [`RankFailure::Lost`] or [`RankFailure::Silent`], and so do
+//! or is silent for too long, the calls of the others return [`RankFailure::Disconnected`] or [`RankFailure::Timeout`], and so do
 //! all that follow on the same bodies; a block of another length than is due is that of a rank that makes other calls
-//! ([`RankFailure::OutOfStep`]). A file that they were writing together is then the old one, or the new one if all
+//! ([`RankFailure::CollectiveMismatch`]). A file that they were writing together is then the old one, or the new one if all
 //! of it was there.
 
 pub(crate) mod partition;
@@ -103,7 +103,7 @@ mod launcher;
 mod mpi;
 mod team;
 mod threads;
-mod words;
+mod wire_format;
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -111,10 +111,10 @@ use std::ops::Range;
 pub use crate::error::RankFailure;
 #[cfg(feature = "mpi")]
 pub use mpi::Mpi;
-pub use team::Traffic;
-pub(crate) use team::{Input, Team};
+pub use team::CommunicationStats;
+pub(crate) use team::{Input, RankGroup};
 pub use threads::Threads;
-pub(crate) use words::Words;
+pub(crate) use wire_format::WireFormat;
 
 /// How one rank reaches the others.
 ///
@@ -133,7 +133,7 @@ pub trait Ranks: Debug + Send + Sync {
     /// this rank itself. The block received may be of any length.
     ///
     /// # Errors
-    /// [`RankFailure::Lost`], [`RankFailure::Silent`].
+    /// [`RankFailure::Disconnected`], [`RankFailure::Timeout`].
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure>;
 
     /// Sends `blocks[r]` to each rank `r` and returns the block of each rank at its place. All ranks call at the same time;
@@ -167,7 +167,7 @@ pub trait Ranks: Debug + Send + Sync {
     /// (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143, <https://doi.org/10.1109/71.642949>).
     ///
     /// # Errors
-    /// Those of [`Ranks::swap`]; [`RankFailure::OutOfStep`] if a block is of another length than the counts say.
+    /// Those of [`Ranks::swap`]; [`RankFailure::CollectiveMismatch`] if a block is of another length than the counts say.
     fn all_gather(&self, own: &[u64], counts: &[usize]) -> Result<Vec<u64>, RankFailure> {
         let (me, ranks) = (self.rank(), self.size());
         let words_of = |of: Range<usize>| -> usize { of.map(|rank| counts[rank % ranks]).sum() };
@@ -178,7 +178,7 @@ pub trait Ranks: Debug + Send + Sync {
             let from = (me + of) % ranks;
             let received = self.swap(sent, (me + ranks - of) % ranks, from)?;
             if received.len() != words_of(me + of..me + of + new) {
-                return Err(RankFailure::OutOfStep { rank: from });
+                return Err(RankFailure::CollectiveMismatch { rank: from });
             }
             known.extend(received);
             of += new;

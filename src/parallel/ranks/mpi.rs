@@ -36,7 +36,7 @@ pub struct Mpi {
     rank: usize,
     size: usize,
     /// The lock makes the rank `Sync`, keeps calls of MPI apart, and is never contended.
-    post: Arc<Mutex<Post>>,
+    post: Arc<Mutex<PeerQueues>>,
 }
 
 /// The tags of MPI messages: a block of data, and the last message that a rank sends.
@@ -50,7 +50,7 @@ const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
     /// Initialises MPI, runs the work as the rank of this process, and finalises MPI. A call of the work that waits for
-    /// another rank longer than `patience` returns [`RankFailure::Silent`].
+    /// another rank longer than `patience` returns [`RankFailure::Timeout`].
     ///
     /// The work uses the rayon pool of its process as without MPI. Calls of MPI are made one at a time, by whichever thread
     /// the work is on, so that the MPI library must grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and those derived from
@@ -65,8 +65,8 @@ impl Mpi {
     /// without a limit, however long their work takes.
     ///
     /// # Errors
-    /// [`Error::Ranks`], before any work: [`RankFailure::InUse`]; [`RankFailure::OneThread`];
-    /// [`RankFailure::Apart`] if the process is alone in its
+    /// [`Error::Ranks`], before any work: [`RankFailure::MpiAlreadyInitialised`]; [`RankFailure::InsufficientThreadLevel`];
+    /// [`RankFailure::SeparateMpiJobs`] if the process is alone in its
     /// communicator although several were started, as by the launcher of another MPI or by a batch job of several tasks
     /// (their number is that of the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
     /// `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set).
@@ -76,15 +76,15 @@ impl Mpi {
     pub fn run<T>(patience: Duration, work: impl FnOnce(Self) -> T) -> Result<T> {
         // Dropped last, which finalises MPI.
         let (_universe, granted) = mpi::initialize_with_threading(Threading::Serialized)
-            .ok_or(Error::Ranks(RankFailure::InUse))?;
+            .ok_or(Error::Ranks(RankFailure::MpiAlreadyInitialised))?;
         if !matches!(granted, Threading::Serialized | Threading::Multiple) {
-            return Err(Error::Ranks(RankFailure::OneThread));
+            return Err(Error::Ranks(RankFailure::InsufficientThreadLevel));
         }
         let world = SimpleCommunicator::world();
         let number = |rank: i32| usize::try_from(rank).expect("ranks are not negative");
         let (rank, size) = (number(world.rank()), number(world.size()));
         launcher::check(size, |name| std::env::var(name).ok()).map_err(Error::Ranks)?;
-        let post = Arc::new(Mutex::new(Post {
+        let post = Arc::new(Mutex::new(PeerQueues {
             have_left: vec![false; size],
             are_given_up: vec![false; size],
             has_parted: false,
@@ -96,25 +96,25 @@ impl Mpi {
             post: Arc::clone(&post),
         };
         let result = catch_unwind(AssertUnwindSafe(|| work(own)));
-        locked(&post).part();
+        lock(&post).part();
         Ok(result.unwrap_or_else(|panic| resume_unwind(panic)))
     }
 
     /// Makes a call of MPI, if it has not been finalised.
     fn call<T>(
         &self,
-        call: impl FnOnce(&mut Post) -> Result<T, RankFailure>,
+        call: impl FnOnce(&mut PeerQueues) -> Result<T, RankFailure>,
     ) -> Result<T, RankFailure> {
-        let mut post = locked(&self.post);
+        let mut post = lock(&self.post);
         if post.has_parted {
-            return Err(RankFailure::Lost { rank: self.rank });
+            return Err(RankFailure::Disconnected { rank: self.rank });
         }
         call(&mut post)
     }
 }
 
 /// A panic under the lock leaves what is known of the others as it is.
-fn locked(post: &Mutex<Post>) -> MutexGuard<'_, Post> {
+fn lock(post: &Mutex<PeerQueues>) -> MutexGuard<'_, PeerQueues> {
     post.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -130,7 +130,7 @@ impl Ranks for Mpi {
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
         self.call(|post| {
             let mut received = Vec::new();
-            post.trade(&[(to, block)], vec![from], |_, block| received = block)?;
+            post.exchange(&[(to, block)], vec![from], |_, block| received = block)?;
             Ok(received)
         })
     }
@@ -147,14 +147,14 @@ impl Ranks for Mpi {
         let others = (0..self.size).filter(|rank| *rank != self.rank && is_expected[*rank]);
         let awaited = others.collect();
         let mut received = vec![Vec::new(); self.size];
-        self.call(|post| post.trade(&sent, awaited, |from, block| received[from] = block))?;
+        self.call(|post| post.exchange(&sent, awaited, |from, block| received[from] = block))?;
         Ok(received)
     }
 }
 
 /// A rank's knowledge of the others. The communicator is asked for in each call: it cannot go from thread to thread.
 #[derive(Debug)]
-struct Post {
+struct PeerQueues {
     patience: Duration,
     /// Ranks whose last message has been read.
     have_left: Vec<bool>,
@@ -164,9 +164,9 @@ struct Post {
     has_parted: bool,
 }
 
-impl Post {
+impl PeerQueues {
     /// Sends each block to its rank, all at once, and takes one from each of these ranks as they come.
-    fn trade(
+    fn exchange(
         &mut self,
         blocks: &[(usize, Vec<u64>)],
         awaited: Vec<usize>,
@@ -183,7 +183,7 @@ impl Post {
                 ));
             }
             let received = self.receive(&world, awaited, &mut take);
-            if let Err(RankFailure::Silent { rank, .. }) = received {
+            if let Err(RankFailure::Timeout { rank, .. }) = received {
                 self.are_given_up[rank] = true;
             }
             let mut clock;
@@ -234,7 +234,7 @@ impl Post {
         world: &SimpleCommunicator,
         from: usize,
     ) -> Result<Option<Vec<u64>>, RankFailure> {
-        let lost = RankFailure::Lost { rank: from };
+        let lost = RankFailure::Disconnected { rank: from };
         if self.have_left[from] {
             return Err(lost);
         }
@@ -252,7 +252,7 @@ impl Post {
 
     fn silent(&self, rank: usize) -> RankFailure {
         let seconds = self.patience.as_secs_f64();
-        RankFailure::Silent { rank, seconds }
+        RankFailure::Timeout { rank, seconds }
     }
 
     /// Ends all processes.
@@ -282,7 +282,7 @@ impl Post {
             let received = self.receive(&world, left.clone(), &mut |_, _| ());
             left.retain(|rank| !self.have_left[*rank]);
             let given_up = left.iter().find(|rank| self.are_given_up[**rank]);
-            if let (Err(RankFailure::Silent { .. }), Some(rank)) = (received, given_up) {
+            if let (Err(RankFailure::Timeout { .. }), Some(rank)) = (received, given_up) {
                 Self::abort(&world, self.silent(*rank));
             }
         }

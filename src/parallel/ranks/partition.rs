@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bytemuck::{cast_slice, cast_slice_mut};
 
 use crate::parallel::layout::chunk_of;
-use crate::parallel::ranks::{Team, Words};
+use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::parallel::{self, Combine, Split, Work};
 
 /// Words that a rank wants in one round, about.
@@ -15,8 +15,8 @@ const ROUND_WORDS: usize = 1 << 19;
 /// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
 /// of the tree of sums ends.
 #[derive(Debug)]
-pub(crate) struct Share {
-    team: Arc<Team>,
+pub(crate) struct RowPartition {
+    team: Arc<RankGroup>,
     size: [usize; 2],
     chunk: usize,
     /// First chunk of each rank, and the number of all.
@@ -28,15 +28,15 @@ pub(crate) struct Share {
 }
 
 /// Whether the same ranks have the same rows.
-impl PartialEq for Share {
+impl PartialEq for RowPartition {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.team, &other.team) && self.size == other.size
     }
 }
 
-impl Share {
+impl RowPartition {
     /// `[columns, rows]` dealt out evenly.
-    pub(crate) fn new(team: &Arc<Team>, size: [usize; 2]) -> Self {
+    pub(crate) fn new(team: &Arc<RankGroup>, size: [usize; 2]) -> Self {
         let [columns, all_rows] = size;
         let (ranks, chunk) = (team.size(), chunk_of(size));
         // As few rows as are whole chunks, and pairs: rows are transformed two at a time.
@@ -55,7 +55,7 @@ impl Share {
     }
 
     /// Rows that begin there, of each rank.
-    fn of(team: &Arc<Team>, size: [usize; 2], chunk: usize, rows: Vec<usize>) -> Self {
+    fn of(team: &Arc<RankGroup>, size: [usize; 2], chunk: usize, rows: Vec<usize>) -> Self {
         let (columns, ranks) = (size[0], team.size());
         let chunks: Vec<usize> = rows
             .iter()
@@ -80,7 +80,7 @@ impl Share {
         share
     }
 
-    pub(crate) fn team(&self) -> &Arc<Team> {
+    pub(crate) fn team(&self) -> &Arc<RankGroup> {
         &self.team
     }
 
@@ -91,7 +91,7 @@ impl Share {
 
     /// Cells of this rank.
     pub(crate) fn cells(&self) -> usize {
-        self.own_rows().len() * self.size[0]
+        self.local_rows().len() * self.size[0]
     }
 
     pub(crate) fn chunk(&self) -> usize {
@@ -109,7 +109,7 @@ impl Share {
     }
 
     /// The rows of this rank.
-    pub(crate) fn own_rows(&self) -> Range<usize> {
+    pub(crate) fn local_rows(&self) -> Range<usize> {
         self.rows_of(self.team.rank())
     }
 
@@ -124,14 +124,14 @@ impl Share {
     /// [`Layout::sweep`](crate::parallel::layout::Layout::sweep) over the chunks of all ranks. Each adds up the largest nodes of the
     /// tree that it holds wholly, and all finish the tree from these. What ranks that lost each other return is theirs
     /// alone.
-    pub(crate) fn sweep<D: Split, T: Words>(
+    pub(crate) fn sweep<D: Split, T: WireFormat>(
         &self,
         data: D,
         work: &Work<'_, D, T>,
         combine: &Combine<'_, T>,
     ) -> T {
         let mut left = Some(data);
-        let values = self.own_nodes().into_iter().filter_map(|node| {
+        let values = self.local_subtrees().into_iter().filter_map(|node| {
             let (data, rest) = left.take()?.split(node.len());
             left = Some(rest);
             let value = parallel::sweep_cells(self.cells(), node, data, work, combine);
@@ -141,7 +141,7 @@ impl Share {
     }
 
     /// The largest nodes of the tree that this rank holds wholly, of its own chunks.
-    pub(crate) fn own_nodes(&self) -> Vec<Range<usize>> {
+    pub(crate) fn local_subtrees(&self) -> Vec<Range<usize>> {
         let own = self.chunks_of(self.team.rank());
         let mut nodes = Vec::new();
         visit(0..self.all_chunks(), &own, &mut |node| {
@@ -150,8 +150,8 @@ impl Share {
         nodes
     }
 
-    /// The value of the whole tree, from those of [`Share::own_nodes`] of all ranks.
-    pub(crate) fn finished<T: Words>(
+    /// The value of the whole tree, from those of [`RowPartition::local_subtrees`] of all ranks.
+    pub(crate) fn finished<T: WireFormat>(
         &self,
         own: impl Iterator<Item = T>,
         combine: &Combine<'_, T>,
@@ -166,7 +166,7 @@ impl Share {
     }
 
     /// The value of a node of the tree, from those that ranks hold wholly, in their order.
-    fn finish<T: Words>(
+    fn finish<T: WireFormat>(
         &self,
         node: Range<usize>,
         words: &mut &[u64],
@@ -207,7 +207,7 @@ impl Share {
         found: &mut [f64],
     ) {
         let (me, ranks) = (self.team.rank(), self.team.size());
-        let (own, [own_columns, own_wanted]) = (self.own_rows(), wanted(me));
+        let (own, [own_columns, own_wanted]) = (self.local_rows(), wanted(me));
         let width = own_columns.len();
         let most = (0..ranks).map(|rank| wanted(rank).map(|range| range.len()).iter().product());
         let rounds = rounds(most.max().unwrap_or(0), ROUND_WORDS);

@@ -5,13 +5,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use crate::error::{Error, Result};
-use crate::parallel::ranks::{RankFailure, Ranks, Words};
+use crate::parallel::ranks::{RankFailure, Ranks, WireFormat};
 use crate::support::checksum;
 
 /// Ranks that solve together. Once a call has failed nothing more is sent: what is received is empty, every rank
-/// computes alone until it is asked, and [`Team::check`] tells what happened.
+/// computes alone until it is asked, and [`RankGroup::check`] tells what happened.
 #[derive(Debug)]
-pub(crate) struct Team {
+pub(crate) struct RankGroup {
     ranks: Arc<dyn Ranks>,
     failure: OnceLock<RankFailure>,
     blocks: AtomicU64,
@@ -28,7 +28,7 @@ pub(crate) type Input<'a> = (&'static str, &'a dyn Debug);
 /// What one rank has sent since its bodies were made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
-pub struct Traffic {
+pub struct CommunicationStats {
     /// Blocks sent to other ranks, those without content not counted.
     pub blocks: u64,
     /// Their bytes.
@@ -39,7 +39,7 @@ pub struct Traffic {
     pub gathers: u64,
 }
 
-impl Team {
+impl RankGroup {
     pub(crate) fn new(ranks: Arc<dyn Ranks>) -> Self {
         Self {
             ranks,
@@ -60,8 +60,8 @@ impl Team {
         self.ranks.size()
     }
 
-    pub(crate) fn traffic(&self) -> Traffic {
-        Traffic {
+    pub(crate) fn traffic(&self) -> CommunicationStats {
+        CommunicationStats {
             blocks: self.blocks.load(Ordering::Relaxed),
             bytes: 8 * self.words.load(Ordering::Relaxed),
             exchanges: self.exchanges.load(Ordering::Relaxed),
@@ -87,7 +87,8 @@ impl Team {
 
     /// Takes note of a rank whose block is not the one that is due; of no other failure than the first.
     pub(crate) fn out_of_step(&self, rank: usize) {
-        self.failure.get_or_init(|| RankFailure::OutOfStep { rank });
+        self.failure
+            .get_or_init(|| RankFailure::CollectiveMismatch { rank });
     }
 
     /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, if no call has failed.
@@ -100,7 +101,7 @@ impl Team {
     }
 
     /// The values of all ranks of a team, if there is one, in their order, and how many each has.
-    pub(crate) fn gathered_of<T: Words>(
+    pub(crate) fn gathered_of<T: WireFormat>(
         team: Option<&Self>,
         own: Vec<T>,
     ) -> Result<(Vec<T>, Vec<usize>)> {
@@ -114,7 +115,7 @@ impl Team {
         };
         let mut lengths = &lengths[..];
         let lengths: Vec<usize> = (0..team.size())
-            .map(|_| Words::read(&mut lengths))
+            .map(|_| WireFormat::read(&mut lengths))
             .collect();
         let mut words = Vec::with_capacity(length * T::COUNT);
         for value in own {
@@ -136,7 +137,7 @@ impl Team {
     }
 
     /// The value of the first rank, for all; this rank's own once a call has failed.
-    pub(crate) fn of_first<T: Words>(&self, own: T) -> T {
+    pub(crate) fn of_first<T: WireFormat>(&self, own: T) -> T {
         let mut counts = vec![0; self.size()];
         counts[0] = T::COUNT;
         let mut words = Vec::new();
@@ -148,7 +149,7 @@ impl Team {
     }
 
     /// What the values of all ranks come to, combined in their order; this rank's own once a call has failed.
-    pub(crate) fn combined<T: Words>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
+    pub(crate) fn combined<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         let mut words = Vec::with_capacity(T::COUNT);
         own.write(&mut words);
         let Some(all) = self.gather(&words, &vec![T::COUNT; self.size()]) else {
@@ -160,13 +161,17 @@ impl Team {
     }
 
     /// The result of a step that every rank takes by itself; an error if any of them has failed.
-    pub(crate) fn agreed<T>(&self, result: Result<T>) -> Result<T> {
-        self.agreed_alike(result, &[])
+    pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
+        self.collective_result_checked(result, &[])
     }
 
     /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not. All is found
     /// in one exchange, of a digest of each.
-    pub(crate) fn agreed_alike<T>(&self, result: Result<T>, inputs: &[Input<'_>]) -> Result<T> {
+    pub(crate) fn collective_result_checked<T>(
+        &self,
+        result: Result<T>,
+        inputs: &[Input<'_>],
+    ) -> Result<T> {
         let mut own = vec![u64::from(result.is_err())];
         own.extend(inputs.iter().map(|(_, value)| checksum::of_shown(*value)));
         let Some(all) = self.gather(&own, &vec![own.len(); self.size()]) else {
@@ -177,8 +182,8 @@ impl Team {
         let differs = |place: usize| ranks.clone().any(|rank| rank[1 + place] != own[1 + place]);
         let different = (0..inputs.len()).find(|place| differs(*place));
         let failure = match (ranks.position(|rank| rank[0] != 0), different) {
-            (Some(rank), _) => RankFailure::Refused { rank },
-            (None, Some(place)) => RankFailure::Different(inputs[place].0),
+            (Some(rank), _) => RankFailure::RejectedByRank { rank },
+            (None, Some(place)) => RankFailure::InconsistentInput(inputs[place].0),
             (None, None) => return result,
         };
         self.refusals.fetch_add(1, Ordering::Relaxed);
@@ -188,23 +193,23 @@ impl Team {
     /// The same of a team, if there is one.
     pub(crate) fn agreed_of<T>(team: Option<&Self>, result: Result<T>) -> Result<T> {
         match team {
-            Some(team) => team.agreed(result),
+            Some(team) => team.collective_result(result),
             None => result,
         }
     }
 
     /// The same of steps that may agree on the way: what they have refused there all ranks know.
-    pub(crate) fn agreed_on<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.refusals.load(Ordering::Relaxed);
         let result = work();
         if result.is_err() && self.refusals.load(Ordering::Relaxed) > before {
             return result;
         }
-        self.agreed(result)
+        self.collective_result(result)
     }
 
-    /// [`Team::combined`] of a team, if there is one.
-    pub(crate) fn combined_of<T: Words>(
+    /// [`RankGroup::combined`] of a team, if there is one.
+    pub(crate) fn combined_of<T: WireFormat>(
         team: Option<&Self>,
         own: T,
         combine: impl Fn(T, T) -> T,
@@ -218,7 +223,7 @@ impl Team {
     /// `Ok` without a team, of what ranks cannot do together.
     pub(crate) fn check_alone(team: Option<&Self>, quantity: &'static str) -> Result<()> {
         match team {
-            Some(_) => Err(Error::Ranks(RankFailure::NotShared(quantity))),
+            Some(_) => Err(Error::Ranks(RankFailure::UnsupportedOnRanks(quantity))),
             None => Ok(()),
         }
     }

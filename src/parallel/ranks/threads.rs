@@ -39,7 +39,7 @@ pub struct Threads {
     rank: usize,
     size: usize,
     patience: Duration,
-    office: Arc<Office>,
+    office: Arc<Mailboxes>,
 }
 
 /// Number of looks for a block between which the thread yields to others, before it sleeps until one comes: to be woken
@@ -47,17 +47,17 @@ pub struct Threads {
 const EAGER: u32 = 100;
 
 /// Where blocks wait, of each receiver.
-type Office = Vec<Mailbox>;
+type Mailboxes = Vec<Mailbox>;
 
 /// Where the blocks for one rank wait.
 #[derive(Debug)]
 struct Mailbox {
-    post: Mutex<Post>,
+    post: Mutex<MessageQueue>,
     has_changed: Condvar,
 }
 
 #[derive(Debug)]
-struct Post {
+struct MessageQueue {
     /// By sender.
     blocks: Vec<VecDeque<Vec<u64>>>,
     has_left: Vec<bool>,
@@ -66,7 +66,7 @@ struct Post {
 impl Mailbox {
     fn new(size: usize) -> Self {
         Self {
-            post: Mutex::new(Post {
+            post: Mutex::new(MessageQueue {
                 blocks: vec![VecDeque::new(); size],
                 has_left: vec![false; size],
             }),
@@ -74,24 +74,24 @@ impl Mailbox {
         }
     }
 
-    fn post(&self) -> MutexGuard<'_, Post> {
+    fn post(&self) -> MutexGuard<'_, MessageQueue> {
         // What panics under the lock leaves queues of whole blocks.
         self.post.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn change(&self, change: impl FnOnce(&mut Post)) {
+    fn change(&self, change: impl FnOnce(&mut MessageQueue)) {
         change(&mut self.post());
         self.has_changed.notify_all();
     }
 }
 
 /// Tells the others that a rank is gone, however its work ends.
-struct Leaving<'a> {
+struct DisconnectGuard<'a> {
     rank: usize,
-    office: &'a Office,
+    office: &'a Mailboxes,
 }
 
-impl Drop for Leaving<'_> {
+impl Drop for DisconnectGuard<'_> {
     fn drop(&mut self) {
         for mailbox in self.office {
             mailbox.change(|post| post.has_left[self.rank] = true);
@@ -112,9 +112,9 @@ impl Threads {
         work: impl Fn(Self) -> T + Sync,
     ) -> Vec<T> {
         let mailboxes = (0..size).map(|_| Mailbox::new(size));
-        let office: Arc<Office> = Arc::new(mailboxes.collect());
+        let office: Arc<Mailboxes> = Arc::new(mailboxes.collect());
         let work = |rank: usize| {
-            let _leaving = Leaving {
+            let _leaving = DisconnectGuard {
                 rank,
                 office: &office,
             };
@@ -154,7 +154,7 @@ impl Threads {
         for from in from {
             while post.blocks[from].is_empty() {
                 if post.has_left[from] {
-                    return Err(RankFailure::Lost { rank: from });
+                    return Err(RankFailure::Disconnected { rank: from });
                 }
                 if looks < EAGER {
                     looks += 1;
@@ -166,7 +166,7 @@ impl Threads {
                 let left = self.patience.saturating_sub(start.elapsed());
                 if left.is_zero() {
                     let seconds = self.patience.as_secs_f64();
-                    return Err(RankFailure::Silent {
+                    return Err(RankFailure::Timeout {
                         rank: from,
                         seconds,
                     });

@@ -9,12 +9,12 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::NormalControl;
-use crate::rolling::Travel;
+use crate::rolling::RollingShift;
 use crate::rolling::coupled::{CoupledRollingSolution, CoupledRollingSolver};
 use crate::rolling::steady::problem::check_motion;
 use crate::rolling::{LeadingEdge, RollingControl, SpinControl};
 use crate::support::debug::shown;
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, TangentialModel};
 
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
@@ -55,16 +55,16 @@ pub struct CoupledRollingProblem {
     pub(super) cells: usize,
     pub(super) controls: [RollingControl; 2],
     pub(super) spin: SpinControl,
-    pub(super) touch_rule: TouchRule,
+    pub(super) entry_rule: EntryRule,
     pub(super) slip_corrections: usize,
     pub(super) settings: Settings,
 }
 
 try_clone!(CoupledRollingProblem { friction } {
-    bodies, gap, normal, edge, cells, controls, spin, touch_rule, slip_corrections, settings,
+    bodies, gap, normal, edge, cells, controls, spin, entry_rule, slip_corrections, settings,
 });
 
-shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, touch_rule, settings);
+shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, entry_rule, settings);
 
 /// Options of a [`CoupledRollingProblem`]; each has a default.
 #[derive(Debug, Clone)]
@@ -94,7 +94,7 @@ impl CoupledRollingProblem {
                 cells: 1,
                 controls: [RollingControl::Creepage(0.0); 2],
                 spin: SpinControl::Spin(0.0),
-                touch_rule: TouchRule::default(),
+                entry_rule: EntryRule::default(),
                 slip_corrections: 0,
                 settings: Settings::default(),
             },
@@ -133,7 +133,7 @@ impl CoupledRollingProblem {
         controls: [RollingControl; 2],
         spin: SpinControl,
     ) -> Result<()> {
-        let length = Travel::new(self.bodies.grid(), self.edge, self.cells).length;
+        let length = RollingShift::new(self.bodies.grid(), self.edge, self.cells).length;
         check_motion(&self.bodies, length, controls, spin)?;
         normal.check(&self.bodies, &self.gap, None)
     }
@@ -179,9 +179,9 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Sets how cells that enter the contact follow the motion (default [`TouchRule::Growth`]).
-    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
-        self.problem.touch_rule = touch_rule;
+    /// Sets how cells that enter the contact follow the motion (default [`EntryRule::SinceTouch`]).
+    pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
+        self.problem.entry_rule = entry_rule;
         self
     }
 
@@ -189,11 +189,11 @@ impl CoupledRollingProblemBuilder {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if gap or friction live on a different grid, [`Error::Sample`] if the gap is not finite.
-    /// - [`Error::Negative`], [`Error::NotFinite`], [`Error::NothingToHold`] or [`Error::ApproachBeyondMeanGap`] for the
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`] for the
     ///   normal load.
     /// - [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells.
-    /// - [`Error::NotModelled`] for rolling along an axis on which the grid is periodic, or spin on such a grid.
-    /// - [`Error::Coated`] for user-defined operators.
+    /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or spin on such a grid.
+    /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
     /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for the settings.
     /// - [`Error::Ranks`] on bodies that ranks share.
     pub fn build(self) -> Result<CoupledRollingProblem> {
@@ -204,13 +204,15 @@ impl CoupledRollingProblemBuilder {
         problem.settings = settings;
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
         if bodies.is_shared() {
-            return Err(Error::Ranks(RankFailure::NotShared("steady rolling")));
+            return Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
+                "steady rolling",
+            )));
         }
         problem.gap.check("gap", grid)?;
         problem.friction.check(grid)?;
         settings.check()?;
         TangentialModel::Vector.check(&settings)?;
-        Travel::new(grid, problem.edge, problem.cells).check(bodies)?;
+        RollingShift::new(grid, problem.edge, problem.cells).check(bodies)?;
         check_joint(bodies)?;
         problem.check(problem.normal, problem.controls, problem.spin)?;
         Ok(problem)

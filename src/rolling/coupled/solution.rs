@@ -1,7 +1,7 @@
 //! The solution of coupled steady rolling.
 
 use crate::error::Result;
-use crate::memory::fallible::{or_abort, try_clone};
+use crate::memory::fallible::{try_clone, unwrap_or_abort};
 use crate::normal::NormalSolution;
 use crate::rolling::RollingSolution;
 use crate::rolling::coupled::CoupledRollingReport;
@@ -37,7 +37,7 @@ impl PartialEq for CoupledRollingSolution {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "CoupledRollingSolution", deny_unknown_fields)]
-struct Unchecked {
+struct RawCoupledRollingSolution {
     normal: NormalSolution,
     rolling: RollingSolution,
     report: CoupledRollingReport,
@@ -46,10 +46,13 @@ struct Unchecked {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
-            let grid = read.normal.grid();
-            grid.expect("rolling half", read.rolling.grid())
-        })
+        checked(
+            RawCoupledRollingSolution::deserialize(deserializer)?,
+            |read| {
+                let grid = read.normal.grid();
+                grid.expect("rolling half", read.rolling.grid())
+            },
+        )
     }
 }
 
@@ -77,7 +80,7 @@ impl CoupledRollingSolution {
     /// Returns the warnings about the normal half; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        or_abort(self.try_warnings())
+        unwrap_or_abort(self.try_warnings())
     }
 
     /// Returns [`Self::warnings`] where memory may run out.

@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::bodies::component::Direction;
 use crate::cgm::{Settings, solver_settings};
-use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
+use crate::contact::{Cancellation, SolveContext, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
-use crate::memory::fallible::{self, TryClone, or_abort};
+use crate::memory::fallible::{self, TryClone, unwrap_or_abort};
 use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
@@ -124,7 +124,7 @@ impl CoupledRollingSolver {
     /// Sets the loads or creepages along x and y, and the spin or moment, of the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::NotModelled`]; all is then unchanged.
+    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`]; all is then unchanged.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -139,7 +139,7 @@ impl CoupledRollingSolver {
     /// Sets the normal load of the next solve.
     ///
     /// # Errors
-    /// - [`Error::Negative`], [`Error::NotFinite`], [`Error::NothingToHold`] or [`Error::ApproachBeyondMeanGap`]; the load
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]; the load
     ///   is then unchanged.
     pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
         let CoupledRollingProblem { controls, spin, .. } = self.problem;
@@ -184,7 +184,7 @@ impl CoupledRollingSolver {
     /// Returns an empty solution of the right size for [`Self::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> CoupledRollingSolution {
-        or_abort(self.try_new_solution())
+        unwrap_or_abort(self.try_new_solution())
     }
 
     /// Returns [`Self::new_solution`] where memory may run out.
@@ -227,7 +227,7 @@ impl CoupledRollingSolver {
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(&mut observer);
         let settings = self.problem.settings;
-        let mut conditions = Conditions::new(&settings, &mut observer);
+        let mut conditions = SolveContext::new(&settings, &mut observer);
         let outcome = self.solve_passes(solution, &mut conditions);
         let outcome = cancellation.applied(&self.problem.bodies, outcome, || {
             self.report.work.cancelled()
@@ -246,7 +246,7 @@ impl CoupledRollingSolver {
     fn solve_passes(
         &mut self,
         solution: &mut CoupledRollingSolution,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         self.report.clear();
         let tolerance = conditions.settings.tolerance;
@@ -311,14 +311,16 @@ impl CoupledRollingSolver {
         &mut self,
         tolerance: f64,
         solution: &mut CoupledRollingSolution,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<Pass> {
         let mut pass = Pass {
             failure: None,
             held: None,
         };
         self.lift_gap()?;
-        let settings = conditions.left(&self.report.work).tolerance(tolerance);
+        let settings = conditions
+            .with_remaining_limits(&self.report.work)
+            .tolerance(tolerance);
         self.normal.set_settings(settings)?;
         let mut observer = with_counts_of(&self.report.work, &mut *conditions.observer);
         let outcome = self
@@ -335,7 +337,9 @@ impl CoupledRollingSolver {
         // A half that stalled within the tolerance serves as one that has converged.
         let (.., report) = solution.normal.parts_mut();
         report.status = Status::Converged;
-        let settings = conditions.left(&self.report.work).tolerance(tolerance);
+        let settings = conditions
+            .with_remaining_limits(&self.report.work)
+            .tolerance(tolerance);
         let mut posed = self.pose(&solution.normal, settings, &mut pass)?;
         if self.lifting.is_some() {
             posed.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
@@ -400,7 +404,7 @@ impl CoupledRollingSolver {
                 .control(Axis::X, controls[0])
                 .control(Axis::Y, controls[1])
                 .spin(of.spin)
-                .touch_rule(of.touch_rule)
+                .entry_rule(of.entry_rule)
                 .slip_corrections(of.slip_corrections)
                 .settings(settings)
                 .build()

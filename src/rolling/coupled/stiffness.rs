@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 
 use crate::bodies::component::{Component, Direction};
-use crate::cgm::{Held, Interval, LinearWorkspace, Linearised, Own, Row};
+use crate::cgm::{CellCompliance, FixedSetSystem, Interval, LinearWorkspace, LinearisedSet, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::half_space::{Compliance, ElasticOperator};
@@ -22,8 +22,10 @@ use crate::report::{Iteration, Report, Status};
 use crate::rolling::RollingSolver;
 use crate::rolling::coupled::CoupledRollingSolver;
 use crate::rolling::entry::entering;
-use crate::rolling::steady::stiffness::Follow;
-use crate::tangential::{Axis, Drawing, Friction, Lifting, OwnCompliance, is_at_limit};
+use crate::rolling::steady::stiffness::RollingSensitivity;
+use crate::tangential::{
+    Axis, CouplingDisplacement, EntryCompliance, Friction, Lifting, is_at_limit,
+};
 
 /// Relative residual of each half, and relative change of the tractions at which the repetition ends.
 const TOLERANCE: f64 = 1e-10;
@@ -33,11 +35,11 @@ const MOST_PASSES: usize = 200;
 /// Largest relative change of gap or pressure in the central difference of an entry compliance.
 const DIFFERENCE: f64 = 1e-4;
 
-type Side = <Interval as Linearised<1>>::Motion;
+type IntervalMotion = <Interval as LinearisedSet<1>>::CellMotion;
 
 /// The normal half at a fixed contact.
 struct NormalHalf {
-    linear: LinearWorkspace<Side, 1>,
+    linear: LinearWorkspace<IntervalMotion, 1>,
     compliance: Compliance<1>,
     layout: Layout,
     right: Vec<[f64; 1]>,
@@ -132,14 +134,15 @@ impl RollingSolver {
         &self,
         motion: usize,
         (normal, friction): (&NormalSolution, &Friction),
-        (lifting, half, follow): (&mut Lifting, &mut NormalHalf, &mut Follow),
+        (lifting, half, follow): (&mut Lifting, &mut NormalHalf, &mut RollingSensitivity),
         work: &mut Report,
         observer: Observer<'_>,
     ) -> Result<[f64; 3]> {
         let problem = &self.problem;
         let window = problem.pressed.window();
         let (cells, grid) = (self.limits.len(), problem.bodies.grid());
-        let mut drawing = Drawing::new(&problem.bodies, Axis::BOTH, problem.step.size)?;
+        let mut drawing =
+            CouplingDisplacement::new(&problem.bodies, Axis::BOTH, problem.step.size)?;
         let mut scratch = self.operator.scratch()?;
         let mut change = Change {
             traction: fallible::vector(cells)?,
@@ -239,7 +242,7 @@ impl RollingSolver {
             return Ok(turned);
         }
         let part = DIFFERENCE / largest;
-        let entry = |part: f64| -> Result<Vec<OwnCompliance>> {
+        let entry = |part: f64| -> Result<Vec<EntryCompliance>> {
             let (mut normal, mut pressed) = (normal.try_clone()?, pressed.try_clone()?);
             let (_, gap, ..) = normal.parts_mut();
             for (gap, change) in gap.as_mut_slice().iter_mut().zip(&change.gap) {
@@ -248,7 +251,7 @@ impl RollingSolver {
             for (pressure, change) in pressed.pressure.iter_mut().zip(&change.pressure) {
                 *pressure += part * change;
             }
-            let mut own = fallible::filled(OwnCompliance::NONE, change.pressure.len())?;
+            let mut own = fallible::filled(EntryCompliance::NONE, change.pressure.len())?;
             entering(&normal, &pressed, problem.step, &mut own);
             Ok(own)
         };
@@ -296,9 +299,9 @@ impl NormalHalf {
         let pressure = &problem.pressed.pressure;
         half.linear.hold(|cell| {
             if pressure[cell] > 0.0 {
-                Side::FREE
+                IntervalMotion::FREE
             } else {
-                Side::FIXED
+                IntervalMotion::FIXED
             }
         })?;
         if is_force {
@@ -317,11 +320,11 @@ impl NormalHalf {
         observer: Observer<'_>,
     ) -> Result<()> {
         self.linear.restrict(asked, &mut self.right)?;
-        let held = Held {
+        let held = FixedSetSystem {
             operator: &self.compliance.operator,
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
-            own: Own::default(),
+            own: CellCompliance::default(),
         };
         let mut counted = with_counts_of(work, observer);
         held.respond(

@@ -5,7 +5,7 @@ use crate::half_space::ElasticPreconditioner;
 use crate::memory::fallible::vector;
 use crate::numerics::cell_vector::slices;
 use crate::operator::{Operator, Scratch};
-use crate::rolling::Passage;
+use crate::rolling::WindowShift;
 
 /// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
 ///
@@ -14,13 +14,13 @@ use crate::rolling::Passage;
 /// that are known up to a uniform one. With the mean of C a prescribed force spread over the cells with a sum near zero, and
 /// the linear problem did not converge.
 #[derive(Debug, Clone)]
-pub(in crate::rolling) struct SteadyInverse {
+pub(in crate::rolling) struct SteadyPreconditioner {
     inverse: ElasticPreconditioner<2>,
-    step: Passage,
+    step: WindowShift,
 }
 
-impl SteadyInverse {
-    pub(in crate::rolling) fn new(inverse: ElasticPreconditioner<2>, step: Passage) -> Self {
+impl SteadyPreconditioner {
+    pub(in crate::rolling) fn new(inverse: ElasticPreconditioner<2>, step: WindowShift) -> Self {
         Self { inverse, step }
     }
 }
@@ -28,7 +28,7 @@ impl SteadyInverse {
 /// The scratch of the inverse, and the sums.
 type Buffers = (Scratch, [Vec<f64>; 2]);
 
-impl Operator<2> for SteadyInverse {
+impl Operator<2> for SteadyPreconditioner {
     fn cells(&self) -> usize {
         self.inverse.cells()
     }

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::half_space::{ElasticOperator, HalfSpace};
 use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
-use crate::tangential::{Lifting, Pressed, lift_residual};
+use crate::tangential::{Lifting, PressureOnWindow, lift_residual};
 
 /// Operators of the normal displacement by tractions and by the pressure on a window.
 #[derive(Debug, Clone)]
@@ -20,7 +20,7 @@ pub(in crate::rolling) struct NeglectedLift {
 
 impl NeglectedLift {
     /// Creates the operators of coupled bodies; `None` for bodies without coupling.
-    pub(super) fn new(bodies: &HalfSpace, pressed: &Pressed) -> Result<Option<Self>> {
+    pub(super) fn new(bodies: &HalfSpace, pressed: &PressureOnWindow) -> Result<Option<Self>> {
         if !bodies.pair().is_coupled() {
             return Ok(None);
         }
@@ -38,14 +38,19 @@ impl NeglectedLift {
     }
 
     /// Computes the normal displacement by a new pressure.
-    pub(super) fn press(&mut self, pressed: &Pressed) {
+    pub(super) fn press(&mut self, pressed: &PressureOnWindow) {
         let displacement = [&mut self.displacement[..]];
         self.pressing
             .apply([&pressed.pressure], displacement, &mut self.scratch);
     }
 
     /// Returns the lift by tractions in this unit over the normal displacement.
-    pub(super) fn residual(&mut self, pressed: &Pressed, traction: [&[f64]; 2], unit: f64) -> f64 {
+    pub(super) fn residual(
+        &mut self,
+        pressed: &PressureOnWindow,
+        traction: [&[f64]; 2],
+        unit: f64,
+    ) -> f64 {
         self.lifting.lift(traction, &mut self.lift);
         let (lift, displacement) = (&self.lift, &self.displacement);
         lift_residual(

@@ -7,28 +7,28 @@ use crate::memory::fallible::{TryClone, filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
 use crate::rolling::entry::entering;
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
-use crate::rolling::{Passage, Travel};
+use crate::rolling::{RollingShift, WindowShift};
 use crate::support::debug::shown;
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 use crate::tangential::{
-    Axis, Drawing, Friction, OwnCompliance, Pressed, PressureSource, TangentialModel, centre,
-    contact_window, is_at_limit,
+    Axis, CouplingDisplacement, EntryCompliance, Friction, PressureOnWindow, PressureSource,
+    TangentialModel, centre, contact_window, is_at_limit,
 };
 
 /// Bodies, normal contact, friction, and what is prescribed of their rolling.
 #[derive(Clone)]
 pub struct RollingProblem {
     pub(in crate::rolling) bodies: HalfSpace,
-    pub(in crate::rolling) pressed: Pressed,
+    pub(in crate::rolling) pressed: PressureOnWindow,
     pub(in crate::rolling) friction: Friction,
-    pub(in crate::rolling) touch_rule: TouchRule,
+    pub(in crate::rolling) entry_rule: EntryRule,
     /// Solves that correct the direction of slip.
     pub(in crate::rolling) slip_corrections: usize,
-    pub(in crate::rolling) step: Passage,
+    pub(in crate::rolling) step: WindowShift,
     /// Length of a step.
     pub(in crate::rolling) length: f64,
     /// Compliance of its own of each cell of the window.
-    pub(in crate::rolling) own: Vec<OwnCompliance>,
+    pub(in crate::rolling) own: Vec<EntryCompliance>,
     /// The most cells of the contact that lie one behind the other, a step apart.
     pub(in crate::rolling) chain: usize,
     /// What the pressure adds to the slip of each cell.
@@ -39,7 +39,7 @@ pub struct RollingProblem {
 }
 
 try_clone!(RollingProblem { pressed, friction, own, drawn } {
-    bodies, touch_rule, slip_corrections, step, length, chain, controls, spin, settings,
+    bodies, entry_rule, slip_corrections, step, length, chain, controls, spin, settings,
 });
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
@@ -55,7 +55,7 @@ pub struct RollingProblemBuilder<'a> {
     cells: usize,
     controls: [RollingControl; 2],
     spin: SpinControl,
-    touch_rule: TouchRule,
+    entry_rule: EntryRule,
     slip_corrections: usize,
     settings: Settings,
 }
@@ -76,7 +76,7 @@ impl RollingProblem {
             cells: 1,
             controls: [RollingControl::Creepage(0.0); 2],
             spin: SpinControl::Spin(0.0),
-            touch_rule: TouchRule::default(),
+            entry_rule: EntryRule::default(),
             slip_corrections: 0,
             settings: Settings::default(),
         }
@@ -196,9 +196,9 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
-    /// How cells that enter the contact follow the motion (default [`TouchRule::Growth`]).
-    pub fn touch_rule(mut self, touch_rule: TouchRule) -> Self {
-        self.touch_rule = touch_rule;
+    /// How cells that enter the contact follow the motion (default [`EntryRule::SinceTouch`]).
+    pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
+        self.entry_rule = entry_rule;
         self
     }
 
@@ -208,8 +208,8 @@ impl RollingProblemBuilder<'_> {
     /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
     /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
     /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
-    /// [`Error::NotModelled`] for rolling along an axis on which the grid repeats, or spin on such a grid;
-    /// [`Error::Coated`] for operators of a user;
+    /// [`Error::UnsupportedByModel`] for rolling along an axis on which the grid repeats, or spin on such a grid;
+    /// [`Error::UnsupportedForCoatings`] for operators of a user;
     /// [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact;
     /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding, and
     /// [`Error::BeyondFrictionMoment`] for such a moment, beside the forces prescribed;
@@ -218,31 +218,33 @@ impl RollingProblemBuilder<'_> {
     pub fn build(self) -> Result<RollingProblem> {
         let (bodies, grid) = (self.bodies, self.bodies.grid());
         if bodies.is_shared() {
-            return Err(Error::Ranks(RankFailure::NotShared("steady rolling")));
+            return Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
+                "steady rolling",
+            )));
         }
         self.friction.check(grid)?;
         self.settings.check()?;
         TangentialModel::Vector.check(&self.settings)?;
-        let travel = Travel::new(grid, self.edge, self.cells);
+        let travel = RollingShift::new(grid, self.edge, self.cells);
         travel.check(bodies)?;
         let samples = PressureSource::from(self.normal).checked(bodies)?;
         let contact = contact_window(bodies, samples)?;
-        let window = contact.union(travel.ahead(contact)?);
+        let window = contact.union(travel.shifted_upstream(contact)?);
         let step = travel.through(window.size);
-        let mut pressed = Pressed::new(bodies, window)?;
+        let mut pressed = PressureOnWindow::new(bodies, window)?;
         pressed.set(samples, &self.friction);
-        let mut own = filled(OwnCompliance::NONE, pressed.region.cells())?;
-        if self.touch_rule == TouchRule::Growth {
+        let mut own = filled(EntryCompliance::NONE, pressed.region.cells())?;
+        if self.entry_rule == EntryRule::SinceTouch {
             entering(self.normal, &pressed, step, &mut own);
         }
         let problem = RollingProblem {
             own,
-            drawn: drawn(bodies, &pressed, step)?,
+            drawn: coupling_slip(bodies, &pressed, step)?,
             chain: step.chain(contact.size[self.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
             friction: self.friction,
-            touch_rule: self.touch_rule,
+            entry_rule: self.entry_rule,
             slip_corrections: self.slip_corrections,
             step,
             length: travel.length,
@@ -269,7 +271,7 @@ pub(in crate::rolling) fn check_motion(
     };
     finite(name, turn)?;
     if spin != SpinControl::Spin(0.0) && !bodies.boundary().may_turn() {
-        return Err(Error::NotModelled {
+        return Err(Error::UnsupportedByModel {
             model: "the model of rolling",
             quantity: name,
             value: turn,
@@ -295,10 +297,14 @@ pub(in crate::rolling) fn check_motion(
 }
 
 /// What the pressure of bodies of different materials adds to the slip of each cell.
-fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f64>; 2]> {
+fn coupling_slip(
+    bodies: &HalfSpace,
+    pressed: &PressureOnWindow,
+    step: WindowShift,
+) -> Result<[Vec<f64>; 2]> {
     let mut drawn = try_each(|_| zeros(pressed.region.cells()))?;
     if bodies.pair().is_coupled() {
-        let mut drawing = Drawing::new(bodies, Axis::BOTH, step.size)?;
+        let mut drawing = CouplingDisplacement::new(bodies, Axis::BOTH, step.size)?;
         draw(&mut drawing, pressed, step, &mut drawn);
     }
     Ok(drawn)
@@ -306,9 +312,9 @@ fn drawn(bodies: &HalfSpace, pressed: &Pressed, step: Passage) -> Result<[Vec<f6
 
 /// Writes the same with a drawing of the window.
 pub(in crate::rolling) fn draw(
-    drawing: &mut Drawing,
-    pressed: &Pressed,
-    step: Passage,
+    drawing: &mut CouplingDisplacement,
+    pressed: &PressureOnWindow,
+    step: WindowShift,
     drawn: &mut [Vec<f64>; 2],
 ) {
     drawing.displace(pressed.pressure.iter().copied(), |axis, displacement| {

@@ -8,13 +8,14 @@ use crate::grid::window::Window;
 use crate::memory::fallible::{filled, try_each, zeros};
 use crate::normal::{NormalControl, NormalSolution, NormalSolver};
 use crate::numerics::cell_vector::slices;
-use crate::rolling::Travel;
+use crate::rolling::RollingShift;
 use crate::rolling::entry::entering;
 use crate::rolling::steady::problem::draw;
 use crate::rolling::{RollingProblem, RollingSolver};
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 use crate::tangential::{
-    Axis, Drawing, OwnCompliance, Pressed, PressureSource, check_bodies, contact_window,
+    Axis, CouplingDisplacement, EntryCompliance, PressureOnWindow, PressureSource, check_bodies,
+    contact_window,
 };
 
 /// Cells on each side of a wider window for the loads that follow.
@@ -32,14 +33,14 @@ pub(in crate::rolling) struct Press {
 impl RollingSolver {
     /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The law of
     /// entering cells needs the gap ahead of the contact, which a field does not have: a field requires
-    /// [`TouchRule::WholeStep`].
+    /// [`EntryRule::WholeStep`].
     ///
     /// The next solve starts from the last tractions, scaled with the friction limit of each cell.
     /// [`stiffness`](Self::stiffness) is about the last solution until then. A contact within the largest window so far
     /// allocates nothing.
     ///
     /// # Errors
-    /// - [`Error::NotModelled`] for a field, if the law of entering cells is on.
+    /// - [`Error::UnsupportedByModel`] for a field, if the entry rule is on.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
     ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
     /// - [`Error::NotConverged`] if the normal contact has not converged.
@@ -66,7 +67,7 @@ impl RollingSolver {
             }
         };
         let contact = contact_window(bodies, samples)?;
-        let reach = contact.union(problem.travel().ahead(contact)?);
+        let reach = contact.union(problem.travel().shifted_upstream(contact)?);
         if problem.pressed.window().covers(reach) {
             return self.press(samples, normal, contact);
         }
@@ -98,13 +99,13 @@ impl RollingSolver {
     /// [normal solver](Self::set_normal_solver). Once the window is as large as the largest contact, nothing is allocated.
     ///
     /// # Errors
-    /// - [`Error::NotModelled`] without a normal solver.
+    /// - [`Error::UnsupportedByModel`] without a normal solver.
     /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
     ///
     /// The solver is unchanged after an error; the next pressure may be found from a different start.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let Some(mut press) = self.press.take() else {
-            return Err(Error::NotModelled {
+            return Err(Error::UnsupportedByModel {
                 model: "a rolling solver without a normal solver",
                 quantity: "a new normal load",
                 value: match load {
@@ -150,7 +151,7 @@ impl RollingSolver {
         let problem = &self.problem;
         let (bodies, size) = (&problem.bodies, problem.step.size);
         if bodies.pair().is_coupled() && self.drawing.is_none() {
-            self.drawing = Some(Drawing::new(bodies, Axis::BOTH, size)?);
+            self.drawing = Some(CouplingDisplacement::new(bodies, Axis::BOTH, size)?);
         }
         self.candidate.set(samples, &problem.friction);
         let mut drawing = self.drawing.take();
@@ -174,13 +175,13 @@ impl RollingSolver {
         let problem = &self.problem;
         let (bodies, inner) = (&problem.bodies, problem.pressed.window());
         let window = inner.union(reach.with_margins(bodies.grid(), ROOM));
-        let window = bodies.confined(window);
-        let pressed = Pressed::new(bodies, window)?;
+        let window = bodies.restrict_to_window(window);
+        let pressed = PressureOnWindow::new(bodies, window)?;
         let cells = pressed.region.cells();
         let mut wider = Self::new(RollingProblem {
             bodies: bodies.clone(),
             step: problem.travel().through(window.size),
-            own: filled(OwnCompliance::NONE, cells)?,
+            own: filled(EntryCompliance::NONE, cells)?,
             drawn: try_each(|_| zeros(cells))?,
             friction: problem.friction.clone(),
             pressed,
@@ -215,20 +216,20 @@ impl Press {
 
 impl RollingProblem {
     /// How far and where to the bodies roll in a step.
-    fn travel(&self) -> Travel {
-        Travel::new(self.bodies.grid(), self.step.edge, self.step.cells)
+    fn travel(&self) -> RollingShift {
+        RollingShift::new(self.bodies.grid(), self.step.edge, self.step.cells)
     }
 
-    /// `Ok` if the law of entering cells, which needs a gap, is off.
+    /// `Ok` if the entry rule, which needs a gap, is off.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
-        if self.touch_rule == TouchRule::WholeStep {
+        if self.entry_rule == EntryRule::WholeStep {
             return Ok(());
         }
-        Err(Error::NotModelled {
-            model: "the law of entering cells",
+        Err(Error::UnsupportedByModel {
+            model: "the entry rule",
             quantity: "a pressure without a gap, largest pressure",
             value: pressure.max(),
-            remedy: "give a solved normal contact, or build with TouchRule::WholeStep",
+            remedy: "give a solved normal contact, or build with EntryRule::WholeStep",
         })
     }
 
@@ -237,10 +238,10 @@ impl RollingProblem {
         &mut self,
         normal: Option<&NormalSolution>,
         contact: Window,
-        drawing: Option<&mut Drawing>,
+        drawing: Option<&mut CouplingDisplacement>,
     ) {
         let (pressed, step) = (&self.pressed, self.step);
-        if let Some(normal) = normal.filter(|_| self.touch_rule == TouchRule::Growth) {
+        if let Some(normal) = normal.filter(|_| self.entry_rule == EntryRule::SinceTouch) {
             entering(normal, pressed, step, &mut self.own);
         }
         if let Some(drawing) = drawing {

@@ -13,7 +13,7 @@
 //! each solve, so that each is monotone and has its certificate.
 
 use crate::cgm::Settings;
-use crate::contact::{Conditions, has_iterate, with_counts_of};
+use crate::contact::{SolveContext, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{at, slices};
 use crate::observer::Observer;
@@ -38,7 +38,7 @@ impl RollingSolver {
             self.passes.clone_from(self.workspace.report());
             return outcome;
         }
-        let conditions = Conditions::new(settings, observer);
+        let conditions = SolveContext::new(settings, observer);
         self.passes.clear();
         for pass in 0..=corrections {
             if pass > 0 {
@@ -47,7 +47,7 @@ impl RollingSolver {
                 left?;
                 self.correct_direction();
             }
-            let settings = conditions.left(&self.passes);
+            let settings = conditions.with_remaining_limits(&self.passes);
             let mut watch = with_counts_of(&self.passes, &mut *conditions.observer);
             let outcome = self.solve_pass(&settings, solution, &mut watch);
             drop(watch);

@@ -4,13 +4,13 @@ use crate::error::Result;
 use crate::half_space::ElasticOperator;
 use crate::operator::{Operator, Scratch};
 use crate::report::EigenvalueBound;
-use crate::rolling::Passage;
+use crate::rolling::WindowShift;
 
 /// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyOperator {
     compliance: ElasticOperator<2>,
-    step: Passage,
+    step: WindowShift,
     /// Lower bound of the eigenvalues of C.
     bound: f64,
     lower_bound: f64,
@@ -23,7 +23,7 @@ impl SteadyOperator {
     /// `self_compliance` over a step by a traction of its own.
     pub(in crate::rolling) fn new(
         compliance: ElasticOperator<2>,
-        step: Passage,
+        step: WindowShift,
         chain: usize,
         self_compliance: f64,
     ) -> Self {

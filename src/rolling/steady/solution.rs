@@ -43,7 +43,7 @@ try_clone!(RollingSolution { traction, slip, zones } {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "RollingSolution", deny_unknown_fields)]
-struct Unchecked {
+struct RawRollingSolution {
     traction: [Field; 2],
     slip: [Field; 2],
     zones: Vec<Zone>,
@@ -60,7 +60,7 @@ struct Unchecked {
 #[cfg(feature = "serde")]
 impl<'de> serde::Deserialize<'de> for RollingSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(Unchecked::deserialize(deserializer)?, |read| {
+        checked(RawRollingSolution::deserialize(deserializer)?, |read| {
             let grid = read.grid();
             for axis in 0..2 {
                 read.traction[axis].check("traction", grid)?;

@@ -5,27 +5,29 @@ use std::sync::Arc;
 
 use crate::bodies::component::Direction;
 use crate::cgm::{
-    Disc, Known, Magnitude, Own, Problem, Settings, Total, Workspace, minimise_from,
-    solver_settings,
+    AbsBound, CellCompliance, Disc, InitialGuess, Problem, Settings, Total, Workspace,
+    minimise_from, solver_settings,
 };
-use crate::contact::{Cancellation, Conditions, has_iterate, with_counts_of};
+use crate::contact::{Cancellation, SolveContext, has_iterate, with_counts_of};
 use crate::error::{Error, Result};
-use crate::memory::fallible::{TryClone, filled, or_abort, try_each, vector, zeros};
+use crate::memory::fallible::{TryClone, filled, try_each, unwrap_or_abort, vector, zeros};
 use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
-use crate::rolling::Passage;
-use crate::rolling::steady::inverse::SteadyInverse;
+use crate::rolling::WindowShift;
+use crate::rolling::steady::inverse::SteadyPreconditioner;
 use crate::rolling::steady::neglected_lift::NeglectedLift;
 use crate::rolling::steady::reload::Press;
 use crate::rolling::steady::slip_operator::SteadyOperator;
 use crate::rolling::steady::spin_search::SpinSearch;
-use crate::rolling::steady::stiffness::Follow;
-use crate::rolling::steady::trend::Trend;
+use crate::rolling::steady::stiffness::RollingSensitivity;
+use crate::rolling::steady::trend::CreepTrend;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use crate::support::debug::shown;
-use crate::tangential::{Drawing, Friction, OwnCompliance, Pressed, TangentialModel};
+use crate::tangential::{
+    CouplingDisplacement, EntryCompliance, Friction, PressureOnWindow, TangentialModel,
+};
 use crate::warning::Warning;
 
 /// Solves at given spins after which the spin of a moment counts as not found.
@@ -61,13 +63,13 @@ const SHARPEST: f64 = 2e-4;
 pub struct RollingSolver {
     pub(in crate::rolling) problem: RollingProblem,
     /// Pressure and limits that are checked before the problem takes them.
-    pub(in crate::rolling) candidate: Pressed,
+    pub(in crate::rolling) candidate: PressureOnWindow,
     /// How the pressure of bodies of different materials displaces them, once it has changed.
-    pub(in crate::rolling) drawing: Option<Drawing>,
+    pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
     /// Finds the pressure of a load, if the caller has given it.
     pub(in crate::rolling) press: Option<Box<Press>>,
     pub(in crate::rolling) operator: Arc<SteadyOperator>,
-    pub(in crate::rolling) inverse: Arc<SteadyInverse>,
+    pub(in crate::rolling) inverse: Arc<SteadyPreconditioner>,
     pub(in crate::rolling) workspace: Workspace<Disc, 2>,
     /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
     /// of numbers.
@@ -88,12 +90,12 @@ pub struct RollingSolver {
     pub(in crate::rolling) lag: [Vec<f64>; 2],
     /// Whether there is a last answer.
     pub(in crate::rolling) is_warm: bool,
-    pub(in crate::rolling) trend: Trend,
+    pub(in crate::rolling) trend: CreepTrend,
     /// Knowledge about the start of the next solve.
-    known: Known<2>,
+    known: InitialGuess<2>,
     /// Whether the pressure has changed since that answer.
     pub(in crate::rolling) has_new_pressure: bool,
-    pub(in crate::rolling) follow: Option<Follow>,
+    pub(in crate::rolling) follow: Option<RollingSensitivity>,
     /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
     pub(in crate::rolling) lifting: Option<NeglectedLift>,
 }
@@ -109,7 +111,7 @@ impl RollingSolver {
         let inverse = bodies.inverse_up_to_mean(compliance, directions, step.size)?;
         let alone = self_compliance(&operator, step)?;
         let operator = SteadyOperator::new(operator, step, problem.chain, alone);
-        let inverse = SteadyInverse::new(inverse, step);
+        let inverse = SteadyPreconditioner::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
         let lifting = NeglectedLift::new(bodies, &problem.pressed)?;
@@ -117,7 +119,7 @@ impl RollingSolver {
             lifting,
             limits: zeros(cells)?,
             unit: 1.0,
-            workspace: Problem::new(Arc::clone(&operator), [&[]; 2], Magnitude(&[]))
+            workspace: Problem::new(Arc::clone(&operator), [&[]; 2], AbsBound(&[]))
                 .preconditioner(Arc::clone(&inverse))
                 .workspace()?,
             traction: try_each(|_| zeros(cells))?,
@@ -134,8 +136,8 @@ impl RollingSolver {
             })?,
             is_warm: false,
             has_new_pressure: false,
-            trend: Trend::new(cells)?,
-            known: Known::Nothing,
+            trend: CreepTrend::new(cells)?,
+            known: InitialGuess::Nothing,
             candidate: problem.pressed.try_clone()?,
             drawing: None,
             press: None,
@@ -176,7 +178,7 @@ impl RollingSolver {
             let own = if carries {
                 self.problem.own[cell]
             } else {
-                OwnCompliance::NONE
+                EntryCompliance::NONE
             };
             self.limits[cell] = limit / unit;
             (self.own_mean[cell], self.own_deviator[cell]) = (own.mean(), own.deviator());
@@ -190,7 +192,7 @@ impl RollingSolver {
     /// Changes what is prescribed of the next solve: along x and along y, and the spin or moment.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotModelled`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`];
+    /// [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`];
     /// all is then as it was.
     pub fn set_control(
         &mut self,
@@ -250,7 +252,7 @@ impl RollingSolver {
     /// An empty solution of the right size for [`Self::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> RollingSolution {
-        or_abort(self.try_new_solution())
+        unwrap_or_abort(self.try_new_solution())
     }
 
     /// [`Self::new_solution`] where memory may run out.
@@ -327,7 +329,11 @@ impl RollingSolver {
         if !std::mem::replace(&mut self.is_warm, true) {
             self.trend.forget();
         }
-        self.known = if is_near { Known::Near } else { Known::Nothing };
+        self.known = if is_near {
+            InitialGuess::Interpolated
+        } else {
+            InitialGuess::Nothing
+        };
     }
 
     /// Solves at the present spin for the directions of slip as last corrected.
@@ -337,17 +343,17 @@ impl RollingSolver {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let totals = self.prescribe();
+        let totals = self.compute_totals();
         self.start_sliding();
         let problem = &self.problem;
         let linear = self.linear.each_ref().map(Vec::as_slice);
-        let task = Problem::new(Arc::clone(&self.operator), linear, Magnitude(&self.limits))
-            .own(Own::new(&self.own_mean, &self.own_deviator))
+        let task = Problem::new(Arc::clone(&self.operator), linear, AbsBound(&self.limits))
+            .own(CellCompliance::new(&self.own_mean, &self.own_deviator))
             .preconditioner(Arc::clone(&self.inverse))
             .totals(totals);
         let traction = self.traction.each_mut().map(Vec::as_mut_slice);
         let workspace = &mut self.workspace;
-        let known = std::mem::replace(&mut self.known, Known::Nothing);
+        let known = std::mem::replace(&mut self.known, InitialGuess::Nothing);
         let posed = task.posed();
         let outcome = minimise_from(&posed, settings, traction, known, workspace, observer);
         if has_iterate(&outcome) {
@@ -370,8 +376,8 @@ impl RollingSolver {
         outcome
     }
 
-    pub(in crate::rolling) fn own(&self) -> Own<'_> {
-        Own::new(&self.own_mean, &self.own_deviator)
+    pub(in crate::rolling) fn own(&self) -> CellCompliance<'_> {
+        CellCompliance::new(&self.own_mean, &self.own_deviator)
     }
 
     /// Slip that the traction of a cell opposes in the last answer: over the step, or at its end if directions are corrected.
@@ -392,7 +398,7 @@ impl RollingSolver {
     ) -> Result<()> {
         let start = self.spin;
         let settings = self.problem.settings;
-        let mut conditions = Conditions::new(&settings, observer);
+        let mut conditions = SolveContext::new(&settings, observer);
         let outcome = self.search_spin(moment, solution, &mut conditions);
         if outcome.is_err() {
             self.spin = start;
@@ -404,7 +410,7 @@ impl RollingSolver {
         &mut self,
         moment: f64,
         solution: &mut RollingSolution,
-        conditions: &mut Conditions<'_, '_>,
+        conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let tolerance = conditions.settings.tolerance;
         let ends = self.problem.moment_ends(self.problem.controls)?;
@@ -413,7 +419,7 @@ impl RollingSolver {
         let (mut search, mut sharper) = (start(), SHARPER);
         self.report.clear();
         for _ in 0..SPINS {
-            let mut settings = conditions.left(&self.report);
+            let mut settings = conditions.with_remaining_limits(&self.report);
             settings.tolerance = sharper * tolerance;
             let mut watch = with_counts_of(&self.report, &mut *conditions.observer);
             let outcome = self.solve_at_spin(&settings, solution, &mut watch);
@@ -482,7 +488,7 @@ impl RollingSolver {
     }
 
     /// Writes what each cell is to follow, and returns what is prescribed of the sums.
-    fn prescribe(&mut self) -> [Total; 2] {
+    fn compute_totals(&mut self) -> [Total; 2] {
         let problem = &self.problem;
         let given = problem.controls.map(|control| match control {
             RollingControl::Creepage(creepage) => creepage,
@@ -513,7 +519,7 @@ impl RollingSolver {
 }
 
 /// What a cell slips over a step by a traction of its own.
-fn self_compliance(compliance: &impl Operator<2>, step: Passage) -> Result<f64> {
+fn self_compliance(compliance: &impl Operator<2>, step: WindowShift) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
         (try_each(|_| zeros(cells))?, try_each(|_| zeros(cells))?);

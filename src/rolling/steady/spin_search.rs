@@ -2,7 +2,7 @@
 
 /// A position of the search, and the moment that its spin lacks.
 #[derive(Debug, Clone, Copy)]
-struct Point {
+struct SearchPoint {
     at: f64,
     missing: f64,
 }
@@ -18,10 +18,10 @@ pub(in crate::rolling) struct SpinSearch {
     scale: f64,
     /// The deficits of the moments at the two ends.
     ends: [f64; 2],
-    latest: Option<Point>,
+    latest: Option<SearchPoint>,
     /// The last point on the other side of the moment.
-    opposite: Point,
-    before: Option<Point>,
+    opposite: SearchPoint,
+    before: Option<SearchPoint>,
 }
 
 impl SpinSearch {
@@ -32,7 +32,7 @@ impl SpinSearch {
             scale,
             ends,
             latest: None,
-            opposite: Point {
+            opposite: SearchPoint {
                 at: -1.0,
                 missing: low,
             },
@@ -43,7 +43,7 @@ impl SpinSearch {
     /// Returns the spin to try after one that lacks so much of the moment; `None` if spins between the bounds differ by
     /// round-off alone.
     pub(in crate::rolling) fn next(&mut self, spin: f64, missing: f64) -> Option<f64> {
-        let point = Point {
+        let point = SearchPoint {
             at: spin / (self.scale + spin.abs()),
             missing,
         };
@@ -52,12 +52,12 @@ impl SpinSearch {
             None => {
                 let [low, high] = self.ends;
                 self.opposite = if is_like(low) {
-                    Point {
+                    SearchPoint {
                         at: 1.0,
                         missing: high,
                     }
                 } else {
-                    Point {
+                    SearchPoint {
                         at: -1.0,
                         missing: low,
                     }
@@ -80,12 +80,12 @@ impl SpinSearch {
     }
 
     /// Returns the part of the way to the opposite bound.
-    fn part(&self, latest: Point) -> f64 {
+    fn part(&self, latest: SearchPoint) -> f64 {
         let [a, b] = [latest.at, self.opposite.at];
         let [fa, fb] = [latest.missing, self.opposite.missing];
         match self.before {
             None => fa / (fa - fb),
-            Some(Point { at: c, missing: fc }) => {
+            Some(SearchPoint { at: c, missing: fc }) => {
                 let (place, value) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
                 if value * value < place && (1.0 - value).powi(2) < 1.0 - place {
                     fa / (fb - fa) * fc / (fb - fc)

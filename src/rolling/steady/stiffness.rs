@@ -5,7 +5,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Disc, Held, LinearWorkspace, Linearised, Motion};
+use crate::cgm::{CellMotion, Disc, FixedSetSystem, LinearWorkspace, LinearisedSet};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{at, slices};
@@ -23,8 +23,8 @@ const TOLERANCE: f64 = 1e-10;
 
 /// The linear problem of a step at fixed zones, and its unknowns.
 #[derive(Clone)]
-pub(in crate::rolling) struct Follow {
-    pub(in crate::rolling) linear: LinearWorkspace<<Disc as Linearised<2>>::Motion, 2>,
+pub(in crate::rolling) struct RollingSensitivity {
+    pub(in crate::rolling) linear: LinearWorkspace<<Disc as LinearisedSet<2>>::CellMotion, 2>,
     layout: Layout,
     right: Vec<[f64; 2]>,
     unknowns: Vec<[f64; 2]>,
@@ -83,10 +83,10 @@ impl RollingSolver {
     }
 
     /// Takes the linear problem, or makes it.
-    pub(in crate::rolling) fn take_follow(&mut self) -> Result<Follow> {
+    pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
         Ok(match self.follow.take() {
             Some(follow) => follow,
-            None => Follow {
+            None => RollingSensitivity {
                 linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
                 layout: self.operator.layout(),
                 right: Vec::new(),
@@ -96,7 +96,11 @@ impl RollingSolver {
     }
 
     /// Forces and moment by a unit of each creepage and of spin.
-    fn loads(&self, follow: &mut Follow, observer: Observer<'_>) -> Result<[[f64; 3]; 3]> {
+    fn loads(
+        &self,
+        follow: &mut RollingSensitivity,
+        observer: Observer<'_>,
+    ) -> Result<[[f64; 3]; 3]> {
         self.hold_zones(follow)?;
         let (mut loads, mut work) = ([[0.0; 3]; 3], Report::unsolved());
         for (motion, loads) in loads.iter_mut().enumerate() {
@@ -109,7 +113,7 @@ impl RollingSolver {
     }
 
     /// Holds each cell in the zone where it is.
-    pub(in crate::rolling) fn hold_zones(&self, follow: &mut Follow) -> Result<()> {
+    pub(in crate::rolling) fn hold_zones(&self, follow: &mut RollingSensitivity) -> Result<()> {
         let (traction, limits) = (slices(&self.traction), &self.limits);
         let alone = self.operator.self_compliance();
         follow.linear.hold(|cell| {
@@ -118,14 +122,15 @@ impl RollingSolver {
             };
             let motion = disc.motion(at(&traction, cell));
             let own = self.own().mean(cell);
-            disc.measured(motion, self.slip(cell)).weighed(alone, own)
+            disc.measured(motion, self.slip(cell))
+                .with_preconditioner_weight(alone, own)
         })
     }
 
     fn loads_by(
         &self,
         motion: usize,
-        follow: &mut Follow,
+        follow: &mut RollingSensitivity,
         observer: Observer<'_>,
     ) -> Result<[f64; 3]> {
         let problem = &self.problem;
@@ -142,17 +147,17 @@ impl RollingSolver {
     pub(in crate::rolling) fn respond(
         &self,
         moved: impl Fn(usize) -> [f64; 2] + Sync,
-        follow: &mut Follow,
+        follow: &mut RollingSensitivity,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let Follow {
+        let RollingSensitivity {
             linear,
             layout,
             right,
             unknowns,
         } = follow;
         linear.restrict(moved, right)?;
-        let held = Held {
+        let held = FixedSetSystem {
             operator: &*self.operator,
             preconditioner: &*self.inverse,
             layout,

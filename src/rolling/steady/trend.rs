@@ -12,7 +12,7 @@ const FARTHEST: f64 = 1.5;
 /// In a time loop, creepages and spin change in a step by about as much as in the step before. On 24 x 24 cells of a wheel
 /// with steps of 1 ms, the extrapolation saves a fifth of the products.
 #[derive(Debug, Clone)]
-pub(in crate::rolling) struct Trend {
+pub(in crate::rolling) struct CreepTrend {
     /// During a solve the tractions at its start, without extrapolation.
     pub(in crate::rolling) change: [Vec<f64>; 2],
     /// Creepages, and spin times a length, of the last solve.
@@ -21,7 +21,7 @@ pub(in crate::rolling) struct Trend {
     by: [f64; 3],
 }
 
-impl Trend {
+impl CreepTrend {
     pub(in crate::rolling) fn new(cells: usize) -> Result<Self> {
         Ok(Self {
             change: try_each(|_| zeros(cells))?,

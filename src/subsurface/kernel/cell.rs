@@ -2,8 +2,8 @@
 
 use super::far;
 use super::integral::{Integral, Values, sign};
-use super::piece::{Interval, Piece};
-use crate::numerics::gauss::Rule;
+use super::piece::{CellPart, Extent};
+use crate::numerics::gauss::QuadratureRule;
 
 /// A cell of half sides `a` and `b`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +26,8 @@ impl Cell {
         let mut values = if let Some(rule) = self.rule([x, y, z]) {
             far::integrals([a, b], rule, &[x_abs], [y_abs, z]).map(|[value]| value)
         } else {
-            let (x, y) = (Interval::new(x_abs, a), Interval::new(y_abs, b));
-            Piece { x, y, z, unit }.integrals()
+            let (x, y) = (Extent::new(x_abs, a), Extent::new(y_abs, b));
+            CellPart { x, y, z, unit }.integrals()
         };
         for (value, integral) in values.iter_mut().zip(Integral::ALL) {
             *value *= sign(integral, [x, y]);
@@ -74,7 +74,7 @@ impl Cell {
         }
     }
 
-    fn rule(&self, point: [f64; 3]) -> Option<Rule> {
+    fn rule(&self, point: [f64; 3]) -> Option<QuadratureRule> {
         far::rule([self.a, self.b], point)
     }
 }

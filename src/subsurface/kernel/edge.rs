@@ -1,6 +1,6 @@
 //! Differences of the antiderivatives between the two ends of an edge of the cell, free of cancellation.
 
-use super::piece::Interval;
+use super::piece::Extent;
 
 /// An edge parallel to y, seen from the point: at the distance `X` along x, from `Y_2` to `Y_1` along y. An edge
 /// parallel to x is one with the axes exchanged.
@@ -10,7 +10,7 @@ pub(super) struct Edge {
     pub(super) offset: f64,
     pub(super) z: f64,
     /// From `Y_2` to `Y_1 >= |Y_2|`.
-    pub(super) extent: Interval,
+    pub(super) extent: Extent,
     /// The distances `r_1 >= r_2` of the ends.
     pub(super) distances: [f64; 2],
     /// What replaces a zero distance inside a logarithm.

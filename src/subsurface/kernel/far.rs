@@ -1,7 +1,7 @@
 //! The integrals by Gauss-Legendre quadrature, for points far from the cell.
 
 use crate::numerics::gauss::{
-    GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, Rule,
+    GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, QuadratureRule,
 };
 use crate::subsurface::kernel::integral::Integral;
 
@@ -12,7 +12,7 @@ use crate::subsurface::kernel::integral::Integral;
 /// the same integral with x and a exchanged.
 pub(super) fn integrals<const N: usize>(
     [a, b]: [f64; 2],
-    rule: Rule,
+    rule: QuadratureRule,
     xs: &[f64; N],
     [y, z]: [f64; 2],
 ) -> [[f64; N]; Integral::COUNT] {
@@ -36,7 +36,7 @@ pub(super) fn integrals<const N: usize>(
 
 /// Sums over the nodes; `[x, a]` of each point and `[y, b]` are the centre and the half side of an interval.
 fn product_rule<const N: usize>(
-    rule: Rule,
+    rule: QuadratureRule,
     [xs, a]: [&[f64; N]; 2],
     [y, b]: [f64; 2],
     z: f64,
@@ -106,7 +106,7 @@ fn add_integrands<const N: usize>(
 /// Distances in longer sides, and the cheapest rule whose error stays below the rounding beyond them. Deep below the
 /// cell the shear stress under a traction along it is of the second order in the ratio of side and depth, and asks most
 /// of the rule. Nearer than the last, the closed form cancels no more than a digit.
-const RULES: [(f64, Rule); 7] = [
+const RULES: [(f64, QuadratureRule); 7] = [
     (3000.0, &GAUSS_3),
     (150.0, &GAUSS_4),
     (30.0, &GAUSS_5),
@@ -118,8 +118,8 @@ const RULES: [(f64, Rule); 7] = [
 
 /// The cheapest rule that suffices for a rectangle of half sides a and b at a point; none near it. What is not a number
 /// is left to the quadrature too, which passes it on.
-pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<Rule> {
+pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<QuadratureRule> {
     let distance = ((x * x + y * y) + z * z).sqrt() / (2.0 * a.max(b));
-    let suffices = |&&(reach, _): &&(f64, Rule)| distance >= reach || distance.is_nan();
+    let suffices = |&&(reach, _): &&(f64, QuadratureRule)| distance >= reach || distance.is_nan();
     RULES.iter().find(suffices).map(|&(_, rule)| rule)
 }

@@ -2,7 +2,7 @@
 
 use super::edge::{Differences, Edge};
 use super::integral::{Integral, Values};
-use super::piece::Piece;
+use super::piece::CellPart;
 use std::f64::consts::PI;
 
 /// The four edges of a rectangle, as differences between their ends.
@@ -15,8 +15,8 @@ struct Outline {
 }
 
 impl Outline {
-    fn new(piece: &Piece) -> Self {
-        let Piece { x, y, z, unit } = *piece;
+    fn new(piece: &CellPart) -> Self {
+        let CellPart { x, y, z, unit } = *piece;
         let (xs, ys) = (x.ends, y.ends);
         // Its form keeps the exchange of the axes exact.
         let distances = xs.map(|x| ys.map(|y| ((x * x + y * y) + z * z).sqrt()));
@@ -79,7 +79,7 @@ impl Outline {
 }
 
 /// All integrals over a piece whose centre lies in the quadrant `x >= 0`, `y >= 0`.
-pub(super) fn integrals(piece: &Piece) -> Values {
+pub(super) fn integrals(piece: &CellPart) -> Values {
     let z = piece.z;
     let outline = Outline::new(piece);
     let lines_x = outline.times_x(|edge| edge.asinh);

@@ -2,18 +2,18 @@
 
 use super::integral::{Integral, Values, sign};
 use super::{far, near};
-use crate::numerics::gauss::Rule;
+use crate::numerics::gauss::QuadratureRule;
 
 /// The extent of a rectangle along one axis, as seen from the point.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Interval {
+pub(super) struct Extent {
     /// The upper and the lower end. Neighbours share them to the last bit.
     pub(super) ends: [f64; 2],
     pub(super) middle: f64,
     pub(super) half: f64,
 }
 
-impl Interval {
+impl Extent {
     /// Of half length `half` around `middle`. Both are kept: differences of the ends would lose digits far away.
     pub(super) fn new(middle: f64, half: f64) -> Self {
         let ends = [middle + half, middle - half];
@@ -49,9 +49,9 @@ impl Interval {
 
 /// A part of the cell as seen from the point.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
-    pub(super) x: Interval,
-    pub(super) y: Interval,
+pub(super) struct CellPart {
+    pub(super) x: Extent,
+    pub(super) y: Extent,
     pub(super) z: f64,
     /// What replaces a zero distance inside a logarithm.
     pub(super) unit: f64,
@@ -60,7 +60,7 @@ pub(super) struct Piece {
 /// The greatest ratio of sides for the closed form. It cancels in units of the shorter side.
 const SLENDEREST: f64 = 2.0;
 
-impl Piece {
+impl CellPart {
     pub(super) fn integrals(&self) -> Values {
         let Some(halves) = self.halves() else {
             return self.whole();
@@ -110,7 +110,7 @@ impl Piece {
     }
 
     /// The rule of quadrature that suffices at this distance; `None` near the point.
-    fn rule(&self) -> Option<Rule> {
+    fn rule(&self) -> Option<QuadratureRule> {
         let Self { x, y, z, .. } = self;
         far::rule([x.half, y.half], [x.middle, y.middle, *z])
     }

@@ -86,7 +86,7 @@ pub(crate) struct Weights {
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Axis {
+enum EdgeAxis {
     X,
     Y,
     Z,
@@ -113,13 +113,13 @@ impl Weights {
         let e = 1.0 - 2.0 * nu;
         let load = Load::P;
         self.add(load, Component::Ux, &[(-e, Lx)]);
-        self.add_trace(load, Component::Ux, z, Axis::X);
+        self.add_trace(load, Component::Ux, z, EdgeAxis::X);
         self.add(load, Component::Uy, &[(-e, Ly)]);
-        self.add_trace(load, Component::Uy, z, Axis::Y);
+        self.add_trace(load, Component::Uy, z, EdgeAxis::Y);
         self.add(load, Component::Uz, &[(2.0 * (1.0 - nu), V)]);
-        self.add_trace(load, Component::Uz, z, Axis::Z);
+        self.add_trace(load, Component::Uz, z, EdgeAxis::Z);
         self.add(load, Component::Sxx, &[(-1.0, Txxz), (-e, Lxx)]);
-        self.add_trace(load, Component::Sxx, e, Axis::Z);
+        self.add_trace(load, Component::Sxx, e, EdgeAxis::Z);
         self.add(load, Component::Syy, &[(-1.0, Tyyz), (e, Lxx)]);
         self.add(load, Component::Szz, &[(-1.0, Tzzz)]);
         self.add(load, Component::Sxy, &[(-1.0, Txyz), (-e, Lxy)]);
@@ -134,10 +134,10 @@ impl Weights {
         self.add(load, Component::Ux, &[(2.0, V), (2.0 * nu, Wxx), (-z, Lxx)]);
         self.add(load, Component::Uy, &[(2.0 * nu, Wxy), (-z, Lxy)]);
         self.add(load, Component::Uz, &[(e, Lx)]);
-        self.add_trace(load, Component::Uz, z, Axis::X);
+        self.add_trace(load, Component::Uz, z, EdgeAxis::X);
         self.add(load, Component::Sxx, &[(-1.0, Txxx), (e, Wxyy)]);
         self.add(load, Component::Syy, &[(-1.0, Txyy), (-e, Wxyy)]);
-        self.add_trace(load, Component::Syy, e, Axis::X);
+        self.add_trace(load, Component::Syy, e, EdgeAxis::X);
         self.add(load, Component::Szz, &[(-1.0, Txzz)]);
         self.add(load, Component::Sxy, &[(-1.0, Txxy), (-e, Wxxy)]);
         self.add(load, Component::Sxz, &[(-1.0, Txxz)]);
@@ -155,11 +155,11 @@ impl Weights {
             Component::Uy,
             &[(2.0 - 2.0 * nu, V), (-2.0 * nu, Wxx), (z, Lxx)],
         );
-        self.add_trace(load, Component::Uy, -z, Axis::Z);
+        self.add_trace(load, Component::Uy, -z, EdgeAxis::Z);
         self.add(load, Component::Uz, &[(e, Ly)]);
-        self.add_trace(load, Component::Uz, z, Axis::Y);
+        self.add_trace(load, Component::Uz, z, EdgeAxis::Y);
         self.add(load, Component::Sxx, &[(-1.0, Txxy), (-e, Wxxy)]);
-        self.add_trace(load, Component::Sxx, e, Axis::Y);
+        self.add_trace(load, Component::Sxx, e, EdgeAxis::Y);
         self.add(load, Component::Syy, &[(-1.0, Tyyy), (e, Wxxy)]);
         self.add(load, Component::Szz, &[(-1.0, Tyzz)]);
         self.add(load, Component::Sxy, &[(-1.0, Txyy), (-e, Wxyy)]);
@@ -168,12 +168,12 @@ impl Weights {
     }
 
     /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, a third of the trace of `T`.
-    fn add_trace(&mut self, load: Load, component: Component, factor: f64, axis: Axis) {
+    fn add_trace(&mut self, load: Load, component: Component, factor: f64, axis: EdgeAxis) {
         use Integral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
         let trace = match axis {
-            Axis::X => [Txxx, Txyy, Txzz],
-            Axis::Y => [Txxy, Tyyy, Tyzz],
-            Axis::Z => [Txxz, Tyyz, Tzzz],
+            EdgeAxis::X => [Txxx, Txyy, Txzz],
+            EdgeAxis::Y => [Txxy, Tyyy, Tyzz],
+            EdgeAxis::Z => [Txxz, Tyyz, Tzzz],
         };
         self.add(
             load,

@@ -2,7 +2,7 @@
 
 mod radial;
 
-use crate::bodies::layers::{Base, Below, Waves};
+use crate::bodies::layers::{Base, LayerWaves, SubsurfaceResponse};
 use crate::bodies::material::Material;
 use crate::error::Result;
 use crate::fft::Torus;
@@ -16,12 +16,12 @@ use radial::Radial;
 
 /// A component under a traction.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Entry {
+pub(super) struct StressEntry {
     pub(super) load: Load,
     pub(super) component: Component,
 }
 
-impl Entry {
+impl StressEntry {
     pub(super) const COUNT: usize = 3 * Component::COUNT;
 
     pub(super) fn of(index: usize) -> Self {
@@ -43,18 +43,18 @@ impl Entry {
 }
 
 /// The components under each traction: one number each.
-type Entries = [f64; Entry::COUNT];
+type Entries = [f64; StressEntry::COUNT];
 /// Those under one traction.
-type Column = [f64; Component::COUNT];
+type TractionColumn = [f64; Component::COUNT];
 
 /// A depth below a coated body.
 ///
 /// In the outermost layer the effect of a cell is that on a half-space of the layer's constants, in closed form, and a rest
 /// that what lies below adds, smooth on the scale of 2h - z. Further down all of it is smooth on the scale of the depth. What
-/// is smooth are Hankel integrals of the [responses at the depth](Below), tabulated in the distance and integrated over the
+/// is smooth are Hankel integrals of the [responses at the depth](SubsurfaceResponse), tabulated in the distance and integrated over the
 /// cell by Gauss rules, as for the surface.
 pub(super) struct Layered<'a> {
-    waves: Waves<'a>,
+    waves: LayerWaves<'a>,
     depth: f64,
     /// Shear modulus and Poisson's ratio of the outermost layer, for a depth in it.
     near: Option<[f64; 2]>,
@@ -106,7 +106,7 @@ impl<'a> Layered<'a> {
         grid: Grid,
         boundary: Boundary,
         torus: &Torus,
-    ) -> Result<[Vec<f64>; Entry::COUNT]> {
+    ) -> Result<[Vec<f64>; StressEntry::COUNT]> {
         let ([width, _], own) = (torus.quarter(), torus.own_distances());
         let sides = [0.5 * grid.dx(), 0.5 * grid.dy()];
         let cell = LoadedRectangle::new(sides[0], sides[1]);
@@ -119,7 +119,7 @@ impl<'a> Layered<'a> {
         let strips = Strips::new(grid, boundary);
         let period = grid.dy() * grid.ny() as f64;
         let rest = |k: f64| self.rest(k);
-        let work = |row: usize, rows: [Blocks<'_, f64>; Entry::COUNT]| {
+        let work = |row: usize, rows: [Blocks<'_, f64>; StressEntry::COUNT]| {
             let y = (own.start + row) as f64 * grid.dy();
             let mut out = rows.map(|row| row.items);
             for (ix, &x) in xs.iter().enumerate() {
@@ -154,12 +154,12 @@ impl<'a> Layered<'a> {
     }
 
     /// What is smooth of the response to waves of k.
-    fn rest(&self, k: f64) -> Below {
+    fn rest(&self, k: f64) -> SubsurfaceResponse {
         let whole = self.waves.at_depth(k, self.depth);
         match self.near {
             Some(constants) => {
                 let (layers, base) = (&[][..], Base::Elastic(constants));
-                whole.less(&Waves { layers, base }.at_depth(k, self.depth))
+                whole.less(&LayerWaves { layers, base }.at_depth(k, self.depth))
             }
             None => whole,
         }
@@ -176,10 +176,10 @@ fn add_homogeneous(
     weights: &Weights,
     modulus: f64,
     integrals: &[&mut [f64]; Integral::COUNT],
-    out: &mut [&mut [f64]; Entry::COUNT],
+    out: &mut [&mut [f64]; StressEntry::COUNT],
 ) {
     for (n, out) in out.iter_mut().enumerate() {
-        let Entry { load, component } = Entry::of(n);
+        let StressEntry { load, component } = StressEntry::of(n);
         let unit = if component.is_displacement() {
             modulus
         } else {
@@ -196,7 +196,7 @@ fn add_homogeneous(
 }
 
 /// Under a wave of pressure, in the direction of a unit vector.
-fn pressed(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
+fn pressed(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColumn {
     let [normal, along, p, q, stress_along, stress_across] = below.by_pressure;
     let (xx, yy, xy) = (x * x, y * y, x * y);
     [
@@ -213,7 +213,7 @@ fn pressed(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
 }
 
 /// Under a wave of traction along x.
-fn sheared(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
+fn sheared(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColumn {
     let [normal, along, p, q, stress_along, stress_across] = below.by_traction;
     let [across, passed, shear] = below.across;
     let (xx, yy, xy) = (x * x, y * y, x * y);
@@ -231,11 +231,11 @@ fn sheared(below: &Below, k: f64, [x, y]: [f64; 2]) -> Column {
 }
 
 /// The components with x and y exchanged.
-fn exchanged([ux, uy, uz, xx, yy, zz, xy, xz, yz]: Column) -> Column {
+fn exchanged([ux, uy, uz, xx, yy, zz, xy, xz, yz]: TractionColumn) -> TractionColumn {
     [uy, ux, uz, yy, xx, zz, xy, yz, xz]
 }
 
-fn joined(pressure: Column, along_x: Column, along_y: Column) -> Entries {
+fn joined(pressure: TractionColumn, along_x: TractionColumn, along_y: TractionColumn) -> Entries {
     let loads = [pressure, along_x, along_y];
     std::array::from_fn(|n| loads[n / Component::COUNT][n % Component::COUNT])
 }

@@ -3,14 +3,14 @@
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use crate::bodies::layers::Below;
+use crate::bodies::layers::SubsurfaceResponse;
 use crate::bodies::material::Material;
 use crate::influence::hankel::{
     PIECES, RULES, TERMS, bessel, chebyshev, ends_of, nodes, piece_of, rule, wave_numbers,
 };
 use crate::influence::periodic_images::{FAR, pieces};
 use crate::influence::slowest;
-use crate::subsurface::layered::{Column, Entries, Entry, exchanged, joined};
+use crate::subsurface::layered::{Entries, StressEntry, TractionColumn, exchanged, joined};
 
 /// Functions of a distance, on the surface or along a line.
 const FUNCTIONS: usize = 15;
@@ -26,15 +26,15 @@ const EVEN: usize = 8;
 const GONE: f64 = 40.0;
 
 /// The functions on a piece, by the coefficients of each Chebyshev polynomial.
-type Piece = Box<[[f64; FUNCTIONS]; TERMS]>;
+type RadialPiece = Box<[[f64; FUNCTIONS]; TERMS]>;
 
 /// Tables of Hankel integrals of a response that is gone at 40 over the scale, and their sums over cells.
 pub(super) struct Radial {
     scale: f64,
     /// Wave number below which nothing happens.
     least: f64,
-    points: [OnceLock<Piece>; PIECES],
-    lines: [OnceLock<Piece>; PIECES],
+    points: [OnceLock<RadialPiece>; PIECES],
+    lines: [OnceLock<RadialPiece>; PIECES],
     /// k times the displacements that waves without end cause, normal, along and across.
     pole: [f64; 3],
 }
@@ -53,7 +53,7 @@ impl Radial {
     /// The components over a cell of half sides `[a, b]`, at a distance from its centre.
     pub(super) fn over_cell(
         &self,
-        response: &impl Fn(f64) -> Below,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
         [a, b]: [f64; 2],
         [x, y]: [f64; 2],
     ) -> Entries {
@@ -73,7 +73,7 @@ impl Radial {
             let (one, other) = (part(1.0), part(-1.0));
             return std::array::from_fn(|n| one[n] + other[n]);
         };
-        let mut sum = [0.0; Entry::COUNT];
+        let mut sum = [0.0; StressEntry::COUNT];
         for &[node_y, weight_y] in RULES[along_y].1 {
             for &[node_x, weight_x] in RULES[along_x].1 {
                 let weight = weight_x * weight_y * a * b / TAU;
@@ -90,7 +90,7 @@ impl Radial {
     /// displacements: [as](crate::influence::periodic_images) of the surface.
     pub(super) fn over_rows(
         &self,
-        response: &impl Fn(f64) -> Below,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
         [a, b]: [f64; 2],
         [x, y]: [f64; 2],
         [period, datum]: [f64; 2],
@@ -112,7 +112,7 @@ impl Radial {
         // Here, and half a period away, the images of one side are those of the other.
         if y == 0.0 || 2.0 * y >= period {
             for (n, sum) in sum.iter_mut().enumerate() {
-                if Entry::of(n).is_odd()[1] {
+                if StressEntry::of(n).is_odd()[1] {
                     *sum = 0.0;
                 }
             }
@@ -121,13 +121,19 @@ impl Radial {
     }
 
     /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
-    fn over_strip(&self, response: &impl Fn(f64) -> Below, a: f64, x: f64, datum: f64) -> Entries {
+    fn over_strip(
+        &self,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
+        a: f64,
+        x: f64,
+        datum: f64,
+    ) -> Entries {
         let Some(rule) = rule(a, x.abs(), self.scale) else {
             let part = |x: f64| self.over_strip(response, 0.5 * a, x, datum);
             let (one, other) = (part(x + 0.5 * a), part(x - 0.5 * a));
             return std::array::from_fn(|n| one[n] + other[n]);
         };
-        let mut sum = [0.0; Entry::COUNT];
+        let mut sum = [0.0; StressEntry::COUNT];
         for &[node, weight] in RULES[rule].1 {
             let values = self.at_line(response, x + a * node, datum);
             for (sum, value) in sum.iter_mut().zip(values) {
@@ -137,7 +143,7 @@ impl Radial {
         sum
     }
 
-    fn at_point(&self, response: &impl Fn(f64) -> Below, [x, y]: [f64; 2]) -> Entries {
+    fn at_point(&self, response: &impl Fn(f64) -> SubsurfaceResponse, [x, y]: [f64; 2]) -> Entries {
         let functions = sample(&self.points, self.scale, x.hypot(y), |ends| {
             self.point_piece(response, ends)
         });
@@ -148,7 +154,11 @@ impl Radial {
         )
     }
 
-    fn point_piece(&self, response: &impl Fn(f64) -> Below, ends: [f64; 2]) -> Piece {
+    fn point_piece(
+        &self,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
+        ends: [f64; 2],
+    ) -> RadialPiece {
         let numbers = wave_numbers(ends, GONE / self.scale, self.least);
         let waves: Vec<_> = numbers
             .into_iter()
@@ -174,7 +184,12 @@ impl Radial {
         })
     }
 
-    fn at_line(&self, response: &impl Fn(f64) -> Below, x: f64, datum: f64) -> Entries {
+    fn at_line(
+        &self,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
+        x: f64,
+        datum: f64,
+    ) -> Entries {
         let functions = sample(&self.lines, self.scale, x.abs(), |ends| {
             self.line_piece(response, ends)
         });
@@ -235,13 +250,17 @@ impl Radial {
         joined(pressure, along_x, along_y)
     }
 
-    fn line_piece(&self, response: &impl Fn(f64) -> Below, ends: [f64; 2]) -> Piece {
+    fn line_piece(
+        &self,
+        response: &impl Fn(f64) -> SubsurfaceResponse,
+        ends: [f64; 2],
+    ) -> RadialPiece {
         let pole = self.pole;
         let numbers = wave_numbers(ends, GONE / self.scale, self.least);
         let waves: Vec<_> = numbers
             .into_iter()
             .map(|(k, weight)| {
-                let Below {
+                let SubsurfaceResponse {
                     by_pressure: [normal, along_p, p, q_p, stress_along, stress_across],
                     by_traction: [normal_q, along, p_q, q, stress_along_q, stress_across_q],
                     across: [across, passed, shear],
@@ -283,7 +302,7 @@ impl Radial {
 }
 
 /// The functions under the Hankel integrals, of k times the displacements and of the stresses.
-fn harmonics(below: &Below) -> [f64; FUNCTIONS] {
+fn harmonics(below: &SubsurfaceResponse) -> [f64; FUNCTIONS] {
     let [normal, along, p, q, stress_along, stress_across] = below.by_pressure;
     let [normal_q, along_q, p_q, q_q, l, t] = below.by_traction;
     let [across, passed, shear] = below.across;
@@ -307,7 +326,7 @@ fn harmonics(below: &Below) -> [f64; FUNCTIONS] {
 }
 
 /// Under a force that presses, at a distance, by the [functions](harmonics).
-fn pressed(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> Column {
+fn pressed(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     let turned = (x * x - y * y) * of[8];
     [
         -x * of[1],
@@ -323,7 +342,7 @@ fn pressed(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> Column {
 }
 
 /// Under a force along x.
-fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> Column {
+fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     let (square, product) = (x * x - y * y, 2.0 * x * y);
     let cubes = [x * (x * x - 3.0 * y * y), y * (3.0 * x * x - y * y)].map(|cube| cube * of[14]);
     [
@@ -341,10 +360,10 @@ fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> Column {
 
 /// All functions at a distance; a piece is made at the first use.
 fn sample(
-    table: &[OnceLock<Piece>; PIECES],
+    table: &[OnceLock<RadialPiece>; PIECES],
     scale: f64,
     distance: f64,
-    make: impl Fn([f64; 2]) -> Piece,
+    make: impl Fn([f64; 2]) -> RadialPiece,
 ) -> [f64; FUNCTIONS] {
     let piece = piece_of(distance, scale);
     let ends @ [start, end] = ends_of(piece, scale);
@@ -361,7 +380,7 @@ fn sample(
     std::array::from_fn(|n| 0.5 * t * next[n] - after[n] + terms[0][n])
 }
 
-fn tabulated(ends: [f64; 2], at: impl Fn(f64) -> [f64; FUNCTIONS]) -> Piece {
+fn tabulated(ends: [f64; 2], at: impl Fn(f64) -> [f64; FUNCTIONS]) -> RadialPiece {
     let values = nodes(ends).map(at);
     let by_function: [[f64; TERMS]; FUNCTIONS] =
         std::array::from_fn(|function| chebyshev(|node| values[node][function]));

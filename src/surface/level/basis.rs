@@ -6,7 +6,7 @@ use super::triangle::Triangle;
 use crate::grid::field::Field;
 use crate::parallel;
 use crate::parallel::layout::Layout;
-use crate::parallel::reduce::Tally;
+use crate::parallel::reduce::Reduction;
 use crate::surface::level::HIGHEST_DEGREE;
 use crate::surface::slab::Slab;
 
@@ -99,7 +99,7 @@ impl<'a> Basis<'a> {
             }
             sums
         };
-        self.layout.fold(leaf, Tally::plus)[..count].to_vec()
+        self.layout.fold(leaf, Reduction::plus)[..count].to_vec()
     }
 
     /// `R` of `A = QR`, by reduction of blocks of rows.

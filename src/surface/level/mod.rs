@@ -122,7 +122,8 @@ pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Lev
     if let Form::Polynomial(_) = form {
         slab.layout().check_alone("the removal of a polynomial")?;
     }
-    slab.layout().agreed(finite_or_missing(heights))?;
+    slab.layout()
+        .collective_result(finite_or_missing(heights))?;
     let (degree, limit) = (form.degree(), HIGHEST_DEGREE);
     if degree > limit {
         return Err(Error::Degree { degree, limit });

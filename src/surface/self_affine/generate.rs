@@ -7,13 +7,13 @@ use num_complex::Complex;
 
 use crate::error::{Result, all_finite, at_least, finite, memory};
 use crate::grid::Grid;
-use crate::observer::{Watch, unwatched};
+use crate::observer::{WorkObserver, unwatched};
 use crate::parallel;
 use crate::report::Iteration;
-use crate::surface::self_affine::cut::Cut;
-use crate::surface::self_affine::law::Law;
+use crate::surface::self_affine::crop_window::CropWindow;
+use crate::surface::self_affine::law::SpectrumLaw;
 use crate::surface::self_affine::{
-    Amplitudes, BYTES_PER_CELL, RoughSurface, SelfAffine, Target, phases, rank_order,
+    Amplitudes, BYTES_PER_CELL, HeightTarget, RoughSurface, SelfAffine, phases, rank_order,
 };
 use crate::surface::waves::Waves;
 
@@ -24,11 +24,11 @@ impl SelfAffine {
     /// - [`Error::NotPositive`](crate::Error::NotPositive) for the target or a wavelength,
     ///   [`Error::Hurst`](crate::Error::Hurst), [`Error::NotFinite`](crate::Error::NotFinite) for the
     ///   skewness or kurtosis.
-    /// - [`Error::Below`](crate::Error::Below) if the cut-off is less than two cells, if a wavelength
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the cut-off is less than two cells, if a wavelength
     ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
     ///   one.
-    /// - [`Error::EmptyBand`](crate::Error::EmptyBand) if no wave of the surface lies within the band.
-    /// - [`Error::HeightsNotReached`](crate::Error::HeightsNotReached) if no phases were found for
+    /// - [`Error::NoWaveInBand`](crate::Error::NoWaveInBand) if no wave of the surface lies within the band.
+    /// - [`Error::HeightMomentsNotReached`](crate::Error::HeightMomentsNotReached) if no phases were found for
     ///   skewness and kurtosis.
     /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
     /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
@@ -48,13 +48,13 @@ impl SelfAffine {
         grid: Grid,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<RoughSurface> {
-        let watch = &mut Watch::new(&mut observer);
+        let watch = &mut WorkObserver::new(&mut observer);
         let wanted = self.moments()?;
         let target = self.target.checked()?;
         let cut = if self.is_cropped {
-            Cut::middle(grid)?
+            CropWindow::middle(grid)?
         } else {
-            Cut::all(grid)
+            CropWindow::all(grid)
         };
         memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
         parallel::enter_with(grid.cells(), || self.made(&cut, wanted, target, watch))
@@ -63,12 +63,12 @@ impl SelfAffine {
     /// With what was asked for checked.
     fn made(
         &self,
-        cut: &Cut,
+        cut: &CropWindow,
         wanted: Option<[f64; 2]>,
         target: f64,
-        watch: &mut Watch<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<RoughSurface> {
-        watch.ask()?;
+        watch.notify_observer()?;
         let mut waves = self.waves(cut, Waves::none(cut.whole))?;
         let mut iterations = 0;
         if let Some(wanted) = wanted {
@@ -78,8 +78,8 @@ impl SelfAffine {
         let surface = RoughSurface::new(&waves, cut, iterations, watch)?;
         let unit = if self.is_cropped && self.amplitudes == Amplitudes::Exact {
             match self.target {
-                Target::RmsHeight(_) => surface.rms_height(),
-                Target::RmsSlope(_) => surface.rms_slope(),
+                HeightTarget::RmsHeight(_) => surface.rms_height(),
+                HeightTarget::RmsSlope(_) => surface.rms_slope(),
             }
         } else {
             1.0
@@ -102,11 +102,11 @@ impl SelfAffine {
     }
 
     /// The waves of the periodic surface with a target of one, so that no square is out of range.
-    pub(super) fn waves(&self, cut: &Cut, mut waves: Waves) -> Result<Waves> {
-        let law = Law::new(self, cut.whole)?;
+    pub(super) fn waves(&self, cut: &CropWindow, mut waves: Waves) -> Result<Waves> {
+        let law = SpectrumLaw::new(self, cut.whole)?;
         let total = match self.target {
-            Target::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
-            Target::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
+            HeightTarget::RmsHeight(_) => law.total(cut.whole, |_| 1.0)?,
+            HeightTarget::RmsSlope(_) => law.total(cut.whole, |mode| mode.wave_number().powi(2))?,
         };
         waves.update(|mode, _| {
             let power = law.power(&mode);

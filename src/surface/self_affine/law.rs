@@ -9,7 +9,7 @@ use crate::surface::waves::Mode;
 
 /// A self-affine law with all its wavelengths set.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Law {
+pub(super) struct SpectrumLaw {
     hurst: f64,
     longest: f64,
     roll_off: f64,
@@ -25,7 +25,7 @@ const CUT_OFF_CELLS: f64 = 8.0;
 /// Least cut-off, in cells.
 const LEAST_CUT_OFF_CELLS: f64 = 2.0;
 
-impl Law {
+impl SpectrumLaw {
     /// The requested law, on the grid of the periodic surface.
     pub(super) fn new(asked: &SelfAffine, grid: Grid) -> Result<Self> {
         if !(0.0..=1.0).contains(&asked.hurst) {
@@ -85,7 +85,7 @@ impl Law {
         let power = |mode: Mode| mode.copies * self.power(&mode) * weight(&mode);
         let total = Mode::all(grid).map(power).sum();
         if total == 0.0 {
-            return Err(Error::EmptyBand {
+            return Err(Error::NoWaveInBand {
                 longest: self.longest,
                 shortest: self.cut_off,
             });

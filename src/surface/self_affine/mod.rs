@@ -2,7 +2,7 @@
 
 pub(super) mod on_bodies;
 
-mod cut;
+mod crop_window;
 mod generate;
 mod johnson;
 mod law;
@@ -140,7 +140,7 @@ pub enum Amplitudes {
     serde(deny_unknown_fields)
 )]
 pub struct SelfAffine {
-    target: Target,
+    target: HeightTarget,
     #[cfg_attr(feature = "serde", serde(default = "default_hurst"))]
     hurst: f64,
     longest_wavelength: Option<f64>,
@@ -163,12 +163,12 @@ pub struct SelfAffine {
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "snake_case")
 )]
-enum Target {
+enum HeightTarget {
     RmsHeight(f64),
     RmsSlope(f64),
 }
 
-impl Target {
+impl HeightTarget {
     fn checked(self) -> Result<f64> {
         match self {
             Self::RmsHeight(height) => positive("rms height", height),
@@ -188,17 +188,17 @@ impl SelfAffine {
     /// A surface of the given root-mean-square height (a length).
     #[must_use]
     pub fn with_rms_height(rms_height: f64) -> Self {
-        Self::with(Target::RmsHeight(rms_height))
+        Self::with(HeightTarget::RmsHeight(rms_height))
     }
 
     /// A surface of the given root-mean-square gradient $`|\nabla z|`$ of the sum of waves.
     #[doc(alias = "rms slope")]
     #[must_use]
     pub fn with_rms_slope(rms_slope: f64) -> Self {
-        Self::with(Target::RmsSlope(rms_slope))
+        Self::with(HeightTarget::RmsSlope(rms_slope))
     }
 
-    fn with(target: Target) -> Self {
+    fn with(target: HeightTarget) -> Self {
         Self {
             target,
             hurst: default_hurst(),

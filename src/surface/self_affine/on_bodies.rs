@@ -8,9 +8,9 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::parallel;
 use crate::parallel::layout::Layout;
-use crate::parallel::ranks::partition::Share;
+use crate::parallel::ranks::partition::RowPartition;
 use crate::surface::self_affine::SelfAffine;
-use crate::surface::self_affine::cut::Cut;
+use crate::surface::self_affine::crop_window::CropWindow;
 use crate::surface::self_affine::moments::mean_over;
 use crate::surface::waves::{Waves, shared_columns};
 
@@ -24,9 +24,9 @@ impl SelfAffine {
     /// ranks share, or for surfaces that are not the same on all.
     pub fn generate_on(&self, bodies: &HalfSpace) -> Result<Field> {
         let grid = bodies.grid().whole();
-        bodies.agreed_alike(Ok(()), &[("rough surface", self)])?;
+        bodies.collective_result_checked(Ok(()), &[("rough surface", self)])?;
         match bodies.share(grid.size()) {
-            Some(rows) => bodies.agreed(self.generate_slab(grid, &rows)),
+            Some(rows) => bodies.collective_result(self.generate_slab(grid, &rows)),
             None => Ok(self.generate(grid)?.into_heights()),
         }
     }
@@ -34,21 +34,21 @@ impl SelfAffine {
 
 impl SelfAffine {
     /// The heights on the slab that a rank holds of a grid.
-    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<Share>) -> Result<Field> {
+    pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<RowPartition>) -> Result<Field> {
         let quantity = match (self.moments()?, self.is_cropped) {
             (None, false) => None,
             (Some(_), _) => Some("a surface of given skewness or kurtosis"),
             (None, true) => Some("a cropped surface"),
         };
         if let Some(quantity) = quantity {
-            return Err(Error::Ranks(RankFailure::NotShared(quantity)));
+            return Err(Error::Ranks(RankFailure::UnsupportedOnRanks(quantity)));
         }
         let target = self.target.checked()?;
         let columns = Arc::new(shared_columns(grid, rows.team()));
-        let cells = rows.own_rows().len() * grid.nx();
+        let cells = rows.local_rows().len() * grid.nx();
         let mut heights = parallel::enter_with(cells, || -> Result<Field> {
             let waves = Waves::none_on(grid, Some(&columns));
-            let waves = self.waves(&Cut::all(grid), waves)?;
+            let waves = self.waves(&CropWindow::all(grid), waves)?;
             Ok(waves.into_slab(&columns, rows))
         })?;
         let layout = Layout::shared(Arc::clone(rows));

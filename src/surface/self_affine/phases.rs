@@ -14,10 +14,10 @@
 
 use num_complex::Complex;
 
-use super::cut::Cut;
+use super::crop_window::CropWindow;
 use super::moments::{Standardised, deviation};
 use crate::error::{Error, Result};
-use crate::observer::Watch;
+use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
 /// Largest deviation from the requested skewness and kurtosis.
@@ -31,13 +31,13 @@ const LONGEST_STEP: f64 = 0.1;
 /// number of steps.
 pub(super) fn turn(
     waves: &mut Waves,
-    cut: &Cut,
+    cut: &CropWindow,
     wanted: [f64; 2],
-    watch: &mut Watch<'_>,
+    watch: &mut WorkObserver<'_>,
 ) -> Result<usize> {
     let mut reached = [f64::NAN; 2];
     for step in 0..=LIMIT {
-        watch.ask()?;
+        watch.notify_observer()?;
         let surface = Standardised::new(cut.of(&waves.clone().into_field()));
         reached = surface.moments();
         watch.shown().residual = deviation(reached, wanted);
@@ -51,7 +51,7 @@ pub(super) fn turn(
         watch.shown().iteration += 1;
     }
     let [skewness, kurtosis] = wanted;
-    Err(Error::HeightsNotReached {
+    Err(Error::HeightMomentsNotReached {
         skewness,
         kurtosis,
         reached,
@@ -59,7 +59,12 @@ pub(super) fn turn(
 }
 
 /// Turns the waves to supply the missing skewness and kurtosis; returns false if no turn changes both.
-fn newton_step(waves: &mut Waves, cut: &Cut, surface: &Standardised, missing: [f64; 2]) -> bool {
+fn newton_step(
+    waves: &mut Waves,
+    cut: &CropWindow,
+    surface: &Standardised,
+    missing: [f64; 2],
+) -> bool {
     let [skewness, kurtosis] = surface.moments();
     let direction = |f: &dyn Fn(f64) -> f64| {
         let mut direction = surface.heights.clone();

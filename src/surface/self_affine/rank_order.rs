@@ -9,7 +9,7 @@ use super::johnson::sorted_heights;
 use super::moments::{Standardised, deviation};
 use crate::error::Result;
 use crate::grid::field::Field;
-use crate::observer::Watch;
+use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
 /// Largest number of iterations; each costs two transforms and a sort.
@@ -25,7 +25,7 @@ const SLOW: f64 = 0.01;
 pub(super) fn approach(
     drawn: &Waves,
     wanted: [f64; 2],
-    watch: &mut Watch<'_>,
+    watch: &mut WorkObserver<'_>,
 ) -> Result<(Waves, usize)> {
     let mut waves = drawn.clone();
     let mut surface = Standardised::new(waves.clone().into_field());
@@ -35,7 +35,7 @@ pub(super) fn approach(
     while iterations < LIMIT && change > SLOW {
         let last = surface.moments();
         watch.shown().residual = deviation(last, wanted);
-        watch.ask()?;
+        watch.notify_observer()?;
         replace_by_rank(&mut surface.heights, &sorted);
         waves = Waves::of(&surface.heights);
         waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));

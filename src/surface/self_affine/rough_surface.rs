@@ -2,11 +2,11 @@
 
 use num_complex::Complex;
 
-use super::cut::Cut;
+use super::crop_window::CropWindow;
 use super::moments::{Standardised, mean_of};
 use crate::error::Result;
 use crate::grid::field::Field;
-use crate::observer::Watch;
+use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
 /// A surface made by [`SelfAffine`](super::SelfAffine), with its parameters.
@@ -27,18 +27,18 @@ impl RoughSurface {
     /// [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
     pub(super) fn new(
         waves: &Waves,
-        cut: &Cut,
+        cut: &CropWindow,
         iterations: usize,
-        watch: &mut Watch<'_>,
+        watch: &mut WorkObserver<'_>,
     ) -> Result<Self> {
-        watch.ask()?;
+        watch.notify_observer()?;
         let mut heights = cut.of(&waves.clone().into_field());
         let mean = mean_of(&heights, |z| z);
         for height in heights.as_mut_slice() {
             *height -= mean;
         }
         let mut square_slope = |axis: usize| {
-            watch.ask()?;
+            watch.notify_observer()?;
             let mut slopes = waves.clone();
             slopes.update(|mode, wave| wave * Complex::i() * mode.wave_vector[axis]);
             let slopes = cut.of(&slopes.into_field());

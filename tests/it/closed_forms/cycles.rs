@@ -255,7 +255,7 @@ fn wrong_paths_are_refused() -> Result<()> {
     }
     assert!(matches!(
         MindlinDeresiewicz::new(ball, -0.5, &[]),
-        Err(Error::Negative { .. })
+        Err(Error::NegativeOrNotFinite { .. })
     ));
     Ok(())
 }

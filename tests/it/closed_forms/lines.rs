@@ -121,8 +121,14 @@ fn coupled_bodies_and_too_much_strain_are_refused() -> Result<()> {
     assert_eq!(refused, Err(Error::CoupledMaterials { beta }));
     // The strip that sticks would leave the contact, at 1 - sqrt(1 - f).
     assert!(sheared(0.6, 0.3675).is_ok());
-    assert!(matches!(sheared(0.6, 0.3676), Err(Error::Below { .. })));
-    assert!(matches!(sheared(0.0, 1e-3), Err(Error::Below { .. })));
+    assert!(matches!(
+        sheared(0.6, 0.3676),
+        Err(Error::BelowMinimum { .. })
+    ));
+    assert!(matches!(
+        sheared(0.0, 1e-3),
+        Err(Error::BelowMinimum { .. })
+    ));
     let refused = sheared(0.6, 0.1)?.with_bulk_stress([f64::NAN, 0.0]);
     assert!(matches!(refused, Err(Error::Sample { .. })));
     Ok(())

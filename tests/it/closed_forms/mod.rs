@@ -140,7 +140,10 @@ fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
     shear: impl Fn(f64, f64) -> Result<T>,
 ) {
     for wrong in [-0.1, f64::NAN, f64::INFINITY] {
-        assert!(matches!(shear(wrong, 0.0), Err(Error::Negative { .. })));
+        assert!(matches!(
+            shear(wrong, 0.0),
+            Err(Error::NegativeOrNotFinite { .. })
+        ));
     }
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(matches!(

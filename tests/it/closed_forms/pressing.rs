@@ -119,6 +119,6 @@ fn the_stick_zone_of_pressing() -> Result<()> {
         1.0
     );
     let refused = SpencePressing::plane(&on_rigid(0.0)?, -0.1);
-    assert!(matches!(refused, Err(Error::Negative { .. })));
+    assert!(matches!(refused, Err(Error::NegativeOrNotFinite { .. })));
     Ok(())
 }

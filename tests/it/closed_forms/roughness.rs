@@ -398,7 +398,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
             RoughSphere::area_law(wrong, 2.0),
             Persson::area_law(wrong, 2.0),
         ] {
-            assert!(matches!(refused, Err(Error::Negative { .. })));
+            assert!(matches!(refused, Err(Error::NegativeOrNotFinite { .. })));
         }
     }
     // Results beyond the range of a double.

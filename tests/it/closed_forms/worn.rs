@@ -144,11 +144,11 @@ fn wrong_shapes_are_refused() -> Result<()> {
     for wrong in [-1e-9, f64::NAN, f64::INFINITY] {
         assert!(matches!(
             shape(1e-3, 1e-6, wrong),
-            Err(Error::Negative { .. })
+            Err(Error::NegativeOrNotFinite { .. })
         ));
     }
     let beyond = shape(1.0, 1e-6, 1.1e-3);
-    assert!(matches!(beyond, Err(Error::Below { value, .. }) if value < 1.1e-3));
+    assert!(matches!(beyond, Err(Error::BelowMinimum { value, .. }) if value < 1.1e-3));
     // Meant to equal the contact radius, and a rounding larger.
     assert!(shape(1.0, 1e-6, 1e-3 * (1.0 + 1e-15)).is_ok());
     let ball = HertzSphere::new(&pair, 3.5e-3, 100.0)?;

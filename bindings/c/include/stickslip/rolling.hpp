@@ -82,7 +82,7 @@ class RollingSolver {
     void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
     void set_friction(const stickslip_friction &friction) { check(stickslip_rolling_solver_set_friction(get(), &friction)); }
     void set_pressure(const NormalSolution &normal) { check(stickslip_rolling_solver_set_normal(get(), normal.get())); }
-    /// Without the law of entering cells only.
+    /// Without the entry rule only.
     void set_pressure(Field pressure) {
         check(stickslip_rolling_solver_set_pressure(get(), pressure.data(), pressure.size()));
     }

@@ -118,7 +118,7 @@ void change_history(struct run *run) {
         const stickslip_half_space *bodies = GET(stickslip_half_space, pick(run, BODIES));
         double cycles;
         limits.largest_depth = below(run, 2) == 0 ? INFINITY : number(run, 0.1);
-        limits.closed_within = number(run, 1.0);
+        limits.max_residual = number(run, 1.0);
         limits.reserved[0] = rarely(run);
         SEEN(stickslip_cycle_jump(bodies, GET(stickslip_cycle, pick(run, CYCLE)), maybe(run, numbers), count,
                                   maybe(run, &limits), maybe_out(run, &cycles)));

@@ -87,7 +87,7 @@ void make(struct run *run) {
     case 6: {
         stickslip_history_options options = stickslip_history_options_default();
         options.axis = option(run, 2), options.model = option(run, 2), options.coupling = option(run, 3);
-        options.touch_rule = option(run, 2), options.permanent_set = option(run, 2), options.settings = set;
+        options.entry_rule = option(run, 2), options.permanent_set = option(run, 2), options.settings = set;
         options.hardness = below(run, 6) == 0 ? &hardness : NULL;
         options.relative_displacement = below(run, 6) == 0 ? &relative : NULL;
         SEEN(stickslip_history_new(on, maybe(run, gap), count, maybe(run, &law),

@@ -41,7 +41,7 @@ void field(struct run *run) {
     }
     run->calls++;
     if (samples == NULL) {
-        run->failed = STICKSLIP_REFUSED;
+        run->failed = STICKSLIP_INVALID_ARGUMENT;
     }
     if (is_shared) {
         return;

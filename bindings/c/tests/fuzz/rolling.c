@@ -25,7 +25,7 @@ void roll(struct run *run) {
     case 0:
     case 1: {
         stickslip_rolling_options options = stickslip_rolling_options_default();
-        options.leading_edge = option(run, 4), options.touch_rule = option(run, 2), options.settings = set;
+        options.leading_edge = option(run, 4), options.entry_rule = option(run, 2), options.settings = set;
         options.step = rarely(run) ? SIZE_MAX >> below(run, 64) : 1 + below(run, 2);
         SEEN(stickslip_rolling_solver_new(GET(stickslip_half_space, bodies),
                                           GET(stickslip_normal_solution, pick(run, PRESSED)), maybe(run, &law),

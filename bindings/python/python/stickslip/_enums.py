@@ -53,14 +53,14 @@ class CellValue(_Name):
     CENTRE = "centre"
 
 
-class TouchRule(_Name):
+class EntryRule(_Name):
     """How far a cell that comes into contact within a step follows the motion of the step.
 
-    "growth": from the moment it touches, so that a step may press and shear at once.
+    "since_touch": from the moment it touches, so that a step may press and shear at once.
     "whole_step": all of it, as in codes that know the start of the step only.
     """
 
-    GROWTH = "growth"
+    SINCE_TOUCH = "since_touch"
     WHOLE_STEP = "whole_step"
 
 
@@ -118,7 +118,7 @@ class Regime(_Name):
     GROSS_SLIP = "gross_slip"
 
 
-class LoopEnding(_Name):
+class StopReason(_Name):
     """Why a fretting loop ended."""
 
     STEADY = "steady"

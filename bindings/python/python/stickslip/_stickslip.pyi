@@ -82,8 +82,8 @@ __all__ = [
     "Rectangle",
     "RelativeDisplacement",
     "Report",
-    "Response",
-    "Responses",
+    "PointResult",
+    "PointResults",
     "Rolling",
     "RollingProblem",
     "RollingSolution",
@@ -92,13 +92,13 @@ __all__ = [
     "RoughSurface",
     "RoundedPunch",
     "SelfAffine",
-    "Series",
+    "PvdWriter",
     "Settings",
     "SpencePressing",
     "Spot",
     "State",
     "Statistics",
-    "StepError",
+    "StepErrorEstimate",
     "StepResult",
     "Stress",
     "Table",
@@ -173,7 +173,7 @@ __all__ = [
 ]
 
 from os import PathLike
-from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, LeadingEdge, Method, Regime, Status, TangentialModel, TouchRule
+from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, LeadingEdge, Method, Regime, Status, TangentialModel, EntryRule
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
@@ -192,7 +192,7 @@ class AdaptiveSteps:
     history : History
         For histories on the grid of this one.
     tolerance : float
-        Of :attr:`StepError.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
+        Of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
         settings.
 
     Raises
@@ -201,7 +201,7 @@ class AdaptiveSteps:
     """
     def __new__(cls, /, history: History, tolerance: float) -> AdaptiveSteps: ...
     def __repr__(self, /) -> str: ...
-    def error(self, /, history: History, load: LoadStep) -> StepError:
+    def error(self, /, history: History, load: LoadStep) -> StepErrorEstimate:
         """
         The error that a single step makes with this load; the history is then as it was, but for its last step.
         """
@@ -247,7 +247,7 @@ class BentallJohnson:
 
     Raises
     ------
-    Negative, NotFinite
+    NegativeOrNotFinite, NotFinite
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -336,7 +336,7 @@ class Carter:
 
     Raises
     ------
-    Negative, NotFinite, CoupledMaterials
+    NegativeOrNotFinite, NotFinite, CoupledMaterials
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -385,7 +385,7 @@ class CattaneoMindlin:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -471,7 +471,7 @@ class CattaneoMindlinEllipse:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -548,7 +548,7 @@ class CattaneoMindlinLine:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity, CoupledMaterials
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity, CoupledMaterials
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -617,7 +617,7 @@ class CattaneoMindlinLine:
 
         Raises
         ------
-        Sample, NotFinite, NotPositive, Below
+        Sample, NotFinite, NotPositive, BelowMinimum
             As :meth:`with_strain`.
         """
     def with_strain(self, /, strain: float) -> CattaneoMindlinLine:
@@ -628,7 +628,7 @@ class CattaneoMindlinLine:
         Raises
         ------
         NotFinite, NotPositive
-        Below
+        BelowMinimum
             If the strip that sticks would leave the contact: slip then reverses at one end.
         """
 
@@ -732,7 +732,7 @@ class ConePartialSlip:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -902,7 +902,7 @@ class CoupledProblem:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap,
+    GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, NotPositive, UnsupportedByModel, ApproachBeyondMeanGap,
     BeyondHardness, Method, Tolerance, IterationLimit
 
     Examples
@@ -999,7 +999,7 @@ class CoupledRollingProblem:
         positive when they come together).
     creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
         As of :class:`RollingProblem`.
-    leading_edge, step, touch_rule, slip_corrections : optional
+    leading_edge, step, entry_rule, slip_corrections : optional
         As of :class:`RollingProblem`.
     settings : Settings, optional
         Method, tolerance and limits; those of ``Settings()`` by default.
@@ -1008,7 +1008,7 @@ class CoupledRollingProblem:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Tolerance,
+    GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, NotPositive, UnsupportedByModel, ApproachBeyondMeanGap, Tolerance,
     IterationLimit, Method
 
     Examples
@@ -1024,7 +1024,7 @@ class CoupledRollingProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, normal_force: float | None = None, approach: float | None = None, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledRollingProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, normal_force: float | None = None, approach: float | None = None, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, entry_rule: EntryRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledRollingProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
@@ -1173,7 +1173,7 @@ class CoupledRollingSolver:
 
         Raises
         ------
-        NotFinite, NotModelled
+        NotFinite, UnsupportedByModel
             For what is prescribed, which is then unchanged.
         EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
             If the contact cannot roll so.
@@ -1478,7 +1478,7 @@ class CycleJump:
         What the cycle removed, of both bodies together (lengths), not negative.
     largest_depth : float, optional
         The most that a jump may remove in any cell (a length); without limit by default.
-    closed_within : float, default 0.25
+    max_residual : float, default 0.25
         The largest :attr:`Cycle.cyclic_residual` of a cycle that may stand for those that follow.
     cycles_left : float, optional
         The most cycles to jump over; without limit by default.
@@ -1487,7 +1487,7 @@ class CycleJump:
     ------
     GridMismatch, Shape, Sample
     """
-    def __new__(cls, /, bodies: HalfSpace, cycle: Cycle, depth: Field | ArrayLike, *, largest_depth: float | None = None, closed_within: float | None = None, cycles_left: float | None = None) -> CycleJump: ...
+    def __new__(cls, /, bodies: HalfSpace, cycle: Cycle, depth: Field | ArrayLike, *, largest_depth: float | None = None, max_residual: float | None = None, cycles_left: float | None = None) -> CycleJump: ...
     def __repr__(self, /) -> str: ...
     def cycles(self, /) -> float:
         """
@@ -1495,7 +1495,7 @@ class CycleJump:
 
         Raises
         ------
-        CycleNotClosed, NotPositive, Negative
+        CycleNotClosed, NotPositive, NegativeOrNotFinite
         """
 
 @final
@@ -1620,7 +1620,7 @@ class Edges:
         The edge as straight pieces (lengths): an array of shape (n, 2, 2), of each piece (x, y) of both ends.
         """
     @property
-    def refused_share(self, /) -> float:
+    def unfitted_fraction(self, /) -> float:
         """
         The part of the cells at the edge whose fit was refused.
         """
@@ -1694,7 +1694,7 @@ class ElasticPair:
 
         Raises
         ------
-        NotPositive, KernelMissing
+        NotPositive, IncompleteKernel
         """
     @property
     def tangential_modulus(self, /) -> float:
@@ -1732,7 +1732,7 @@ class EnergyBalance:
         What is missing in the balance, relative to its largest part.
         """
     @property
-    def mid_step_dissipated_energy(self, /) -> float:
+    def dissipated_energy_midpoint(self, /) -> float:
         """
         Energy dissipated, by the mean tractions: what closes the balance.
         """
@@ -1916,7 +1916,7 @@ class Filtered:
         The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
         """
     @property
-    def unaffected(self, /) -> tuple[tuple[int, int], tuple[int, int]]:
+    def valid_range(self, /) -> tuple[tuple[int, int], tuple[int, int]]:
         """
         The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
         """
@@ -1981,7 +1981,7 @@ class FlatPunch:
 
         Raises
         ------
-        Negative, NotFinite, BeyondFrictionCapacity
+        NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
         """
     @property
     def load(self, /) -> float:
@@ -2021,7 +2021,7 @@ class Friction:
 
     Raises
     ------
-    Negative, Sample, Shape, NotPositive
+    NegativeOrNotFinite, Sample, Shape, NotPositive
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -2160,7 +2160,7 @@ class HalfSpace:
 
     Raises
     ------
-    NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Length, NotModelled
+    NotPositive, Memory, BelowMinimum, UnsupportedForCoatings, IncompleteKernel, GridMismatch, Length, UnsupportedByModel
 
     Examples
     --------
@@ -2213,7 +2213,7 @@ class HalfSpace:
 
         Raises
         ------
-        NotPositive, Memory, Below, Coated, KernelMissing, GridMismatch, Ranks
+        NotPositive, Memory, BelowMinimum, UnsupportedForCoatings, IncompleteKernel, GridMismatch, Ranks
 
         Notes
         -----
@@ -2540,8 +2540,8 @@ class History:
     coupling : Coupling or str, default "full"
         Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
         surfaces tangentially, "neglected" neither.
-    touch_rule : TouchRule or str, default "growth"
-        How far a cell that comes into contact within a step follows its motion: "growth" from the moment it touches,
+    entry_rule : EntryRule or str, default "since_touch"
+        How far a cell that comes into contact within a step follows its motion: "since_touch" from the moment it touches,
         "whole_step" all of it.
     relative_displacement : RelativeDisplacement, optional
         The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
@@ -2556,7 +2556,7 @@ class History:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, NotModelled, Method, Tolerance, IterationLimit
+    GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
 
     Examples
     --------
@@ -2570,7 +2570,7 @@ class History:
     >>> history.step(force_x=0.0).shift[0] > 0.0  # without force, not without shear
     True
     """
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, axis: Axis | str | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, touch_rule: TouchRule | str | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, permanent_set: bool = False, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> History: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, *, axis: Axis | str | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, entry_rule: EntryRule | str | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, permanent_set: bool = False, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> History: ...
     def __reduce__(self, /) -> tuple[Any, tuple[type, HalfSpace, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -2776,7 +2776,7 @@ class History:
 
         Raises
         ------
-        NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, EmptyContact,
+        NotFinite, NegativeOrNotFinite, NotPositive, ApproachBeyondMeanGap, UnsupportedByModel, BeyondFrictionCapacity, EmptyContact,
         GridTooShort, NotConverged
         """
     @staticmethod
@@ -2898,7 +2898,7 @@ class JaegerSuperposition:
 
     Raises
     ------
-    Negative, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
+    NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
     """
     def __new__(cls, /, full: NormalSolution, stick: NormalSolution, pair: ElasticPair, friction: float) -> JaegerSuperposition: ...
     def __repr__(self, /) -> str: ...
@@ -2944,7 +2944,7 @@ class KalkerCoefficients:
 
     Raises
     ------
-    NotPositive, Below, PoissonRatio
+    NotPositive, BelowMinimum, PoissonRatio
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -3022,7 +3022,7 @@ class Kernel:
 
         Raises
         ------
-        NotPositive, NotFinite, Coated
+        NotPositive, NotFinite, UnsupportedForCoatings
         """
     @staticmethod
     def operators(near: ElasticPair, grid: Grid, operators: dict[str, Any], *, lower_bounds: dict[str, Any] | None = None) -> Kernel:
@@ -3054,7 +3054,7 @@ class Kernel:
 
         Raises
         ------
-        Coated, KernelMissing, RepeatedDirection, NotPositive, NotFinite, NotModelled, Below, Memory
+        UnsupportedForCoatings, IncompleteKernel, RepeatedDirection, NotPositive, NotFinite, UnsupportedByModel, BelowMinimum, Memory
 
         Notes
         -----
@@ -3098,7 +3098,7 @@ class Kernel:
 
         Raises
         ------
-        NotPositive, Length, Sample, Coated
+        NotPositive, Length, Sample, UnsupportedForCoatings
         """
 
 @final
@@ -3577,7 +3577,7 @@ class MindlinDeresiewicz:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -3836,7 +3836,7 @@ class NormalProblem:
 
     Raises
     ------
-    GridMismatch, Shape, Sample, Negative, NotFinite, Tolerance, IterationLimit, ApproachBeyondMeanGap, BeyondHardness
+    GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, Tolerance, IterationLimit, ApproachBeyondMeanGap, BeyondHardness
 
     Examples
     --------
@@ -4073,7 +4073,7 @@ class NormalSolver:
 
         Raises
         ------
-        GridMismatch, Shape, Sample, Negative, NotFinite, ApproachBeyondMeanGap, BeyondHardness
+        GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
             For load and gap; both are then as they were.
         NotConverged
             With ``report`` and ``last_iterate``.
@@ -4178,7 +4178,7 @@ class Persson:
 
         Raises
         ------
-        Negative, NotFinite, BeyondFrictionCapacity
+        NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
         """
     def with_area_coefficient(self, /, area_coefficient: float) -> Persson:
         """
@@ -4343,7 +4343,7 @@ class PopovLimitingShape:
 
     Raises
     ------
-    NotPositive, Negative, Below
+    NotPositive, NegativeOrNotFinite, BelowMinimum
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4605,7 +4605,7 @@ class Report:
         """
 
 @final
-class Response:
+class PointResult:
     """
     Displacement and stress at a point.
     """
@@ -4625,14 +4625,14 @@ class Response:
         """
 
 @final
-class Responses:
+class PointResults:
     """
-    Displacements and stresses at points: a sequence of :class:`Response`, and arrays with a number of each point, in the
+    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with a number of each point, in the
     order of the points.
     """
     def __eq__(self, value: object, /) -> bool: ...
-    def __getitem__(self, index: int, /) -> Response: ...
-    def __iter__(self, /) -> Iterator[Response]: ...
+    def __getitem__(self, index: int, /) -> PointResult: ...
+    def __iter__(self, /) -> Iterator[PointResult]: ...
     def __len__(self, /) -> int: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -4738,7 +4738,7 @@ class RollingProblem:
         Where particles enter the contact.
     step : int, default 1
         Cells that a particle passes in a step. Longer steps cost less and are less accurate.
-    touch_rule : TouchRule or str, default "growth"
+    entry_rule : EntryRule or str, default "since_touch"
         How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
     slip_corrections : int, default 0
         Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
@@ -4750,7 +4750,7 @@ class RollingProblem:
     Raises
     ------
     NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
-    NotModelled, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
+    UnsupportedByModel, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
 
     Examples
     --------
@@ -4766,7 +4766,7 @@ class RollingProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, touch_rule: TouchRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> RollingProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, leading_edge: LeadingEdge | str | None = None, step: int | None = None, entry_rule: EntryRule | str | None = None, slip_corrections: int | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> RollingProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
@@ -4880,7 +4880,7 @@ class RollingSolver:
 
         Raises
         ------
-        NotFinite, NotModelled
+        NotFinite, UnsupportedByModel
             For any of the points; all is then as it was.
         NotConverged
             At the first point that fails, which stays prescribed.
@@ -4915,9 +4915,9 @@ class RollingSolver:
 
         Raises
         ------
-        NotModelled
+        UnsupportedByModel
             Without a normal solver.
-        Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+        NegativeOrNotFinite, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
             The solver is then unchanged.
         """
     def set_normal_solver(self, /, solver: NormalSolver) -> None:
@@ -4926,11 +4926,11 @@ class RollingSolver:
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
-        Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``touch_rule="whole_step"``.
+        Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``entry_rule="whole_step"``.
 
         Raises
         ------
-        NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
+        UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
         GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
             The pressure is then unchanged.
         """
@@ -4958,7 +4958,7 @@ class RollingSolver:
 
         Raises
         ------
-        NotFinite, NotModelled, BeyondFrictionCapacity, BeyondFrictionMoment
+        NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
             For what is prescribed, which is then as it was.
         NotConverged
             With ``report`` and ``last_iterate``.
@@ -5104,7 +5104,7 @@ class RoundedPunch:
 
     Raises
     ------
-    NotPositive, Below
+    NotPositive, BelowMinimum
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5168,7 +5168,7 @@ class SelfAffine:
 
         Raises
         ------
-        NotPositive, NotFinite, Hurst, Below, EmptyBand, HeightsNotReached, Memory
+        NotPositive, NotFinite, Hurst, BelowMinimum, NoWaveInBand, HeightMomentsNotReached, Memory
         """
     def generate_on(self, /, bodies: HalfSpace) -> Field:
         """
@@ -5176,7 +5176,7 @@ class SelfAffine:
         """
 
 @final
-class Series:
+class PvdWriter:
     """
     A series of images over time for ParaView, listed in a PVD file, which is replaced.
 
@@ -5186,7 +5186,7 @@ class Series:
         The PVD file; the images are written beside it.
     """
     def __len__(self, /) -> int: ...
-    def __new__(cls, /, path: str | PathLike[str]) -> Series: ...
+    def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
     def __repr__(self, /) -> str: ...
     def write(self, /, time: float, fields: dict[str, Any], *, grid: Grid | None = None) -> None:
         """
@@ -5448,7 +5448,7 @@ class State:
         Its bytes, which this and later versions read.
         """
     @property
-    def touch_rule(self, /) -> TouchRule:
+    def entry_rule(self, /) -> EntryRule:
         """
         How far a cell that comes into contact within a step follows its motion.
         """
@@ -5550,7 +5550,7 @@ class Statistics:
         """
 
 @final
-class StepError:
+class StepErrorEstimate:
     """
     What one step differs by from the same load in two.
     """
@@ -5619,7 +5619,7 @@ class StepResult:
         The same with a copy of the fields, which stay when the history goes on.
         """
     @property
-    def mid_step_dissipated_energy(self, /) -> NDArray[float64]:
+    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipates, by the mean of its tractions before and after (forces times lengths).
         """
@@ -5677,7 +5677,7 @@ class StepResult:
     def warnings(self, /) -> list[Warning]:
         """
         Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``pressed_at_once`` and those on contacts and zones of too few cells. Warnings of
+        ``single_load_step`` and those on contacts and zones of too few cells. Warnings of
         contact spots are in ``history.normal.warnings``: a step does not search for spots.
         """
 
@@ -5923,7 +5923,7 @@ class TangentialProblem:
 
     Raises
     ------
-    NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, NotModelled,
+    NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, UnsupportedByModel,
     NotFinite, EmptyContact, BeyondFrictionCapacity, Tolerance, IterationLimit
 
     Examples
@@ -6136,7 +6136,7 @@ class TangentialSolver:
 
         Raises
         ------
-        NotFinite, NotPositive, ObliqueLoad, NotModelled, BeyondFrictionCapacity
+        NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
             For the load, which is then as it was.
         NotConverged
             With ``report`` and ``last_iterate``.
@@ -6172,7 +6172,7 @@ class TangentialStiffness:
         """
         Derivative if the motion reverses: all contact cells stick.
         """
-    def through_springs(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
+    def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """
         The stiffness behind springs along x and y (forces over lengths).
         """
@@ -6275,7 +6275,7 @@ class VermeulenJohnson:
 
     Raises
     ------
-    NotPositive, NotFinite, CoupledMaterials, Below
+    NotPositive, NotFinite, CoupledMaterials, BelowMinimum
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6303,9 +6303,9 @@ class Warning:
     """
     A remark on a converged solution that may mislead.
 
-    ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``line_of_cells``, ``contact_across``,
-    ``beyond_hardness``, ``stale_pressure``, ``coarse_contact``, ``coarse_stick``, ``narrow_slip``,
-    ``pressed_at_once``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
+    ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``, ``contact_spans_grid``,
+    ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
+    ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
     ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
     """
     def __eq__(self, value: object, /) -> bool: ...
@@ -6471,7 +6471,7 @@ class WestergaardPartialSlip:
 
     Raises
     ------
-    Negative, NotFinite, BeyondFrictionCapacity
+    NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6538,7 +6538,7 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
 
     Raises
     ------
-    Negative, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
     """
 
 def asc_parse(bytes: bytes) -> Field:
@@ -6551,7 +6551,7 @@ def asc_read(path: str | PathLike[str]) -> Field:
     A surface from an ASC file (lengths in metres).
     """
 
-def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> Responses:
+def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> PointResults:
     """
     Stress and displacement at points, by sums over all cells.
 
@@ -6571,7 +6571,7 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
 
     Returns
     -------
-    Responses
+    PointResults
         Of each point in turn, and arrays of all.
     """
 
@@ -6667,7 +6667,7 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
 
     Raises
     ------
-    Negative, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
     """
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
@@ -6722,7 +6722,7 @@ def gaussian_filter(heights: Field | ArrayLike, *, s: float | None = None, l: fl
 
     Raises
     ------
-    NotPositive, Below
+    NotPositive, BelowMinimum
         For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
         of a longer index than that of the L filter.
     Sample, Undetermined, NotFinite, Memory
@@ -6778,7 +6778,7 @@ def linear_stick_ratio(load: float, friction: float, force: float) -> float:
 
     Raises
     ------
-    NotPositive, Negative, NotFinite, BeyondFrictionCapacity
+    NotPositive, NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     """
 
 def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_distance: Field | ArrayLike) -> float:
@@ -6804,7 +6804,7 @@ def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_di
 
     Raises
     ------
-    Negative, Sample, GridMismatch, Shape
+    NegativeOrNotFinite, Sample, GridMismatch, Shape
 
     Examples
     --------
@@ -7014,7 +7014,7 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
 
     Raises
     ------
-    Negative, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
     """
 
 def vti_to_bytes(fields: dict[str, Any], *, grid: Grid | None = None) -> bytes:

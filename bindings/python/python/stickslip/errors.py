@@ -60,7 +60,7 @@ class NotPositive(StickslipError, ValueError):
     """The value given."""
 
 
-class Negative(StickslipError, ValueError):
+class NegativeOrNotFinite(StickslipError, ValueError):
     """A quantity that must be zero or positive, and finite, is not."""
 
     quantity: str
@@ -128,7 +128,7 @@ class RigidBody(StickslipError, ValueError):
     """The body, in words."""
 
 
-class Repeats(StickslipError, ValueError):
+class DivergentPeriodicSum(StickslipError, ValueError):
     """A sum over images that does not converge."""
 
     quantity: str
@@ -144,7 +144,7 @@ class TooManyLayers(StickslipError, ValueError):
     """Layers allowed."""
 
 
-class Coated(StickslipError, ValueError):
+class UnsupportedForCoatings(StickslipError, ValueError):
     """A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this kernel."""
 
     quantity: str
@@ -155,7 +155,7 @@ class Coated(StickslipError, ValueError):
     """The way round it, in words."""
 
 
-class KernelMissing(StickslipError, ValueError):
+class IncompleteKernel(StickslipError, ValueError):
     """A kernel, or a part of it, is not at hand."""
 
     part: str
@@ -247,7 +247,7 @@ class IterationLimit(StickslipError, ValueError):
     """The iteration limit is zero."""
 
 
-class NothingToHold(StickslipError, ValueError):
+class NoPressureToHold(StickslipError, ValueError):
     """A normal problem that is to hold its pressure: it has none yet."""
 
 
@@ -340,7 +340,7 @@ class ObliqueLoad(StickslipError, ValueError):
     """Component along y."""
 
 
-class NotModelled(StickslipError, ValueError):
+class UnsupportedByModel(StickslipError, ValueError):
     """A model does not include this load, or this property of an operator."""
 
     model: str
@@ -438,7 +438,7 @@ class Hurst(StickslipError, ValueError):
     """The value given."""
 
 
-class Below(StickslipError, ValueError):
+class BelowMinimum(StickslipError, ValueError):
     """A quantity is below its lower limit."""
 
     quantity: str
@@ -462,7 +462,7 @@ class GridTooShort(StickslipError, ValueError):
     """Cells that the grid has there."""
 
 
-class EmptyBand(StickslipError, ValueError):
+class NoWaveInBand(StickslipError, ValueError):
     """No wave that is periodic on the surface has a wavelength within the requested band."""
 
     longest: float
@@ -471,7 +471,7 @@ class EmptyBand(StickslipError, ValueError):
     """Shortest wavelength requested."""
 
 
-class HeightsNotReached(StickslipError):
+class HeightMomentsNotReached(StickslipError):
     """No phases were found that give the heights the requested skewness and kurtosis."""
 
     skewness: float
@@ -521,7 +521,7 @@ class EmptyPath(StickslipError, ValueError):
     """A load path has no steps."""
 
 
-class StepNotNew(StickslipError, ValueError):
+class StepAlreadyCounted(StickslipError, ValueError):
     """A cycle already holds the steps of its history up to some step, and this step does not come after it."""
 
     step: int
@@ -545,7 +545,7 @@ class StepTooLong(StickslipError):
     part: float
     """Length of the step, as a part of the load."""
     error: float
-    """StepError::traction of the step."""
+    """StepErrorEstimate::traction of the step."""
     tolerance: float
     """The tolerance of the whole load."""
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import wear
-from ._enums import LeadingEdge, LoopEnding, Regime, TouchRule
+from ._enums import LeadingEdge, StopReason, Regime, EntryRule
 from ._remarks import warn
 from ._stickslip import (
     AdaptiveSteps,
@@ -20,7 +20,7 @@ from ._stickslip import (
     LoopPoints,
     Rolling,
     State,
-    StepError,
+    StepErrorEstimate,
     StepResult,
 )
 from .errors import Tolerance
@@ -30,12 +30,12 @@ sys.modules[f"{__name__}.wear"] = wear
 
 
 @dataclass(frozen=True)
-class LoopOutcome:
+class FrettingResult:
     """What a fretting loop came to."""
 
     cycles: int
     """Whole cycles taken."""
-    ending: LoopEnding
+    ending: StopReason
     """Why there were no more."""
     last: Cycle
     """The last cycle; incomplete if the observer broke off."""
@@ -107,7 +107,7 @@ class FrettingLoop:
         history: History,
         cycles: int,
         observer: Callable[[History, Cycle], object] | None = None,
-    ) -> LoopOutcome:
+    ) -> FrettingResult:
         """Takes so many cycles, or fewer if one is steady before.
 
         Parameters
@@ -123,10 +123,10 @@ class FrettingLoop:
         last = Cycle(history)
         for done in range(cycles):
             if not self._pass(history, last, observer):
-                return LoopOutcome(done, LoopEnding.STOPPED, last)
+                return FrettingResult(done, StopReason.STOPPED, last)
             if self._until_steady is not None and last.cyclic_residual <= self._until_steady:
-                return LoopOutcome(done + 1, LoopEnding.STEADY, last)
-        return LoopOutcome(cycles, LoopEnding.CYCLE_LIMIT, last)
+                return FrettingResult(done + 1, StopReason.STEADY, last)
+        return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
 
     # FrettingLoop::run_observed of the crate is not used: within it the history is borrowed, so that an observer could not
     # wear its gap through the object that it is given, and it observes no product, so that Ctrl-C would act only after a step.
@@ -159,16 +159,16 @@ __all__ = [
     "LeadingEdge",
     "LoadPath",
     "LoadStep",
-    "LoopEnding",
-    "LoopOutcome",
+    "StopReason",
+    "FrettingResult",
     "LoopPoint",
     "LoopPoints",
     "Regime",
     "Rolling",
     "State",
-    "StepError",
+    "StepErrorEstimate",
     "StepResult",
-    "TouchRule",
+    "EntryRule",
     "wear",
 ]
 

@@ -6,7 +6,7 @@ the motion by the law of growing contacts, which needs the slope of the gap two 
 as much room.
 """
 
-from ._enums import LeadingEdge, TouchRule
+from ._enums import LeadingEdge, EntryRule
 from ._stickslip import (
     CoupledRollingProblem,
     CoupledRollingReport,
@@ -30,5 +30,5 @@ __all__ = [
     "RollingProblem",
     "RollingSolution",
     "RollingSolver",
-    "TouchRule",
+    "EntryRule",
 ]

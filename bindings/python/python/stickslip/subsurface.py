@@ -1,6 +1,6 @@
 """Stresses and displacements below the surface: at points, on planes, as a volume for ParaView."""
 
 from ._enums import Body
-from ._stickslip import Plane, Planes, Principal, Response, Responses, Stress, at_points
+from ._stickslip import Plane, Planes, Principal, PointResult, PointResults, Stress, at_points
 
-__all__ = ["Body", "Plane", "Planes", "Principal", "Response", "Responses", "Stress", "at_points"]
+__all__ = ["Body", "Plane", "Planes", "Principal", "PointResult", "PointResults", "Stress", "at_points"]

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use crate::analytical::closed_form::closed_form;
 use crate::analytical::coordinates::{Coordinates, PlaneStrain, Values};
 use crate::analytical::{Cone, HertzEllipse, HertzLine, HertzSphere};
-use crate::due;
+use crate::conversion;
 use crate::error::OrRaise;
 use crate::real::Real;
 
@@ -28,7 +28,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     CattaneoMindlin(hertz: HertzSphere => hertz.0, friction, force)
     objects {
         /// The normal contact.
@@ -86,7 +86,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     CattaneoMindlinEllipse(hertz: HertzEllipse => hertz.0, friction, force)
     objects {
         /// The normal contact.
@@ -139,7 +139,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity, CoupledMaterials
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity, CoupledMaterials
     CattaneoMindlinLine(hertz: HertzLine => hertz.0, friction, force)
     objects {
         /// The normal contact.
@@ -175,7 +175,7 @@ closed_form! {
         /// Raises
         /// ------
         /// NotFinite, NotPositive
-        /// Below
+        /// BelowMinimum
         ///     If the strip that sticks would leave the contact: slip then reverses at one end.
         fn with_strain(&self, py: Python<'_>, strain: Real) -> PyResult<Self> {
             self.0.with_strain(strain.0).or_raise(py).map(Self)
@@ -186,9 +186,9 @@ closed_form! {
         ///
         /// Raises
         /// ------
-        /// Sample, NotFinite, NotPositive, Below
+        /// Sample, NotFinite, NotPositive, BelowMinimum
         ///     As :meth:`with_strain`.
-        fn with_bulk_stress(&self, py: Python<'_>, stress: due::BulkStress) -> PyResult<Self> {
+        fn with_bulk_stress(&self, py: Python<'_>, stress: conversion::BulkStress) -> PyResult<Self> {
             self.0.with_bulk_stress(stress.0).or_raise(py).map(Self)
         }
 
@@ -231,7 +231,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     ConePartialSlip(cone: Cone => cone.0, friction, force)
     objects {
         /// The normal contact.

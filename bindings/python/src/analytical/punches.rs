@@ -116,7 +116,7 @@ closed_form! {
         ///
         /// Raises
         /// ------
-        /// Negative, NotFinite, BeyondFrictionCapacity
+        /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
         fn full_stick(&self, py: Python<'_>, friction: Real, force: Real) -> PyResult<MindlinFullStick> {
             self.0.full_stick(friction.0, force.0).or_raise(py).map(Into::into)
         }
@@ -143,7 +143,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// NotPositive, Below
+    /// NotPositive, BelowMinimum
     RoundedPunch(pair: &ElasticPair => &pair.0, flat, radius, load)
     numbers {
         /// Half-width of the contact (a length).

@@ -2,7 +2,7 @@
 
 use crate::analytical::closed_form::closed_form;
 use crate::analytical::{HertzEllipse, HertzLine};
-use crate::due;
+use crate::conversion;
 use crate::real::Real;
 
 closed_form! {
@@ -23,7 +23,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, CoupledMaterials
+    /// NegativeOrNotFinite, NotFinite, CoupledMaterials
     Carter(hertz: HertzLine => hertz.0, friction, creepage)
     numbers {
         /// Tangential force Q on body 1 (a force per length), of the sign of the creepage, of size mu P (1 - c^2/a^2).
@@ -58,7 +58,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite
+    /// NegativeOrNotFinite, NotFinite
     BentallJohnson(hertz: HertzLine => hertz.0, friction)
     numbers {
         /// Creepage xi (dimensionless), 0.9148 beta a/R.
@@ -96,7 +96,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// NotPositive, Below, PoissonRatio
+    /// NotPositive, BelowMinimum, PoissonRatio
     KalkerCoefficients(ratio: Real => ratio.0, poisson_ratio)
     numbers {
         /// Force along x by the creepage along x.
@@ -131,8 +131,8 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// NotPositive, NotFinite, CoupledMaterials, Below
-    VermeulenJohnson(hertz: HertzEllipse => hertz.0, friction; creepage: due::Creepages => creepage.0)
+    /// NotPositive, NotFinite, CoupledMaterials, BelowMinimum
+    VermeulenJohnson(hertz: HertzEllipse => hertz.0, friction; creepage: conversion::Creepages => creepage.0)
     objects {
         /// The coefficients of the contact without slip.
         coefficients: KalkerCoefficients,

@@ -64,7 +64,7 @@ closed_form! {
         ///
         /// Raises
         /// ------
-        /// Negative, NotFinite, BeyondFrictionCapacity
+        /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
         fn stick_ratio(&self, py: Python<'_>, friction: Real, mean_traction: Real) -> PyResult<f64> {
             self.0.stick_ratio(friction.0, mean_traction.0).or_raise(py)
         }
@@ -141,7 +141,7 @@ closed_form! {
 ///
 /// Raises
 /// ------
-/// NotPositive, Negative, NotFinite, BeyondFrictionCapacity
+/// NotPositive, NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
 #[pyfunction]
 pub(crate) fn linear_stick_ratio(
     py: Python<'_>,

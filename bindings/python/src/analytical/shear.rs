@@ -70,8 +70,8 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
-    MindlinDeresiewicz(hertz: HertzSphere => hertz.0, friction; path: crate::due::ForcePath => &path.0)
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
+    MindlinDeresiewicz(hertz: HertzSphere => hertz.0, friction; path: crate::conversion::ForcePath => &path.0)
     objects {
         /// The normal contact.
         hertz: HertzSphere,

@@ -83,7 +83,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// Negative, NotFinite, BeyondFrictionCapacity
+    /// NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
     WestergaardPartialSlip(contact: Westergaard => contact.0, friction, mean_traction)
     objects {
         /// The normal contact.

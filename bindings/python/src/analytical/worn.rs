@@ -25,7 +25,7 @@ closed_form! {
     ///
     /// Raises
     /// ------
-    /// NotPositive, Negative, Below
+    /// NotPositive, NegativeOrNotFinite, BelowMinimum
     PopovLimitingShape(pair: &ElasticPair => &pair.0, radius, approach, stick_radius)
     objects {
         /// The bodies.

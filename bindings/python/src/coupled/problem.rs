@@ -7,8 +7,8 @@ use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
 
 use crate::choice::Choice;
+use crate::conversion;
 use crate::coupled::{CoupledSolution, CoupledSolver};
-use crate::due;
 use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
@@ -51,7 +51,7 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap,
+/// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, NotPositive, UnsupportedByModel, ApproachBeyondMeanGap,
 /// BeyondHardness, Method, Tolerance, IterationLimit
 ///
 /// Examples
@@ -82,15 +82,15 @@ impl CoupledProblem {
         load: Option<TangentialLoad>,
         normal_force: Option<Real>,
         approach: Option<Real>,
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<RelativeDisplacement>,
         hardness: Option<AnyHardness<'_>>,

@@ -6,7 +6,6 @@ use pyo3::prelude::*;
 
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::held::lock;
 use crate::history::{Cycle, History, builder};
 use crate::load::LoadStep;
 use crate::pickle::picklable;
@@ -14,15 +13,16 @@ use crate::progress::Progress;
 use crate::real::Real;
 use crate::report;
 use crate::sequence::pair;
+use crate::solution_pool::lock;
 use crate::work::{solve, unless_broken_off, unobserved};
 
 /// What one step differs by from the same load in two.
 #[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) struct StepError(stickslip::history::StepError);
+pub(crate) struct StepErrorEstimate(stickslip::history::StepErrorEstimate);
 
 #[pymethods]
-impl StepError {
+impl StepErrorEstimate {
     /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits.
     #[getter]
     fn traction(&self) -> f64 {
@@ -49,14 +49,14 @@ impl StepError {
 
     fn __repr__(&self) -> String {
         format!(
-            "StepError(traction={}, dissipated_energy={})",
+            "StepErrorEstimate(traction={}, dissipated_energy={})",
             short(self.0.traction),
             short(self.0.dissipated_energy)
         )
     }
 }
 
-picklable!(StepError: stickslip::history::StepError);
+picklable!(StepErrorEstimate: stickslip::history::StepErrorEstimate);
 
 /// Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
 /// states.
@@ -66,7 +66,7 @@ picklable!(StepError: stickslip::history::StepError);
 /// history : History
 ///     For histories on the grid of this one.
 /// tolerance : float
-///     Of :attr:`StepError.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
+///     Of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
 ///     settings.
 ///
 /// Raises
@@ -87,13 +87,18 @@ impl AdaptiveSteps {
     }
 
     /// The error that a single step makes with this load; the history is then as it was, but for its last step.
-    fn error(&self, py: Python<'_>, history: &History, load: LoadStep) -> PyResult<StepError> {
+    fn error(
+        &self,
+        py: Python<'_>,
+        history: &History,
+        load: LoadStep,
+    ) -> PyResult<StepErrorEstimate> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let (steps, work) = (&mut *steps, &mut *work);
         unobserved(py, history.cells(), || {
             work.tried(|history| steps.error(history, &load.0))
         })
-        .map(StepError)
+        .map(StepErrorEstimate)
     }
 
     /// Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the

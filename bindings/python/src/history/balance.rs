@@ -38,8 +38,8 @@ impl EnergyBalance {
 
     /// Energy dissipated, by the mean tractions: what closes the balance.
     #[getter]
-    fn mid_step_dissipated_energy(&self) -> f64 {
-        self.0.mid_step_dissipated_energy
+    fn dissipated_energy_midpoint(&self) -> f64 {
+        self.0.dissipated_energy_midpoint
     }
 
     /// Energy of the tractions that cells drop as they leave the contact.
@@ -62,10 +62,10 @@ impl EnergyBalance {
 
     fn __repr__(&self) -> String {
         format!(
-            "EnergyBalance(work={}, dissipated_energy={}, mid_step_dissipated_energy={}, elastic_after={}, imbalance={})",
+            "EnergyBalance(work={}, dissipated_energy={}, dissipated_energy_midpoint={}, elastic_after={}, imbalance={})",
             short(self.0.work),
             short(self.0.dissipated_energy),
-            short(self.0.mid_step_dissipated_energy),
+            short(self.0.dissipated_energy_midpoint),
             short(self.0.elastic_after),
             rough(self.0.imbalance())
         )

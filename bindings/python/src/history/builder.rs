@@ -3,18 +3,18 @@
 use std::sync::Mutex;
 
 use pyo3::prelude::*;
-use stickslip::history::{StepResult as Step, TouchRule};
+use stickslip::history::{EntryRule, StepResult as Step};
 use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
-use crate::held::lock;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
 use crate::real::Real;
 use crate::settings::{Settings, chosen};
+use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;
 use crate::work::unobserved_on;
 
@@ -38,8 +38,8 @@ use crate::work::unobserved_on;
 /// coupling : Coupling or str, default "full"
 ///     Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
 ///     surfaces tangentially, "neglected" neither.
-/// touch_rule : TouchRule or str, default "growth"
-///     How far a cell that comes into contact within a step follows its motion: "growth" from the moment it touches,
+/// entry_rule : EntryRule or str, default "since_touch"
+///     How far a cell that comes into contact within a step follows its motion: "since_touch" from the moment it touches,
 ///     "whole_step" all of it.
 /// relative_displacement : RelativeDisplacement, optional
 ///     The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
@@ -54,7 +54,7 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// GridMismatch, Shape, Sample, NotModelled, Method, Tolerance, IterationLimit
+/// GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
 ///
 /// Examples
 /// --------
@@ -141,7 +141,7 @@ impl History {
 #[pymethods]
 impl History {
     #[new]
-    #[pyo3(signature = (bodies, gap, friction, *, axis=None, model=None, coupling=None, touch_rule=None,
+    #[pyo3(signature = (bodies, gap, friction, *, axis=None, model=None, coupling=None, entry_rule=None,
         relative_displacement=None, hardness=None, permanent_set=false, settings=None, tolerance=None, method=None,
         max_iterations=None, time_limit=None))]
     fn new(
@@ -152,7 +152,7 @@ impl History {
         axis: Option<Choice<Axis>>,
         model: Option<Choice<TangentialModel>>,
         coupling: Option<Choice<Coupling>>,
-        touch_rule: Option<Choice<TouchRule>>,
+        entry_rule: Option<Choice<EntryRule>>,
         relative_displacement: Option<RelativeDisplacement>,
         hardness: Option<AnyHardness<'_>>,
         permanent_set: bool,
@@ -179,8 +179,8 @@ impl History {
             if let Some(coupling) = coupling {
                 builder = builder.coupling(coupling.0);
             }
-            if let Some(rule) = touch_rule {
-                builder = builder.touch_rule(rule.0);
+            if let Some(rule) = entry_rule {
+                builder = builder.entry_rule(rule.0);
             }
             if let Some(relative) = relative_displacement {
                 builder = builder.relative_displacement(relative.0);

@@ -8,11 +8,11 @@ use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::digits::{counted, rough, short, tuple};
 use crate::error::OrRaise;
-use crate::held::lock;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, picklable, reduced};
 use crate::report::{Warning, remarks};
 use crate::sequence::{Entries, entry, pair};
+use crate::solution_pool::lock;
 
 /// A point of the loop of force and shift.
 #[pyclass(frozen, eq, module = "stickslip.history")]

@@ -1,11 +1,11 @@
 //! Contacts that remember their load.
 
+mod accessors;
 mod adaptive;
 mod balance;
 mod builder;
 mod cycle;
 mod path;
-mod reading;
 mod rolling;
 mod saving;
 mod state;
@@ -13,7 +13,7 @@ mod step;
 mod stepping;
 mod wear;
 
-pub(crate) use adaptive::{AdaptiveSteps, StepError};
+pub(crate) use adaptive::{AdaptiveSteps, StepErrorEstimate};
 pub(crate) use balance::EnergyBalance;
 pub(crate) use builder::History;
 pub(crate) use cycle::{Cycle, LoopPoint, LoopPoints};

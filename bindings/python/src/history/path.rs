@@ -4,8 +4,8 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 
 use crate::array::Array;
+use crate::conversion;
 use crate::digits::{counted, tuple};
-use crate::due;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
 use crate::real::Real;
@@ -38,20 +38,20 @@ type Path = stickslip::history::LoadPath;
 #[pymethods]
 impl LoadPath {
     #[new]
-    fn new(py: Python<'_>, steps: due::PathSteps) -> PyResult<Self> {
+    fn new(py: Python<'_>, steps: conversion::PathSteps) -> PyResult<Self> {
         Path::table(steps.0).or_raise(py).map(Self)
     }
 
     /// To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from zero to the
     /// amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
     #[staticmethod]
-    fn sine(py: Python<'_>, amplitude: due::Amplitude, steps: usize) -> PyResult<Self> {
+    fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::sine(amplitude.0, steps).or_raise(py).map(Self)
     }
 
     /// To and fro along a line at a constant rate, in a multiple of four steps.
     #[staticmethod]
-    fn triangle(py: Python<'_>, amplitude: due::Amplitude, steps: usize) -> PyResult<Self> {
+    fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::triangle(amplitude.0, steps).or_raise(py).map(Self)
     }
 
@@ -60,7 +60,7 @@ impl LoadPath {
     #[staticmethod]
     fn ellipse(
         py: Python<'_>,
-        amplitudes: due::EllipseAmplitudes,
+        amplitudes: conversion::EllipseAmplitudes,
         phase: Real,
         steps: usize,
     ) -> PyResult<Self> {

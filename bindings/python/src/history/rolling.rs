@@ -5,8 +5,8 @@ use stickslip::Axis;
 use stickslip::history::{LeadingEdge, Rolling as Rolled};
 
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{short, tuple};
-use crate::due;
 use crate::load::one_along;
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
@@ -51,7 +51,7 @@ impl Rolling {
     #[pyo3(signature = (cells, *, creepage=None, creepage_x=None, creepage_y=None, spin=None, leading_edge=None))]
     fn new(
         cells: usize,
-        creepage: Option<due::Creepages>,
+        creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
         spin: Option<Real>,

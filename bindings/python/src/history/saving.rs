@@ -9,7 +9,7 @@ use pyo3::types::{PyBytes, PyType};
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
-use crate::pickle::{ByItself, by_itself};
+use crate::pickle::{Standalone, by_itself};
 use crate::work::unobserved_on;
 
 /// The class, the bodies and the bytes of a history.
@@ -65,7 +65,7 @@ impl History {
         Ok(Self::of(history, bodies))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<ByItself<'py, Saved<'py>>> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Standalone<'py, Saved<'py>>> {
         let (py, own) = (slf.py(), slf.get());
         by_itself(py, (slf.get_type(), own.bodies(), own.to_bytes(py)?))
     }

@@ -14,7 +14,7 @@ use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalSolution};
-use crate::pickle::{ByItself, by_itself};
+use crate::pickle::{Standalone, by_itself};
 use crate::sequence::pair;
 use crate::settings::Settings;
 
@@ -105,8 +105,8 @@ impl State {
 
     /// How far a cell that comes into contact within a step follows its motion.
     #[getter]
-    fn touch_rule(&self) -> Choice<stickslip::history::TouchRule> {
-        Choice(self.0.touch_rule())
+    fn entry_rule(&self) -> Choice<stickslip::history::EntryRule> {
+        Choice(self.0.entry_rule())
     }
 
     /// How much is modelled of the coupling between pressure and traction.
@@ -211,7 +211,7 @@ impl State {
         self.0.steps()
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<ByItself<'py, Saved<'py>>> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Standalone<'py, Saved<'py>>> {
         let py = slf.py();
         by_itself(py, (slf.get_type(), slf.get().to_bytes(py)))
     }

@@ -164,8 +164,8 @@ impl StepResult {
 
     /// Energy that each cell dissipates, by the mean of its tractions before and after (forces times lengths).
     #[getter]
-    fn mid_step_dissipated_energy<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
-        Self::field(slf, |step| step.mid_step_dissipated_energy())
+    fn dissipated_energy_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
+        Self::field(slf, |step| step.dissipated_energy_midpoint())
     }
 
     /// Work, elastic energy and dissipation.
@@ -242,7 +242,7 @@ impl StepResult {
     }
 
     /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-    /// ``pressed_at_once`` and those on contacts and zones of too few cells. Warnings of
+    /// ``single_load_step`` and those on contacts and zones of too few cells. Warnings of
     /// contact spots are in ``history.normal.warnings``: a step does not search for spots.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {

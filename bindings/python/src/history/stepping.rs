@@ -7,15 +7,15 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
 
-use crate::due;
+use crate::conversion;
 use crate::error::{OrRaise, raised};
-use crate::held::lock;
 use crate::history::builder::{NAME, Work};
 use crate::history::{History, Rolling, StepResult};
 use crate::load::{self, Keywords, LoadStep};
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::warn;
+use crate::solution_pool::lock;
 use crate::work::solve;
 
 #[pymethods]
@@ -44,7 +44,7 @@ impl History {
     ///
     /// Raises
     /// ------
-    /// NotFinite, Negative, NotPositive, ApproachBeyondMeanGap, NotModelled, BeyondFrictionCapacity, EmptyContact,
+    /// NotFinite, NegativeOrNotFinite, NotPositive, ApproachBeyondMeanGap, UnsupportedByModel, BeyondFrictionCapacity, EmptyContact,
     /// GridTooShort, NotConverged
     #[pyo3(signature = (load=None, *, normal_force=None, approach=None, force=None, shift=None, spring=None,
         force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None,
@@ -54,15 +54,15 @@ impl History {
         load: Option<LoadStep>,
         normal_force: Option<Real>,
         approach: Option<Real>,
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,

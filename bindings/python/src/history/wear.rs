@@ -68,7 +68,7 @@ fn of_any_cells(
 ///
 /// Raises
 /// ------
-/// Negative, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -110,7 +110,7 @@ pub(crate) fn archard<'py>(
 ///
 /// Raises
 /// ------
-/// Negative, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, energy, *, depth=None, grid=None))]
 pub(crate) fn energy<'py>(
@@ -154,7 +154,7 @@ pub(crate) fn energy<'py>(
 ///
 /// Raises
 /// ------
-/// Negative, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
 #[pyfunction]
 #[pyo3(signature = (coefficient, threshold, accumulated, energy, *, depth=None, grid=None))]
 pub(crate) fn threshold_energy<'py>(
@@ -204,7 +204,7 @@ pub(crate) fn threshold_energy<'py>(
 ///
 /// Raises
 /// ------
-/// Negative, Sample, GridMismatch, Shape
+/// NegativeOrNotFinite, Sample, GridMismatch, Shape
 ///
 /// Examples
 /// --------
@@ -241,7 +241,7 @@ pub(crate) fn max_stable_cycles(
 ///     What the cycle removed, of both bodies together (lengths), not negative.
 /// largest_depth : float, optional
 ///     The most that a jump may remove in any cell (a length); without limit by default.
-/// closed_within : float, default 0.25
+/// max_residual : float, default 0.25
 ///     The largest :attr:`Cycle.cyclic_residual` of a cycle that may stand for those that follow.
 /// cycles_left : float, optional
 ///     The most cycles to jump over; without limit by default.
@@ -255,14 +255,14 @@ pub(crate) struct CycleJump(wear::CycleJump);
 #[pymethods]
 impl CycleJump {
     #[new]
-    #[pyo3(signature = (bodies, cycle, depth, *, largest_depth=None, closed_within=None, cycles_left=None))]
+    #[pyo3(signature = (bodies, cycle, depth, *, largest_depth=None, max_residual=None, cycles_left=None))]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         cycle: &Cycle,
         depth: Samples<'_>,
         largest_depth: Option<Real>,
-        closed_within: Option<Real>,
+        max_residual: Option<Real>,
         cycles_left: Option<Real>,
     ) -> PyResult<Self> {
         let grid = bodies.0.grid();
@@ -272,8 +272,8 @@ impl CycleJump {
         if let Some(Real(depth)) = largest_depth {
             jump = jump.largest_depth(depth);
         }
-        if let Some(Real(residual)) = closed_within {
-            jump = jump.closed_within(residual);
+        if let Some(Real(residual)) = max_residual {
+            jump = jump.max_residual(residual);
         }
         if let Some(Real(cycles)) = cycles_left {
             jump = jump.cycles_left(cycles);
@@ -285,7 +285,7 @@ impl CycleJump {
     ///
     /// Raises
     /// ------
-    /// CycleNotClosed, NotPositive, Negative
+    /// CycleNotClosed, NotPositive, NegativeOrNotFinite
     fn cycles(&self, py: Python<'_>) -> PyResult<f64> {
         self.0.cycles().or_raise(py)
     }

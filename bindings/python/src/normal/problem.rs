@@ -39,7 +39,7 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// GridMismatch, Shape, Sample, Negative, NotFinite, Tolerance, IterationLimit, ApproachBeyondMeanGap, BeyondHardness
+/// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, Tolerance, IterationLimit, ApproachBeyondMeanGap, BeyondHardness
 ///
 /// Examples
 /// --------

@@ -8,11 +8,11 @@ use stickslip::{NormalControl, cgm};
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::half_space::HalfSpace;
-use crate::held::lock;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
 use crate::real::Real;
 use crate::settings::Settings;
+use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
 use crate::work::unobserved_on;
 
@@ -30,15 +30,15 @@ use crate::work::unobserved_on;
 /// >>> [round(solver.solve(force=force).force, 12) for force in (0.5, 1.0, 0.7)]
 /// [0.5, 1.0, 0.7]
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<Given>);
+pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<SolverArguments>);
 
 /// What is solved for.
-struct Given {
+struct SolverArguments {
     load: NormalControl,
     gap: Arc<stickslip::Field>,
 }
 
-impl Given {
+impl SolverArguments {
     /// Sets the load, the gap or both; what is refused leaves both as they were.
     fn set(
         &mut self,
@@ -84,7 +84,7 @@ impl NormalSolver {
         gap: Arc<stickslip::Field>,
     ) -> PyResult<Self> {
         let solver = Reused::new(py, gap.grid(), solver)?;
-        Ok(Self(solver, Mutex::new(Given { load, gap })))
+        Ok(Self(solver, Mutex::new(SolverArguments { load, gap })))
     }
 
     /// A copy of the solver of the crate.
@@ -166,7 +166,7 @@ impl NormalSolver {
     ///
     /// Raises
     /// ------
-    /// GridMismatch, Shape, Sample, Negative, NotFinite, ApproachBeyondMeanGap, BeyondHardness
+    /// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
     ///     For load and gap; both are then as they were.
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.

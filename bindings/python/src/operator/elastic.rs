@@ -11,9 +11,9 @@ use crate::array::Array;
 use crate::choice::Choice;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::held::lock;
 use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, numbers, target};
+use crate::solution_pool::lock;
 use crate::work::{unobserved, unobserved_on};
 
 #[pymethods]

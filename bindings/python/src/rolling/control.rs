@@ -4,13 +4,13 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::rolling::{RollingControl, SpinControl};
 
-use crate::due;
+use crate::conversion;
 use crate::load::one_along;
 use crate::pickle::Recipe;
 use crate::real::Real;
 
 /// Creepages or forces along both axes.
-pub(super) type Both = (Option<due::Creepages>, Option<due::Force>);
+pub(super) type Both = (Option<conversion::Creepages>, Option<conversion::Force>);
 
 /// The keywords of what is prescribed along each axis and of the rotation.
 pub(super) struct Keywords {

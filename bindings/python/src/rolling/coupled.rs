@@ -5,12 +5,12 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{in_python, rough, short, tuple};
-use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, Friction};
@@ -44,7 +44,7 @@ use crate::work::unobserved_on;
 ///     positive when they come together).
 /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
 ///     As of :class:`RollingProblem`.
-/// leading_edge, step, touch_rule, slip_corrections : optional
+/// leading_edge, step, entry_rule, slip_corrections : optional
 ///     As of :class:`RollingProblem`.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; those of ``Settings()`` by default.
@@ -53,7 +53,7 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// GridMismatch, Shape, Sample, Negative, NotFinite, NotPositive, NotModelled, ApproachBeyondMeanGap, Tolerance,
+/// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, NotPositive, UnsupportedByModel, ApproachBeyondMeanGap, Tolerance,
 /// IterationLimit, Method
 ///
 /// Examples
@@ -75,7 +75,7 @@ impl CoupledRollingProblem {
     #[new]
     #[pyo3(signature = (bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None,
         creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None,
-        touch_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+        entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
@@ -83,17 +83,17 @@ impl CoupledRollingProblem {
         friction: AnyFriction<'_>,
         normal_force: Option<Real>,
         approach: Option<Real>,
-        creepage: Option<due::Creepages>,
+        creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
-        force: Option<due::Force>,
+        force: Option<conversion::Force>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         spin: Option<Real>,
         moment: Option<Real>,
         leading_edge: Option<Choice<LeadingEdge>>,
         step: Option<usize>,
-        touch_rule: Option<Choice<TouchRule>>,
+        entry_rule: Option<Choice<EntryRule>>,
         slip_corrections: Option<usize>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
@@ -121,7 +121,7 @@ impl CoupledRollingProblem {
             .with_normal(py, normal, "normal_force")?
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step)?
-            .with(py, "touch_rule", touch_rule)?
+            .with(py, "entry_rule", entry_rule)?
             .with(py, "slip_corrections", slip_corrections)?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
@@ -139,8 +139,8 @@ impl CoupledRollingProblem {
             if let Some(cells) = step {
                 builder = builder.step(cells);
             }
-            if let Some(rule) = touch_rule {
-                builder = builder.touch_rule(rule.0);
+            if let Some(rule) = entry_rule {
+                builder = builder.entry_rule(rule.0);
             }
             if let Some(corrections) = slip_corrections {
                 builder = builder.slip_corrections(corrections);
@@ -205,7 +205,7 @@ impl CoupledRollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotModelled
+    /// NotFinite, UnsupportedByModel
     ///     For what is prescribed, which is then unchanged.
     /// EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     If the contact cannot roll so.
@@ -216,10 +216,10 @@ impl CoupledRollingSolver {
     fn solve<'py>(
         &self,
         py: Python<'py>,
-        creepage: Option<due::Creepages>,
+        creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
-        force: Option<due::Force>,
+        force: Option<conversion::Force>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         spin: Option<Real>,

@@ -3,11 +3,11 @@
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
 use crate::choice::Choice;
-use crate::due;
+use crate::conversion;
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
@@ -47,7 +47,7 @@ use crate::work::unobserved_on;
 ///     Where particles enter the contact.
 /// step : int, default 1
 ///     Cells that a particle passes in a step. Longer steps cost less and are less accurate.
-/// touch_rule : TouchRule or str, default "growth"
+/// entry_rule : EntryRule or str, default "since_touch"
 ///     How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
 /// slip_corrections : int, default 0
 ///     Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
@@ -59,7 +59,7 @@ use crate::work::unobserved_on;
 /// Raises
 /// ------
 /// NotConverged, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, EmptyContact, NotFinite, NotPositive,
-/// NotModelled, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
+/// UnsupportedByModel, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment, Tolerance, IterationLimit, Method
 ///
 /// Examples
 /// --------
@@ -80,24 +80,24 @@ pub(crate) struct RollingProblem(rolling::RollingProblem, stickslip::Grid, Recip
 impl RollingProblem {
     #[new]
     #[pyo3(signature = (bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None,
-        force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, touch_rule=None, slip_corrections=None, settings=None,
+        force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, slip_corrections=None, settings=None,
         tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         normal: Bound<'_, NormalSolution>,
         friction: AnyFriction<'_>,
-        creepage: Option<due::Creepages>,
+        creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
-        force: Option<due::Force>,
+        force: Option<conversion::Force>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         spin: Option<Real>,
         moment: Option<Real>,
         leading_edge: Option<Choice<LeadingEdge>>,
         step: Option<usize>,
-        touch_rule: Option<Choice<TouchRule>>,
+        entry_rule: Option<Choice<EntryRule>>,
         slip_corrections: Option<usize>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
@@ -118,7 +118,7 @@ impl RollingProblem {
         let recipe = Recipe::new(py, given)?
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step)?
-            .with(py, "touch_rule", touch_rule)?
+            .with(py, "entry_rule", entry_rule)?
             .with(py, "slip_corrections", slip_corrections)?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
@@ -136,8 +136,8 @@ impl RollingProblem {
             if let Some(cells) = step {
                 builder = builder.step(cells);
             }
-            if let Some(rule) = touch_rule {
-                builder = builder.touch_rule(rule.0);
+            if let Some(rule) = entry_rule {
+                builder = builder.entry_rule(rule.0);
             }
             if let Some(corrections) = slip_corrections {
                 builder = builder.slip_corrections(corrections);

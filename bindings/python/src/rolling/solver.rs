@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::rolling;
 
-use crate::due;
+use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load;
@@ -50,7 +50,7 @@ impl RollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotModelled, BeyondFrictionCapacity, BeyondFrictionMoment
+    /// NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     For what is prescribed, which is then as it was.
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
@@ -59,10 +59,10 @@ impl RollingSolver {
     fn solve<'py>(
         &self,
         py: Python<'py>,
-        creepage: Option<due::Creepages>,
+        creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
-        force: Option<due::Force>,
+        force: Option<conversion::Force>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         spin: Option<Real>,
@@ -92,11 +92,11 @@ impl RollingSolver {
         self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
-    /// Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``touch_rule="whole_step"``.
+    /// Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``entry_rule="whole_step"``.
     ///
     /// Raises
     /// ------
-    /// NotModelled, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
+    /// UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
     /// GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     The pressure is then unchanged.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
@@ -121,9 +121,9 @@ impl RollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotModelled
+    /// UnsupportedByModel
     ///     Without a normal solver.
-    /// Negative, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
+    /// NegativeOrNotFinite, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     The solver is then unchanged.
     #[pyo3(signature = (*, force=None, approach=None))]
     fn set_load(
@@ -167,11 +167,15 @@ impl RollingSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotModelled
+    /// NotFinite, UnsupportedByModel
     ///     For any of the points; all is then as it was.
     /// NotConverged
     ///     At the first point that fails, which stays prescribed.
-    fn creep_forces(&self, py: Python<'_>, points: due::CreepPoints) -> PyResult<CreepForces> {
+    fn creep_forces(
+        &self,
+        py: Python<'_>,
+        points: conversion::CreepPoints,
+    ) -> PyResult<CreepForces> {
         let found = self
             .0
             .unobserved(py, |solver| solver.creep_forces(points.0));

@@ -6,6 +6,6 @@ mod stress;
 mod tractions;
 
 pub(crate) use planes::{Plane, Planes};
-pub(crate) use points::{Response, Responses, at_points};
+pub(crate) use points::{PointResult, PointResults, at_points};
 pub(crate) use stress::{Principal, Stress};
 pub(crate) use tractions::Loaded;

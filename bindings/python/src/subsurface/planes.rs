@@ -8,14 +8,14 @@ use stickslip::subsurface::{self, Body, Tractions};
 
 use crate::array::{Array, copy, view};
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{counted, short};
-use crate::due;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
-use crate::held::lock;
 use crate::report::{Warning, warn};
 use crate::sequence::place;
+use crate::solution_pool::lock;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{observed_on, unobserved_on, watch};
 
@@ -185,7 +185,7 @@ impl Planes {
     fn new(
         py: Python<'_>,
         bodies: HalfSpace,
-        depths: due::Depths,
+        depths: conversion::Depths,
         displacements: bool,
     ) -> PyResult<Self> {
         let planes = subsurface::Planes::new(&bodies.0, &depths.0).or_raise(py)?;

@@ -6,8 +6,8 @@ use stickslip::subsurface::{self, Body};
 
 use crate::array::Array;
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::{counted, short, tuple};
-use crate::due;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::pickle::picklable;
@@ -19,10 +19,10 @@ use crate::work::{solve, watch};
 /// Displacement and stress at a point.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) struct Response(subsurface::Response);
+pub(crate) struct PointResult(subsurface::PointResult);
 
 #[pymethods]
-impl Response {
+impl PointResult {
     /// Displacement along x, y and z (lengths).
     #[getter]
     fn displacement(&self) -> (f64, f64, f64) {
@@ -44,15 +44,15 @@ impl Response {
     }
 }
 
-picklable!(Response: subsurface::Response);
+picklable!(PointResult: subsurface::PointResult);
 
-/// Displacements and stresses at points: a sequence of :class:`Response`, and arrays with a number of each point, in the
+/// Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with a number of each point, in the
 /// order of the points.
 #[pyclass(frozen, eq, module = "stickslip.subsurface", sequence)]
 #[derive(Clone, PartialEq)]
-pub(crate) struct Responses(Vec<subsurface::Response>);
+pub(crate) struct PointResults(Vec<subsurface::PointResult>);
 
-impl Responses {
+impl PointResults {
     fn stress<'py>(&self, py: Python<'py>, of: impl Fn(&subsurface::Stress) -> f64) -> Array<'py> {
         Array::new(py, self.0.iter().map(|response| of(&response.stress)))
     }
@@ -66,7 +66,7 @@ impl Responses {
 }
 
 #[pymethods]
-impl Responses {
+impl PointResults {
     /// Displacement along x, y and z (lengths).
     #[getter]
     fn displacement<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>, Array<'py>) {
@@ -119,20 +119,20 @@ impl Responses {
         self.0.len()
     }
 
-    fn __iter__(&self) -> Entries<Response> {
-        Entries::of(&self.0, Response)
+    fn __iter__(&self) -> Entries<PointResult> {
+        Entries::of(&self.0, PointResult)
     }
 
-    fn __getitem__(&self, index: isize) -> PyResult<Response> {
-        entry(&self.0, index, "point").copied().map(Response)
+    fn __getitem__(&self, index: isize) -> PyResult<PointResult> {
+        entry(&self.0, index, "point").copied().map(PointResult)
     }
 
     fn __repr__(&self) -> String {
-        format!("Responses({})", counted(self.0.len(), "point"))
+        format!("PointResults({})", counted(self.0.len(), "point"))
     }
 }
 
-picklable!(Responses: Vec<subsurface::Response>);
+picklable!(PointResults: Vec<subsurface::PointResult>);
 
 /// Stress and displacement at points, by sums over all cells.
 ///
@@ -152,7 +152,7 @@ picklable!(Responses: Vec<subsurface::Response>);
 ///
 /// Returns
 /// -------
-/// Responses
+/// PointResults
 ///     Of each point in turn, and arrays of all.
 #[pyfunction]
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
@@ -161,9 +161,9 @@ pub(crate) fn at_points(
     bodies: &HalfSpace,
     body: Choice<Body>,
     tractions: Loaded<'_>,
-    points: due::Points,
+    points: conversion::Points,
     uniform_stress: Option<Stress>,
-) -> PyResult<Responses> {
+) -> PyResult<PointResults> {
     let (grid, points) = (bodies.0.grid(), points.0);
     let held = tractions.held(py, grid)?;
     let (tractions, work) = (
@@ -180,5 +180,5 @@ pub(crate) fn at_points(
         }) => outcome.or_raise(py)?,
         _ => outcome.or_raise_on(py, grid)?,
     };
-    Ok(Responses(found))
+    Ok(PointResults(found))
 }

@@ -10,8 +10,8 @@ use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 use stickslip::Field;
 use stickslip::subsurface::Tractions;
 
+use crate::conversion::{entries, kind_of};
 use crate::coupled::CoupledSolution;
-use crate::due::{entries, kind_of};
 use crate::field::Samples;
 use crate::history::{History, State};
 use crate::normal::NormalSolution;
@@ -44,9 +44,9 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
 }
 
 /// The tractions, with what owns them.
-pub(crate) enum Held<'a> {
+pub(crate) enum TractionSource<'a> {
     Normal(&'a stickslip::NormalSolution),
-    Sheared(
+    ShearTractions(
         &'a stickslip::NormalSolution,
         &'a stickslip::TangentialSolution,
     ),
@@ -55,12 +55,12 @@ pub(crate) enum Held<'a> {
     Fields(Arc<Field>, Option<[Arc<Field>; 2]>),
 }
 
-impl Held<'_> {
+impl TractionSource<'_> {
     /// With a uniform stress of the body that is looked into, if one is given.
     pub(crate) fn tractions(&self, uniform: Option<Stress>) -> Tractions<'_> {
         let tractions = match self {
             Self::Normal(normal) => Tractions::from(*normal),
-            Self::Sheared(normal, shear) => Tractions::from((*normal, *shear)),
+            Self::ShearTractions(normal, shear) => Tractions::from((*normal, *shear)),
             Self::Coupled(solution) => Tractions::from(*solution),
             Self::State(state) => Tractions::from(&**state),
             Self::Fields(pressure, None) => Tractions::new(pressure),
@@ -75,7 +75,11 @@ impl Held<'_> {
 
 impl Loaded<'_> {
     /// The tractions on the grid of the bodies.
-    pub(crate) fn held(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Held<'_>> {
+    pub(crate) fn held(
+        &self,
+        py: Python<'_>,
+        grid: stickslip::Grid,
+    ) -> PyResult<TractionSource<'_>> {
         let field = |object: &Bound<'_, PyAny>, quantity| {
             let samples: Samples<'_> = object.extract()?;
             samples.on(py, quantity, grid)
@@ -89,24 +93,24 @@ impl Loaded<'_> {
                     ))
                 })?;
                 let normal = normal.cast::<NormalSolution>()?.get().get();
-                Ok(Held::Sheared(normal, shear.get().get()))
+                Ok(TractionSource::ShearTractions(normal, shear.get().get()))
             }
             [one] => {
                 if let Ok(normal) = one.cast::<NormalSolution>() {
-                    Ok(Held::Normal(normal.get().get()))
+                    Ok(TractionSource::Normal(normal.get().get()))
                 } else if let Ok(solution) = one.cast::<CoupledSolution>() {
-                    Ok(Held::Coupled(&solution.get().0))
+                    Ok(TractionSource::Coupled(&solution.get().0))
                 } else if let Ok(state) = one.cast::<State>() {
-                    Ok(Held::State(Arc::clone(&state.get().0)))
+                    Ok(TractionSource::State(Arc::clone(&state.get().0)))
                 } else if let Ok(history) = one.cast::<History>() {
                     let state = history.get().read(|history| history.state().clone())?;
-                    Ok(Held::State(Arc::new(state)))
+                    Ok(TractionSource::State(Arc::new(state)))
                 } else if one.is_instance_of::<TangentialSolution>() {
                     Err(PyTypeError::new_err(
                         "a TangentialSolution has no pressure: give the normal solution too, (normal, shear)",
                     ))
                 } else {
-                    Ok(Held::Fields(field(one, "pressure")?, None))
+                    Ok(TractionSource::Fields(field(one, "pressure")?, None))
                 }
             }
             [pressure, shear] => {
@@ -118,7 +122,10 @@ impl Loaded<'_> {
                     ))
                 })?;
                 let shear = [field(&x, "traction")?, field(&y, "traction")?];
-                Ok(Held::Fields(field(pressure, "pressure")?, Some(shear)))
+                Ok(TractionSource::Fields(
+                    field(pressure, "pressure")?,
+                    Some(shear),
+                ))
             }
             _ => Err(PyTypeError::new_err(
                 "tractions are a solution, a normal and a tangential one, a state, a history, a pressure, or (pressure, (x, y))",

@@ -14,7 +14,7 @@ use crate::work::unobserved_on;
 pub(crate) struct Filtered {
     parts: surface::Filtered,
     unit: Option<Unit>,
-    unaffected: ((usize, usize), (usize, usize)),
+    valid_range: ((usize, usize), (usize, usize)),
 }
 
 impl Filtered {
@@ -45,8 +45,8 @@ impl Filtered {
 
     /// The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
     #[getter]
-    fn unaffected(&self) -> ((usize, usize), (usize, usize)) {
-        self.unaffected
+    fn valid_range(&self) -> ((usize, usize), (usize, usize)) {
+        self.valid_range
     }
 
     fn __repr__(&self) -> String {
@@ -76,7 +76,7 @@ impl Filtered {
 ///
 /// Raises
 /// ------
-/// NotPositive, Below
+/// NotPositive, BelowMinimum
 ///     For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
 ///     of a longer index than that of the L filter.
 /// Sample, Undetermined, NotFinite, Memory
@@ -118,10 +118,10 @@ pub(crate) fn gaussian_filter(
     };
     let filter = if periodic { filter.periodic() } else { filter };
     let parts = unobserved_on(py, heights.grid(), || filter.apply(&heights))?;
-    let [columns, rows] = filter.unaffected(heights.grid());
+    let [columns, rows] = filter.valid_range(heights.grid());
     Ok(Filtered {
         parts,
         unit,
-        unaffected: ((columns.start, columns.end), (rows.start, rows.end)),
+        valid_range: ((columns.start, columns.end), (rows.start, rows.end)),
     })
 }

@@ -4,8 +4,8 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::conversion;
 use crate::digits::short;
-use crate::due;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
@@ -73,8 +73,8 @@ pub(crate) fn gap_between(
 pub(crate) fn crop(
     py: Python<'_>,
     heights: Samples<'_>,
-    columns: due::Columns,
-    rows: due::Rows,
+    columns: conversion::Columns,
+    rows: conversion::Rows,
 ) -> PyResult<Field> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     let cropped = surface::crop(&heights, columns.0.0..columns.0.1, rows.0.0..rows.0.1);

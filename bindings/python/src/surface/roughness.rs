@@ -108,7 +108,7 @@ impl SelfAffine {
     ///
     /// Raises
     /// ------
-    /// NotPositive, NotFinite, Hurst, Below, EmptyBand, HeightsNotReached, Memory
+    /// NotPositive, NotFinite, Hurst, BelowMinimum, NoWaveInBand, HeightMomentsNotReached, Memory
     fn generate(&self, py: Python<'_>, grid: &Grid) -> PyResult<RoughSurface> {
         let made = observed_on(py, grid.0, |observer| {
             self.0.generate_observed(grid.0, watch(observer))

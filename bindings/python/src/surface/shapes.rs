@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::surface;
 
-use crate::due;
+use crate::conversion;
 use crate::field::Field;
 use crate::grid::Grid;
 use crate::work::unobserved_on;
@@ -30,7 +30,7 @@ shapes! {
     cylinder(radius: f64);
     /// The gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid of curvatures ``(k_xx, k_xy, k_yy)``
     /// (one over lengths), of which no principal curvature is negative.
-    paraboloid(curvatures.0: due::Curvatures);
+    paraboloid(curvatures.0: conversion::Curvatures);
     /// The gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
     cone(slope: f64);
     /// The gap under a flat punch of this radius: zero in the cells whose centre is below it, the recess in the others
@@ -40,5 +40,5 @@ shapes! {
     sinusoidal(amplitude: f64, wavelength: f64);
     /// The gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product of waves
     /// (lengths), zero on its crests.
-    bisinusoidal(amplitude: f64, wavelengths.0: due::Wavelengths);
+    bisinusoidal(amplitude: f64, wavelengths.0: conversion::Wavelengths);
 }

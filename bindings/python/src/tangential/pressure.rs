@@ -15,7 +15,7 @@ argument! {
 }
 
 /// The pressure on the grid of the bodies, with what owns it.
-pub(crate) enum Given<'a> {
+pub(crate) enum PressureArgument<'a> {
     Solved(&'a stickslip::NormalSolution),
     Field(Arc<stickslip::Field>),
 }
@@ -27,7 +27,7 @@ pub(crate) enum AsObject<'py> {
     Field(Field),
 }
 
-impl Given<'_> {
+impl PressureArgument<'_> {
     pub(crate) fn source(&self) -> PressureSource<'_> {
         match self {
             Self::Solved(solution) => PressureSource::Solved(solution),
@@ -45,11 +45,17 @@ impl Given<'_> {
 }
 
 impl Pressure<'_> {
-    pub(crate) fn given(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<Given<'_>> {
+    pub(crate) fn given(
+        &self,
+        py: Python<'_>,
+        grid: stickslip::Grid,
+    ) -> PyResult<PressureArgument<'_>> {
         if let Ok(solution) = self.0.cast::<NormalSolution>() {
-            return Ok(Given::Solved(solution.get().get()));
+            return Ok(PressureArgument::Solved(solution.get().get()));
         }
         let samples: Samples<'_> = self.0.extract()?;
-        samples.on(py, "pressure", grid).map(Given::Field)
+        samples
+            .on(py, "pressure", grid)
+            .map(PressureArgument::Field)
     }
 }

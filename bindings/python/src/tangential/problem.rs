@@ -5,8 +5,8 @@ use pyo3::types::{PyDict, PyTuple};
 use stickslip::{Coupling, TangentialModel, cgm};
 
 use crate::choice::Choice;
+use crate::conversion;
 use crate::digits::short;
-use crate::due;
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
@@ -48,7 +48,7 @@ use crate::work::unobserved_on;
 ///
 /// Raises
 /// ------
-/// NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, NotModelled,
+/// NotConverged, Sample, GridMismatch, BoundaryMismatch, MaterialMismatch, CoupledMaterials, ObliqueLoad, UnsupportedByModel,
 /// NotFinite, EmptyContact, BeyondFrictionCapacity, Tolerance, IterationLimit
 ///
 /// Examples
@@ -79,15 +79,15 @@ impl TangentialProblem {
         pressure: Pressure<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialLoad>,
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         model: Option<Choice<TangentialModel>>,
         coupling: Option<Choice<Coupling>>,

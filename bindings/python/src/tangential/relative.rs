@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use stickslip::tangential::RelativeDisplacement as Relative;
 
 use crate::array::{Array, view};
-use crate::due;
+use crate::conversion;
 use crate::error::OrRaise;
 use crate::field::{Samples, grid_of};
 use crate::grid::{Grid, size};
@@ -51,7 +51,7 @@ impl RelativeDisplacement {
     /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
     /// 1 is stretched); zero at the origin of the grid.
     #[staticmethod]
-    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: due::Strain) -> PyResult<Self> {
+    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: conversion::Strain) -> PyResult<Self> {
         Relative::bulk_strain(grid.0, strain.0)
             .or_raise(py)
             .map(Self)

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 
-use crate::due;
+use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load::{Keywords, TangentialLoad};
@@ -46,7 +46,7 @@ impl TangentialSolver {
     ///
     /// Raises
     /// ------
-    /// NotFinite, NotPositive, ObliqueLoad, NotModelled, BeyondFrictionCapacity
+    /// NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
     ///     For the load, which is then as it was.
     /// NotConverged
     ///     With ``report`` and ``last_iterate``.
@@ -56,15 +56,15 @@ impl TangentialSolver {
         &self,
         py: Python<'py>,
         load: Option<TangentialLoad>,
-        force: Option<due::Force>,
-        shift: Option<due::Shift>,
-        spring: Option<due::Springs>,
+        force: Option<conversion::Force>,
+        shift: Option<conversion::Shift>,
+        spring: Option<conversion::Springs>,
         force_x: Option<Real>,
         force_y: Option<Real>,
         shift_x: Option<Real>,
         shift_y: Option<Real>,
-        spring_x: Option<due::Spring>,
-        spring_y: Option<due::Spring>,
+        spring_x: Option<conversion::Spring>,
+        spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,

@@ -23,7 +23,7 @@ use crate::real::Real;
 ///
 /// Raises
 /// ------
-/// Negative, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
+/// NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
 #[pyclass(frozen, module = "stickslip.tangential")]
 pub(crate) struct JaegerSuperposition(stickslip::tangential::JaegerSuperposition);
 

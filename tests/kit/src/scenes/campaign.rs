@@ -4,7 +4,7 @@ use stickslip::cgm::Method;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{Error, Operator};
 
-use super::judge::Judge;
+use super::judge::Verifier;
 use super::row::Row;
 use super::{Scene, draw, steps};
 
@@ -64,7 +64,7 @@ fn settled(index: u64, outcome: stickslip::Result<Vec<Row>>) -> Vec<Row> {
 }
 
 fn contacts(scene: &Scene) -> Vec<Row> {
-    let judge = Judge { dense_limit: SMALL };
+    let judge = Verifier { dense_limit: SMALL };
     let mut rows = judge.rows(scene, Method::ActiveSet);
     if scene.gap.grid().cells() <= SMALL {
         rows.extend(judge.rows(scene, Method::PolonskyKeer));

@@ -12,17 +12,17 @@ use stickslip::{
 };
 
 use super::compliance::{Compliance, dot};
-use super::oracle::{self, Truth, gathered, limits};
+use super::oracle::{self, ReferenceSolution, gathered, limits};
 use super::row::{Measured, Row};
 use super::{Demand, Expected, Scene, Shear};
 
 /// Cells up to which the dense twin is asked.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Judge {
+pub(crate) struct Verifier {
     pub(crate) dense_limit: usize,
 }
 
-impl Judge {
+impl Verifier {
     /// All halves of a scene; a panic is a fault like any other.
     pub(crate) fn rows(self, scene: &Scene, method: Method) -> Vec<Row> {
         let halves = AssertUnwindSafe(|| self.halves(scene, method));
@@ -363,7 +363,7 @@ impl Answer<'_> {
     }
 
     /// Holds the certified error against the true one.
-    pub(crate) fn check_error(&self, row: &mut Row, truth: Option<Truth>) {
+    pub(crate) fn check_error(&self, row: &mut Row, truth: Option<ReferenceSolution>) {
         let Some(truth) = truth.filter(|truth| truth.error < 1.0) else {
             row.blame(true, || "there is nothing to compare with".to_owned());
             return;

@@ -14,14 +14,14 @@ use super::{Scene, Shear};
 
 /// An answer to compare with, on the whole grid.
 #[derive(Debug)]
-pub(crate) struct Truth {
+pub(crate) struct ReferenceSolution {
     pub(crate) x: Vec<f64>,
     /// Bound of its own error, relative in the energy norm.
     pub(crate) error: f64,
     pub(crate) against: &'static str,
 }
 
-impl Truth {
+impl ReferenceSolution {
     fn exact(x: Vec<f64>) -> Self {
         Self {
             x,
@@ -48,7 +48,7 @@ pub(crate) fn pressure(
     found: &NormalSolution,
     method: Method,
     dense_limit: usize,
-) -> Option<Truth> {
+) -> Option<ReferenceSolution> {
     let grid = scene.gap.grid();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
     let (datum, total) = match scene.load {
@@ -67,7 +67,7 @@ pub(crate) fn pressure(
         let answer = matrix(&scene.bodies, Component::ZZ, &all)
             .and_then(|matrix| matrix.minimise(&linear, &NonNegative, total));
         if let Ok(minimum) = answer {
-            return Some(Truth::exact(minimum.x));
+            return Some(ReferenceSolution::exact(minimum.x));
         }
     }
     let load = match (scene.load, total) {
@@ -84,7 +84,7 @@ pub(crate) fn pressure(
     let mut solution = solver.new_solution();
     // Stalled at round-off will do: it says how good it is.
     let _ = solver.solve_into(&mut solution);
-    Some(Truth {
+    Some(ReferenceSolution {
         error: solution.report().energy_error_bound(),
         x: solution.pressure().as_slice().to_vec(),
         against: "finer solve",
@@ -100,7 +100,7 @@ pub(crate) fn tractions(
     found: &TangentialSolution,
     method: Method,
     dense_limit: usize,
-) -> Option<Truth> {
+) -> Option<ReferenceSolution> {
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
@@ -131,7 +131,7 @@ pub(crate) fn tractions(
     let exact = along
         .and_then(|axis| exact_traction(scene, &limits, &contact, load, axis.index(), cell_area));
     if let Some(x) = exact {
-        return Some(Truth::exact(x));
+        return Some(ReferenceSolution::exact(x));
     }
     let solver = TangentialProblem::builder(&scene.bodies, normal, shear.friction.clone(), load)
         .model(shear.lateral)
@@ -144,7 +144,7 @@ pub(crate) fn tractions(
     let mut solver = solver.ok()?;
     let mut solution = solver.new_solution();
     let _ = solver.solve_into(&mut solution);
-    Some(Truth {
+    Some(ReferenceSolution {
         error: solution.report().energy_error_bound() + blur,
         x: gathered(&solution),
         against: "finer solve",
@@ -180,7 +180,7 @@ fn sliding(
     load: TangentialLoad,
     (cell_area, is_periodic): (f64, bool),
     found: &TangentialSolution,
-) -> Option<Truth> {
+) -> Option<ReferenceSolution> {
     let limit = limits.iter().sum::<f64>() * cell_area;
     let [x, y] = prescribed_force(load)?;
     let size = x.hypot(y);
@@ -193,7 +193,7 @@ fn sliding(
         let part = if is_periodic { varying(limits) } else { 1.0 };
         (along(x).chain(along(y)).collect(), 5e-6 / part)
     };
-    (limit > 0.0 && missing <= SLIDING).then_some(Truth {
+    (limit > 0.0 && missing <= SLIDING).then_some(ReferenceSolution {
         x,
         error,
         against: "all slips",

@@ -9,14 +9,14 @@ use stickslip::{
 
 use super::compliance::Compliance;
 use super::judge::{Answer, RIM};
-use super::oracle::{Truth, limits, matrix};
+use super::oracle::{ReferenceSolution, limits, matrix};
 use super::row::Row;
 use super::{Expected, draw, gaps};
 use crate::Random;
 
 /// A contact and what is done to it, step by step.
 #[derive(Debug)]
-pub(crate) struct Story {
+pub(crate) struct LoadHistory {
     pub(crate) name: String,
     pub(crate) bodies: HalfSpace,
     pub(crate) gap: Field,
@@ -25,12 +25,12 @@ pub(crate) struct Story {
     pub(crate) settings: Settings,
     /// The normal force that presses first.
     pub(crate) force: f64,
-    pub(crate) acts: Vec<Act>,
+    pub(crate) acts: Vec<StepAction>,
 }
 
 /// One step, in parts of what the contact of the first pressing holds.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Act {
+pub(crate) enum StepAction {
     Force([f64; 2]),
     Shift([f64; 2]),
     Press(f64),
@@ -45,7 +45,7 @@ struct Before {
     shift: [f64; 2],
 }
 
-impl Story {
+impl LoadHistory {
     /// A row for every step.
     pub(crate) fn rows(&self) -> Vec<Row> {
         match self.tell() {
@@ -78,16 +78,16 @@ impl Story {
         for (number, act) in self.acts.iter().enumerate() {
             let mut row = Row::new(&self.name, format!("step {}, {act:?}", number + 1));
             let load = match act {
-                Act::Force(parts) => along(*parts, axis, |part| {
+                StepAction::Force(parts) => along(*parts, axis, |part| {
                     TangentialControl::Force(part * friction_capacity)
                 }),
-                Act::Shift(parts) => {
+                StepAction::Shift(parts) => {
                     along(*parts, axis, |part| TangentialControl::Shift(part * reach))
                 }
-                Act::Press(part) => {
+                StepAction::Press(part) => {
                     LoadStep::hold().normal(NormalControl::Force(part * self.force))
                 }
-                Act::Hold => LoadStep::hold(),
+                StepAction::Hold => LoadStep::hold(),
             };
             let before = Before {
                 slip: history.slip().map(|slip| slip.as_slice().to_vec()),
@@ -95,7 +95,7 @@ impl Story {
             };
             let now = limits(&self.friction, history.normal()).iter().sum::<f64>();
             let expected = match act {
-                Act::Force(parts) => {
+                StepAction::Force(parts) => {
                     let asked = parts[0].hypot(parts[1]) * friction_capacity;
                     let limit = now * history.grid().cell_area();
                     if asked > 0.0 && history.normal().contact_cells() == 0 {
@@ -149,11 +149,11 @@ fn largest(values: &[f64]) -> f64 {
 /// Looks for what is wrong after a step.
 fn check(
     row: &mut Row,
-    story: &Story,
+    story: &LoadHistory,
     history: &History,
     compliance: &Compliance,
     before: &Before,
-    act: &Act,
+    act: &StepAction,
 ) {
     let step = history.last_step();
     let limits = limits(&story.friction, history.normal());
@@ -183,7 +183,12 @@ fn check(
         return;
     };
     // A cell that has come into contact brings an offset of its own.
-    if matches!(act, Act::Press(_)) || story.acts.iter().any(|act| matches!(act, Act::Press(_))) {
+    if matches!(act, StepAction::Press(_))
+        || story
+            .acts
+            .iter()
+            .any(|act| matches!(act, StepAction::Press(_)))
+    {
         return;
     }
     let q = match history.axis() {
@@ -232,13 +237,13 @@ fn check(
 
 /// The true tractions after a step along one axis, from the slip before it.
 fn exact(
-    story: &Story,
+    story: &LoadHistory,
     history: &History,
     before: &Before,
     limits: &[f64],
     axis: Axis,
-    act: &Act,
-) -> Option<Truth> {
+    act: &StepAction,
+) -> Option<ReferenceSolution> {
     let contact: Vec<usize> = (0..limits.len()).filter(|&i| limits[i] > 0.0).collect();
     let is_periodic = story.bodies.boundary() == Boundary::Periodic;
     if contact.len() > DENSE_LIMIT || limits.len() > 2048 {
@@ -246,7 +251,7 @@ fn exact(
     }
     let upper: Vec<f64> = contact.iter().map(|&i| limits[i]).collect();
     let lower: Vec<f64> = upper.iter().map(|limit| -limit).collect();
-    let by_force = matches!(act, Act::Force(_)) || is_periodic;
+    let by_force = matches!(act, StepAction::Force(_)) || is_periodic;
     let (shift, total) = if by_force {
         let sum: f64 = history.traction()[axis.index()].as_slice().iter().sum();
         (before.shift[axis.index()], Some(sum))
@@ -273,7 +278,7 @@ fn exact(
     let noise = 16.0 * f64::EPSILON * travel * (linear.len() as f64).sqrt();
     let size = compliance.norm(&x);
     let error = noise / (compliance.lower_bound.sqrt() * size);
-    (error < 1e-2).then_some(Truth {
+    (error < 1e-2).then_some(ReferenceSolution {
         x,
         error,
         against: "dense twin",
@@ -286,19 +291,23 @@ pub(crate) fn rows() -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for (name, bodies, gap, part) in scenes()? {
         for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-            let mut acts: Vec<Act> = to_and_fro
+            let mut acts: Vec<StepAction> = to_and_fro
                 .iter()
                 .map(|&part| match lateral {
-                    TangentialModel::Vector => Act::Force([0.8 * part, -0.6 * part]),
-                    _ => Act::Force([part, 0.0]),
+                    TangentialModel::Vector => StepAction::Force([0.8 * part, -0.6 * part]),
+                    _ => StepAction::Force([part, 0.0]),
                 })
                 .collect();
-            acts.extend([Act::Shift([0.0, 0.0]), Act::Hold, Act::Shift([2.0, 0.3])]);
+            acts.extend([
+                StepAction::Shift([0.0, 0.0]),
+                StepAction::Hold,
+                StepAction::Shift([2.0, 0.3]),
+            ]);
             let model = match lateral {
                 TangentialModel::Vector => "plane",
                 _ => "shear",
             };
-            let story = Story {
+            let story = LoadHistory {
                 name: format!("{name}, {model}"),
                 bodies: bodies.clone(),
                 gap: gap.clone(),
@@ -341,7 +350,7 @@ fn scenes() -> Result<Vec<(&'static str, HalfSpace, Field, f64)>> {
 }
 
 /// A random story of an index.
-pub(crate) fn story(index: u64) -> Result<Story> {
+pub(crate) fn story(index: u64) -> Result<LoadHistory> {
     let scene = draw::scene(index)?;
     let mut random = draw::random_of(index ^ 0x5eed);
     let grid = scene.gap.grid();
@@ -361,14 +370,14 @@ pub(crate) fn story(index: u64) -> Result<Story> {
             [size, 0.0]
         };
         match random.integer(0, 9) {
-            0..=2 => Act::Shift(parts),
-            3 => Act::Hold,
-            4..=5 if with_presses => Act::Press(random.decade(-1.0, 1.0)),
-            _ => Act::Force(parts),
+            0..=2 => StepAction::Shift(parts),
+            3 => StepAction::Hold,
+            4..=5 if with_presses => StepAction::Press(random.decade(-1.0, 1.0)),
+            _ => StepAction::Force(parts),
         }
     });
     let acts = acts.collect();
-    Ok(Story {
+    Ok(LoadHistory {
         name: format!("story {index}"),
         friction: draw::friction(grid, &mut random)?,
         lateral: if is_in_plane {

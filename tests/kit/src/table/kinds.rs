@@ -1,7 +1,7 @@
 //! The table of scenes.
 
 use stickslip::NormalControl::{Approach, Force};
-use stickslip::history::TouchRule;
+use stickslip::history::EntryRule;
 use stickslip::{Coupling, NormalControl, TangentialControl, TangentialModel};
 
 use super::{Around, Scene, Step};
@@ -116,7 +116,7 @@ fn scalar(name: &'static str) -> Scene {
         shear_strength: f64::INFINITY,
         model: TangentialModel::Scalar,
         coupling: Coupling::Full,
-        touch_rule: TouchRule::Growth,
+        entry_rule: EntryRule::SinceTouch,
         hardness: None,
         is_set_permanent: false,
         strain: None,
@@ -171,7 +171,7 @@ fn shrinking(scene: &Scene) -> Scene {
         size: [44, 40],
         sides: [0.055, 0.06],
         gap: ball,
-        touch_rule: TouchRule::WholeStep,
+        entry_rule: EntryRule::WholeStep,
         path: steps.map(|(approach, shift)| press(approach, shift)).into(),
         ..*scene
     }
@@ -220,7 +220,7 @@ pub fn scenes() -> Vec<Scene> {
         repeating(&plane("plane, repeating"), 0.1),
         rows(Scene { path: around(0.09), ..plane("plane, rows") }),
         coupled("coupled"),
-        Scene { bodies: ON_RIGID, gap: ball, touch_rule: TouchRule::WholeStep, ..coupled("on a rigid body") },
+        Scene { bodies: ON_RIGID, gap: ball, entry_rule: EntryRule::WholeStep, ..coupled("on a rigid body") },
         Scene { wear: 1.0, slippery: Some(patches), ..coupled("coupled, wear") },
         Scene { hardness: Some(hard), ..coupled("coupled, hardness") },
         Scene { hardness: Some(hard), is_set_permanent: true, ..coupled("coupled, permanent set") },

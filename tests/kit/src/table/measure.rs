@@ -2,7 +2,7 @@
 
 use stickslip::{Field, History};
 
-use super::{Pose, Scene};
+use super::{Scene, UnitTransform};
 
 /// All that the history is and its last step did, in bits.
 pub fn bits(history: &History) -> Vec<u8> {
@@ -13,7 +13,7 @@ pub fn bits(history: &History) -> Vec<u8> {
         y,
         step.slip_distance(),
         step.dissipated_energy(),
-        step.mid_step_dissipated_energy(),
+        step.dissipated_energy_midpoint(),
     ];
     let samples = fields.into_iter().flat_map(Field::as_slice);
     let numbers = known(history);
@@ -52,7 +52,7 @@ pub fn known(history: &History) -> Vec<f64> {
         energy.elastic_before,
         energy.elastic_after,
         energy.dissipated_energy,
-        energy.mid_step_dissipated_energy,
+        energy.dissipated_energy_midpoint,
         energy.released,
         energy.residual,
         step.stick_ratio(),
@@ -102,7 +102,7 @@ pub struct Measured {
 
 impl Measured {
     /// Of all steps of a scene.
-    pub fn run(scene: &Scene, pose: &Pose) -> Self {
+    pub fn run(scene: &Scene, pose: &UnitTransform) -> Self {
         let mut history = scene.history(&scene.half_space(pose), pose);
         let mut measured = Self::default();
         for step in &scene.path {
@@ -120,7 +120,7 @@ impl Measured {
         ]
     }
 
-    fn add(&mut self, scene: &Scene, pose: &Pose, history: &History) {
+    fn add(&mut self, scene: &Scene, pose: &UnitTransform, history: &History) {
         let step = history.last_step();
         let (length, pressure) = (pose.length, pose.pressure);
         let energy = pressure * length * length * scene.depth(pose);
@@ -148,7 +148,7 @@ impl Measured {
             balance.work,
             balance.elastic_after,
             balance.dissipated_energy,
-            balance.mid_step_dissipated_energy,
+            balance.dissipated_energy_midpoint,
             pose.turn() * history.moment(),
         ];
         self.energies.extend(energies.map(|value| value / energy));

@@ -1,5 +1,5 @@
 //! Histories of every kind on small grids, for laws that each of them obeys: whatever a history may be built with and
-//! loaded by has a scene. Lengths, pressures and directions are those of no units and of one orientation; a [`Pose`] gives
+//! loaded by has a scene. Lengths, pressures and directions are those of no units and of one orientation; a [`UnitTransform`] gives
 //! them others.
 
 mod kinds;
@@ -8,7 +8,7 @@ mod pose;
 
 use std::sync::Arc;
 
-use stickslip::history::{TouchRule, wear};
+use stickslip::history::{EntryRule, wear};
 use stickslip::normal::Hardness;
 use stickslip::ranks::Ranks;
 use stickslip::tangential::RelativeDisplacement;
@@ -19,7 +19,7 @@ use stickslip::{
 
 pub use kinds::scenes;
 pub use measure::{Measured, bits, cells, known};
-pub use pose::Pose;
+pub use pose::UnitTransform;
 
 /// What surrounds the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,7 +57,7 @@ pub struct Scene {
     pub shear_strength: f64,
     pub model: TangentialModel,
     pub coupling: Coupling,
-    pub touch_rule: TouchRule,
+    pub entry_rule: EntryRule,
     pub hardness: Option<fn(f64, f64) -> f64>,
     pub is_set_permanent: bool,
     pub strain: Option<[[f64; 2]; 2]>,
@@ -86,7 +86,7 @@ impl Scene {
     }
 
     /// Length over which the contact carries a load, as a unit of it.
-    fn depth(&self, pose: &Pose) -> f64 {
+    fn depth(&self, pose: &UnitTransform) -> f64 {
         if self.around == Around::Line {
             1.0
         } else {
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    fn grid(&self, pose: &Pose) -> Grid {
+    fn grid(&self, pose: &UnitTransform) -> Grid {
         let [nx, ny] = pose.swapped(self.size);
         let [dx, dy] = pose.swapped(self.sides).map(|side| side * pose.length);
         match self.around {
@@ -113,7 +113,7 @@ impl Scene {
         }
     }
 
-    fn pair(&self, pose: &Pose) -> ElasticPair {
+    fn pair(&self, pose: &UnitTransform) -> ElasticPair {
         let [a, b] = self.bodies.map(|(modulus, poisson_ratio)| {
             if modulus.is_infinite() {
                 Material::rigid()
@@ -129,19 +129,19 @@ impl Scene {
         pair.unwrap()
     }
 
-    pub fn half_space(&self, pose: &Pose) -> HalfSpace {
+    pub fn half_space(&self, pose: &UnitTransform) -> HalfSpace {
         let grid = self.grid(pose);
         HalfSpace::with_boundary(grid, self.pair(pose), self.boundary(grid)).unwrap()
     }
 
     /// The slab of a rank.
     pub fn half_space_on(&self, rank: Arc<dyn Ranks>) -> Result<HalfSpace> {
-        let pose = Pose::IN_PLACE;
+        let pose = UnitTransform::IN_PLACE;
         let grid = self.grid(&pose);
         HalfSpace::distributed(grid, self.pair(&pose), self.boundary(grid), rank)
     }
 
-    fn friction(&self, grid: Grid, pose: &Pose) -> Friction {
+    fn friction(&self, grid: Grid, pose: &UnitTransform) -> Friction {
         let friction = match self.slippery {
             Some(differs) => {
                 Friction::per_cell(pose.field(grid, |x, y| self.friction + differs(x, y)))
@@ -157,13 +157,13 @@ impl Scene {
     }
 
     /// The history before its first step.
-    pub fn history(&self, bodies: &HalfSpace, pose: &Pose) -> History {
+    pub fn history(&self, bodies: &HalfSpace, pose: &UnitTransform) -> History {
         let grid = bodies.grid();
         let gap = pose.field(grid, self.gap).scaled(pose.length);
         let mut builder = History::builder(bodies, &gap, self.friction(grid, pose))
             .model(self.model)
             .coupling(self.coupling)
-            .touch_rule(self.touch_rule)
+            .entry_rule(self.entry_rule)
             .axis(if pose.swaps { Axis::Y } else { Axis::X })
             .tolerance(self.tolerance);
         if let Some(limit) = self.hardness {
@@ -182,7 +182,7 @@ impl Scene {
     }
 
     /// A step of the path as it is posed.
-    pub fn load(&self, step: &Step, pose: &Pose) -> LoadStep {
+    pub fn load(&self, step: &Step, pose: &UnitTransform) -> LoadStep {
         let (length, stiffness) = (pose.length, pose.pressure * self.depth(pose));
         let force = stiffness * length;
         let normal = match step.normal {
@@ -220,7 +220,7 @@ impl Scene {
     }
 
     /// Takes a step of the path, and wears the gap by what it did.
-    pub fn take(&self, history: &mut History, step: &Step, pose: &Pose) {
+    pub fn take(&self, history: &mut History, step: &Step, pose: &UnitTransform) {
         let load = self.load(step, pose);
         let taken = history.step(&load).map(|_| ());
         taken.unwrap_or_else(|error| panic!("{}: {step:?}: {error}", self.name));
@@ -228,7 +228,7 @@ impl Scene {
     }
 
     /// Wears the gap by what the last step did.
-    pub fn wear(&self, history: &mut History, pose: &Pose) {
+    pub fn wear(&self, history: &mut History, pose: &UnitTransform) {
         if self.wear == 0.0 {
             return;
         }
@@ -242,7 +242,7 @@ impl Scene {
     }
 
     /// Takes all steps of the path.
-    pub fn run(&self, history: &mut History, pose: &Pose) {
+    pub fn run(&self, history: &mut History, pose: &UnitTransform) {
         for step in &self.path {
             self.take(history, step, pose);
         }

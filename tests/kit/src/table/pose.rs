@@ -4,7 +4,7 @@ use stickslip::{Field, Grid};
 
 /// Units, and the place of a scene: first x and y are swapped, then each may be reversed.
 #[derive(Debug, Clone, Copy)]
-pub struct Pose {
+pub struct UnitTransform {
     pub length: f64,
     pub pressure: f64,
     pub swaps: bool,
@@ -13,7 +13,7 @@ pub struct Pose {
     pub exchanges: bool,
 }
 
-impl Pose {
+impl UnitTransform {
     pub const IN_PLACE: Self = Self {
         length: 1.0,
         pressure: 1.0,

@@ -1,5 +1,5 @@
 """Series of images over time for ParaView."""
 
-from .._stickslip import Series
+from .._stickslip import PvdWriter
 
-__all__ = ["Series"]
+__all__ = ["PvdWriter"]

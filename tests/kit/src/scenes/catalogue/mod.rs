@@ -7,11 +7,11 @@ mod loads;
 use stickslip::cgm::Method;
 use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, Result};
 
-use super::judge::Judge;
+use super::judge::Verifier;
 use super::row::Row;
 use super::{closed_forms, steps};
 
-const JUDGE: Judge = Judge { dense_limit: 450 };
+const JUDGE: Verifier = Verifier { dense_limit: 450 };
 
 /// Solves one scene in so many, and everything that is no scene.
 pub fn rows(stride: usize) -> Result<Vec<Row>> {

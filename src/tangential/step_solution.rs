@@ -4,12 +4,12 @@ use crate::half_space::Region;
 use crate::numerics::cell_vector::{dot, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
-use crate::tangential::{Axis, Motion, Pressed, Zone};
+use crate::tangential::{Axis, PressureOnWindow, RigidMotion, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
 /// model leaves out has no cells.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Answer<'a> {
+pub(crate) struct StepSolution<'a> {
     pub(crate) region: &'a Region,
     pub(crate) axes: &'static [Axis],
     pub(crate) pressure: &'a [f64],
@@ -19,16 +19,16 @@ pub(crate) struct Answer<'a> {
     /// What displacement less motion is in a cell while it sticks.
     pub(crate) offset: [&'a [f64]; 2],
     /// Of body 2, at the end of the step.
-    pub(crate) motion: Motion,
+    pub(crate) motion: RigidMotion,
 }
 
-impl<'a> Answer<'a> {
+impl<'a> StepSolution<'a> {
     /// Of traction, displacement and offset of the cells under this pressure.
     pub(crate) fn new(
-        pressed: &'a Pressed,
+        pressed: &'a PressureOnWindow,
         axes: &'static [Axis],
         [traction, displacement, offset]: [[&'a [f64]; 2]; 3],
-        motion: Motion,
+        motion: RigidMotion,
     ) -> Self {
         Self {
             region: &pressed.region,
@@ -43,7 +43,7 @@ impl<'a> Answer<'a> {
     }
 
     /// Works with the answer of the cells held here.
-    pub(crate) fn with_held<T>(&self, work: impl FnOnce(&Answer<'_>) -> T) -> T {
+    pub(crate) fn with_held<T>(&self, work: impl FnOnce(&StepSolution<'_>) -> T) -> T {
         let region = self.region;
         let give = |parts: [&[f64]; 2]| {
             let mut held = [Vec::new(), Vec::new()];
@@ -58,7 +58,7 @@ impl<'a> Answer<'a> {
         let (pressure, limits) = (region.given(self.pressure), region.given(self.limits));
         let [traction, displacement, offset] =
             [self.traction, self.displacement, self.offset].map(give);
-        work(&Answer {
+        work(&StepSolution {
             pressure: &pressure,
             limits: &limits,
             traction: slices(&traction),

@@ -1,8 +1,8 @@
 //! How a cell of the cone moves: apart, without friction, sticking or slipping.
 
 use crate::cgm::cone::{Cone, N};
+use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
-use crate::cgm::law::turn::Weight;
 use crate::numerics::cell_vector::{dot, norm, plus};
 
 /// How a cell may move, in the linear system of a step.
@@ -10,18 +10,18 @@ use crate::numerics::cell_vector::{dot, norm, plus};
 /// Its unknowns are the changes of the pressure and of the traction: of both components where it sticks, along the
 /// circle of its limit where it slips, where the limit follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Law {
-    pub(super) kind: Kind,
+pub(crate) struct ConeCellState {
+    pub(super) kind: CellKind,
     /// Whether the cell is at its hardness: its pressure stays.
     pub(super) is_held: bool,
     /// What the preconditioner makes of its tangential residual.
     weight: Weight,
-    pub(super) lag: Lag,
+    pub(super) lag: EntryLag,
 }
 
 /// How a cell that enters the contact lags behind its motion: by $`\kappa g\,q/p`$ from a gap g.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Lag {
+pub(super) struct EntryLag {
     /// $`\kappa g/p`$, the mean of all directions; zero where the cell does not enter.
     pub(super) own: f64,
     /// The rest of it: `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`.
@@ -30,7 +30,7 @@ pub(super) struct Lag {
     pub(super) ratio: [f64; 2],
 }
 
-impl Lag {
+impl EntryLag {
     const NONE: Self = Self {
         own: 0.0,
         deviator: [0.0; 2],
@@ -40,11 +40,11 @@ impl Lag {
 
 /// How a cell of the cone stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum CellKind {
     /// Apart.
     Open,
     /// In contact, and carries no shear.
-    Smooth,
+    Frictionless,
     /// In contact, and moves with the other body.
     Stick,
     /// In contact at its limit.
@@ -64,9 +64,9 @@ pub(super) struct Slip {
 }
 
 impl Slip {
-    /// Along a direction of length one; the rest is [measured](Law::measured).
-    fn along(normal: [f64; 2]) -> Kind {
-        Kind::Slip(Self {
+    /// Along a direction of length one; the rest is [measured](ConeCellState::measured).
+    fn along(normal: [f64; 2]) -> CellKind {
+        CellKind::Slip(Self {
             normal,
             limit: 0.0,
             slope: 0.0,
@@ -101,15 +101,15 @@ fn along(v: [f64; 2], size: f64) -> [f64; 2] {
     v.map(|v| v * scale)
 }
 
-impl Law {
-    pub(super) const OPEN: Self = Self::new(Kind::Open, false);
+impl ConeCellState {
+    pub(super) const OPEN: Self = Self::new(CellKind::Open, false);
 
-    const fn new(kind: Kind, is_held: bool) -> Self {
+    const fn new(kind: CellKind, is_held: bool) -> Self {
         Self {
             kind,
             is_held,
             weight: Weight::PATTERN,
-            lag: Lag::NONE,
+            lag: EntryLag::NONE,
         }
     }
 
@@ -117,13 +117,13 @@ impl Law {
     pub(super) fn of([p, x, y]: [f64; N], limit: f64, hardness: f64) -> Self {
         let q = [x, y];
         let kind = if p <= 0.0 {
-            Kind::Open
+            CellKind::Open
         } else if limit <= 0.0 {
-            Kind::Smooth
+            CellKind::Frictionless
         } else if norm(q) >= limit * (1.0 - RIM) {
             Slip::along(along(q, 1.0))
         } else {
-            Kind::Stick
+            CellKind::Stick
         };
         Self::new(kind, p > 0.0 && p >= hardness)
     }
@@ -137,8 +137,8 @@ impl Law {
     /// The same but slip, which becomes stick.
     pub(super) fn stuck(self) -> Self {
         match self.kind {
-            Kind::Slip(_) => Self {
-                kind: Kind::Stick,
+            CellKind::Slip(_) => Self {
+                kind: CellKind::Stick,
                 ..self
             },
             _ => self,
@@ -153,9 +153,9 @@ impl Law {
     /// What the cell can do of a uniform motion, a matrix of x and y.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self.kind {
-            Kind::Open | Kind::Smooth => [[0.0; 2]; 2],
-            Kind::Stick => [[1.0, 0.0], [0.0, 1.0]],
-            Kind::Slip(slip) => {
+            CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
+            CellKind::Stick => [[1.0, 0.0], [0.0, 1.0]],
+            CellKind::Slip(slip) => {
                 let t = slip.tangent();
                 t.map(|along| t.map(|t| along * t))
             }
@@ -172,7 +172,7 @@ impl Law {
         self_compliance: f64,
     ) -> Self {
         let mut alone = self.lag.own;
-        if let Kind::Slip(slip) = &mut self.kind {
+        if let CellKind::Slip(slip) = &mut self.kind {
             let stiffness = (-dot(s, slip.normal)).max(0.0) / limit.max(least);
             (slip.limit, slip.slope, slip.stiffness) = (limit, slope, stiffness);
             alone += stiffness;
@@ -196,8 +196,8 @@ impl Law {
         noise: Noise,
     ) -> (Self, [f64; N]) {
         let (q, s) = ([x[1], x[2]], [r[1], r[2]]);
-        if self.kind == Kind::Open {
-            let kind = Kind::entered(cell, r, friction, noise);
+        if self.kind == CellKind::Open {
+            let kind = CellKind::entered(cell, r, friction, noise);
             return (Self { kind, ..self }, [0.0; N]);
         }
         if x[0] < 0.0 {
@@ -211,25 +211,25 @@ impl Law {
         };
         let p = x[0].min(noise.hardness);
         let limit = friction.limit(cell, p);
-        let carrying = |kind: Kind, q: [f64; 2]| (Self::new(kind, is_held), [p, q[0], q[1]]);
+        let carrying = |kind: CellKind, q: [f64; 2]| (Self::new(kind, is_held), [p, q[0], q[1]]);
         match self.kind {
-            Kind::Open | Kind::Smooth => {
+            CellKind::Open | CellKind::Frictionless => {
                 let has_friction = limit > 0.0;
                 let kind = if has_friction {
-                    Kind::Stick
+                    CellKind::Stick
                 } else {
-                    Kind::Smooth
+                    CellKind::Frictionless
                 };
                 carrying(kind, [0.0; 2])
             }
-            Kind::Stick if norm(q) <= limit => carrying(self.kind, q),
-            Kind::Stick => carrying(Slip::along(along(q, 1.0)), along(q, limit)),
-            Kind::Slip(slip) => {
+            CellKind::Stick if norm(q) <= limit => carrying(self.kind, q),
+            CellKind::Stick => carrying(Slip::along(along(q, 1.0)), along(q, limit)),
+            CellKind::Slip(slip) => {
                 let t = slip.tangent();
                 if dot(s, slip.normal) > noise.slip {
                     let size = norm(q).min(limit);
                     let q = if size > 0.0 { along(q, size) } else { [0.0; 2] };
-                    return carrying(Kind::Stick, q);
+                    return carrying(CellKind::Stick, q);
                 }
                 // At most an eighth of a turn.
                 let size = limit.max(slip.limit);
@@ -243,28 +243,28 @@ impl Law {
     }
 }
 
-impl Row<N> for Law {
+impl Row<N> for ConeCellState {
     const IS_CURVED: bool = true;
     const IS_STEADY: bool = false;
     const HAS_LAG: bool = true;
-    const FREE: Self = Self::new(Kind::Stick, false);
+    const FREE: Self = Self::new(CellKind::Stick, false);
     const FIXED: Self = Self::OPEN;
 
     fn moves(self) -> bool {
-        self.kind != Kind::Open
+        self.kind != CellKind::Open
     }
 
     fn is_free(self) -> bool {
-        self.kind == Kind::Stick
+        self.kind == CellKind::Stick
     }
 
     fn extend(self, v: [f64; N]) -> [f64; N] {
         let p = self.pressed(v[0]);
         match self.kind {
-            Kind::Open => [0.0; N],
-            Kind::Smooth => [p, 0.0, 0.0],
-            Kind::Stick => [p, v[1], v[2]],
-            Kind::Slip(slip) => {
+            CellKind::Open => [0.0; N],
+            CellKind::Frictionless => [p, 0.0, 0.0],
+            CellKind::Stick => [p, v[1], v[2]],
+            CellKind::Slip(slip) => {
                 let (n, t, grown) = (slip.normal, slip.tangent(), slip.slope * p);
                 [p, grown * n[0] + v[1] * t[0], grown * n[1] + v[1] * t[1]]
             }
@@ -274,22 +274,22 @@ impl Row<N> for Law {
     fn restrict(self, w: [f64; N]) -> [f64; N] {
         let gap = self.pressed(w[0]);
         match self.kind {
-            Kind::Open => [0.0; N],
-            Kind::Smooth => [gap, 0.0, 0.0],
-            Kind::Stick => [gap, w[1], w[2]],
-            Kind::Slip(slip) => [gap, dot(slip.tangent(), [w[1], w[2]]), 0.0],
+            CellKind::Open => [0.0; N],
+            CellKind::Frictionless => [gap, 0.0, 0.0],
+            CellKind::Stick => [gap, w[1], w[2]],
+            CellKind::Slip(slip) => [gap, dot(slip.tangent(), [w[1], w[2]]), 0.0],
         }
     }
 
     fn bend(self, v: [f64; N]) -> [f64; N] {
         match self.kind {
-            Kind::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
-            Kind::Open | Kind::Smooth | Kind::Stick => [0.0; N],
+            CellKind::Slip(slip) => [0.0, slip.stiffness * v[1], 0.0],
+            CellKind::Open | CellKind::Frictionless | CellKind::Stick => [0.0; N],
         }
     }
 
     fn lag(self, [dp, dx, dy]: [f64; N]) -> [f64; N] {
-        let Lag {
+        let EntryLag {
             own,
             deviator: [a, b],
             ratio,
@@ -301,21 +301,21 @@ impl Row<N> for Law {
     fn weighted(self, r: [f64; N]) -> [f64; N] {
         let weight = self.weight;
         match self.kind {
-            Kind::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
-            Kind::Slip(slip) => {
+            CellKind::Stick => [r[0], weight.weighted(r[1]), weight.weighted(r[2])],
+            CellKind::Slip(slip) => {
                 let (t, along) = (slip.tangent(), weight.weighted(r[1]));
                 [r[0], along * t[0], along * t[1]]
             }
-            Kind::Open | Kind::Smooth => self.restrict(r),
+            CellKind::Open | CellKind::Frictionless => self.restrict(r),
         }
     }
 
     fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N] {
         let mut z = self.restrict(answer);
         let tangential = match self.kind {
-            Kind::Open | Kind::Smooth => 1..1,
-            Kind::Slip(_) => 1..2,
-            Kind::Stick => 1..N,
+            CellKind::Open | CellKind::Frictionless => 1..1,
+            CellKind::Slip(_) => 1..2,
+            CellKind::Stick => 1..N,
         };
         for c in tangential {
             z[c] = self.weight.preconditioned(z[c], r[c]);
@@ -324,7 +324,7 @@ impl Row<N> for Law {
     }
 }
 
-impl Kind {
+impl CellKind {
     /// What becomes of a cell that is apart.
     fn entered(cell: usize, r: [f64; N], friction: &impl Cone, noise: Noise) -> Self {
         let (g, s) = (r[0], [r[1], r[2]]);
@@ -332,7 +332,7 @@ impl Kind {
         if g >= -noise.gap {
             Self::Open
         } else if slope <= 0.0 {
-            Self::Smooth
+            Self::Frictionless
         } else if norm(s) > slope * (noise.lag - g) {
             Slip::along(along(s, -1.0))
         } else {

@@ -1,25 +1,25 @@
 //! The law of cells that come into contact within a step.
 
 use crate::bodies::material::ElasticPair;
-use crate::cgm::{Own, reduce};
+use crate::cgm::{CellCompliance, reduce};
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::parallel;
-use crate::tangential::{Axis, Increment, at};
+use crate::tangential::{Axis, TangentialIncrement, at};
 
 /// How far a cell that comes into contact within a step follows the motion of the step.
 ///
-/// [`crate::guide::growing_contacts`] derives the first and compares the two.
+/// [`crate::guide::load_steps`] derives the first and compares the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub enum TouchRule {
+pub enum EntryRule {
     /// From the moment it touches, by the growth of its own pressure: it lags behind the motion by
     /// $`\kappa\,(g/p)\,q`$, with the gap g at the beginning of the step and pressure p and traction q at its end.
     #[default]
-    Growth,
+    SinceTouch,
     /// All of it, also the part before it touched: the rule of codes that use the start of the step only, such as
     /// CONTACT. The error is of first order in the length of steps in which the contact grows.
     WholeStep,
@@ -49,7 +49,7 @@ pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] 
 }
 
 /// The compliance $`B = \kappa\,g/p`$ of its own of a cell that enters the contact, by its $`\kappa g`$; zero without pressure.
-pub(crate) fn own_compliance(closing: f64, pressure: f64) -> f64 {
+pub(crate) fn entry_compliance(closing: f64, pressure: f64) -> f64 {
     if pressure > 0.0 {
         (closing / pressure).min(f64::MAX)
     } else {
@@ -59,13 +59,13 @@ pub(crate) fn own_compliance(closing: f64, pressure: f64) -> f64 {
 
 /// The compliance of its own of a cell, a symmetric tensor.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OwnCompliance {
+pub(crate) struct EntryCompliance {
     pub(crate) xx: f64,
     pub(crate) xy: f64,
     pub(crate) yy: f64,
 }
 
-impl OwnCompliance {
+impl EntryCompliance {
     pub(crate) const NONE: Self = Self {
         xx: 0.0,
         xy: 0.0,
@@ -83,7 +83,7 @@ impl OwnCompliance {
     }
 }
 
-impl Increment {
+impl TangentialIncrement {
     /// Gives the cells that enter the contact the compliance $`B = \kappa\,g/p`$ of their own in this step, by the gap
     /// that each cell of the grid had at its beginning, zero where there was contact.
     pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
@@ -95,7 +95,7 @@ impl Increment {
         parallel::update(diagonal, |first, chunk| {
             for (k, value) in (first..).zip(chunk) {
                 *value = if limits[k] > 0.0 {
-                    own_compliance(kappa * *value, pressure[k])
+                    entry_compliance(kappa * *value, pressure[k])
                 } else {
                     0.0
                 };
@@ -111,7 +111,10 @@ impl Increment {
 
     /// The same by rolling, where the compliance depends on the direction: by what it is of a cell of the grid under its
     /// pressure.
-    pub(crate) fn roll_in(&mut self, own: impl Fn(usize, f64) -> OwnCompliance) -> Result<()> {
+    pub(crate) fn set_rolling_entry_compliance(
+        &mut self,
+        own: impl Fn(usize, f64) -> EntryCompliance,
+    ) -> Result<()> {
         let cells = self.pressed.region.cells();
         fallible::resize(&mut self.diagonal, cells, 0.0)?;
         self.deviator.clear();
@@ -123,7 +126,7 @@ impl Increment {
             let own = if self.pressed.limits.cells[k] > 0.0 {
                 own(index, self.pressed.pressure[k])
             } else {
-                OwnCompliance::NONE
+                EntryCompliance::NONE
             };
             self.diagonal[k] = match self.axes {
                 [Axis::X] => own.xx,
@@ -168,8 +171,8 @@ impl Increment {
     }
 
     /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.
-    pub(super) fn lag_behind(&mut self) {
-        let own = Own::new(&self.diagonal, &self.deviator);
+    pub(super) fn subtract_entry_lag(&mut self) {
+        let own = CellCompliance::new(&self.diagonal, &self.deviator);
         for cell in 0..self.diagonal.len() {
             let lag = own.added([0.0; 2], 1.0, cell, at(&self.traction, cell));
             for axis in self.axes.iter().map(|axis| axis.index()) {

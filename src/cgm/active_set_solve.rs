@@ -3,12 +3,12 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::certificate::{Certificate, examine};
-use crate::cgm::law::state::{Linearised, Row};
-use crate::cgm::linear::{Linear, Moved};
+use crate::cgm::law::state::{LinearisedSet, Row};
+use crate::cgm::linear::{Linear, UpdatedIterate};
 use crate::cgm::monitor::{INNER_REDUCTION, Monitor, Progress};
 use crate::cgm::problem::Posed;
 use crate::cgm::totals::{Total, TotalsSystem, sums_of};
-use crate::cgm::{Admissible, Constraint, MotionOf, Settings, Workspace, reduce};
+use crate::cgm::{Constraint, ConstraintSet, MotionOf, Settings, Workspace, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::observer::Observer;
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
@@ -60,20 +60,20 @@ impl Precision {
 
 /// The iterate that Newton's method begins with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Start {
+pub(super) enum IterateStart {
     Unknown,
     /// It is feasible, and its product is fresh.
-    LookedAt,
+    Verified,
     /// Its gradient tells where cells become free.
     Near,
 }
 
 /// The outcome of bringing an iterate within its sets.
-pub(super) struct Feasible {
+pub(super) struct ProjectionOutcome {
     /// Whether the cells stay in the sets they were in.
     pub(super) keeps_sets: bool,
     /// Whether nothing has changed, multipliers and product included.
-    pub(super) was_so: bool,
+    pub(super) unchanged: bool,
 }
 
 /// One solve under way.
@@ -82,7 +82,7 @@ pub(super) struct Feasible {
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
-pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
+pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) problem: &'a Posed<'b, K, N>,
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
@@ -92,7 +92,7 @@ pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) product_error: f64,
     /// The same of the gradient alone, which follows the steps of the linear problem.
     pub(super) gradient_error: f64,
-    pub(super) start: Start,
+    pub(super) start: IterateStart,
     /// Bound of the eigenvalues for the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
     /// How far a unit traction displaces its own cell.
@@ -115,7 +115,7 @@ pub struct Run<'a, 'b, K: Constraint<N>, const N: usize> {
     is_extreme: bool,
 }
 
-impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
+impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     pub(super) fn new(
         problem: &'a Posed<'b, K, N>,
         settings: &'a Settings,
@@ -139,7 +139,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             workspace,
             product_error: f64::INFINITY,
             gradient_error: f64::INFINITY,
-            start: Start::Unknown,
+            start: IterateStart::Unknown,
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
             stiff: f64::INFINITY,
@@ -193,7 +193,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
     pub(super) fn mark_start(&mut self) {
         let constraint = self.problem.constraint;
-        if std::mem::replace(&mut self.start, Start::Unknown) != Start::LookedAt {
+        if std::mem::replace(&mut self.start, IterateStart::Unknown) != IterateStart::Verified {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             self.product_error = f64::INFINITY;
         }
@@ -228,7 +228,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// The same, and the iterate that its solution moves.
-    pub(super) fn parts(&mut self) -> (Linear<'_, 'a, MotionOf<K, N>, N>, Moved<'_, 'a, N>) {
+    pub(super) fn parts(
+        &mut self,
+    ) -> (Linear<'_, 'a, MotionOf<K, N>, N>, UpdatedIterate<'_, 'a, N>) {
         let w = &mut *self.workspace;
         let linear = Linear {
             operator: self.problem.operator,
@@ -241,7 +243,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             monitor: &mut self.monitor,
             workspace: &mut w.linear,
         };
-        let moved = Moved {
+        let moved = UpdatedIterate {
             x: &mut self.x,
             displacement: &mut w.gradient,
             gap: [&[]; N],
@@ -257,7 +259,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// The same in single precision: good enough to iterate, and to test convergence only of what is [examined
-    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
+    /// elsewhere](crate::cgm::Problem::verified_by_caller).
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
         self.product_error = SINGLE;
@@ -269,7 +271,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// By how much they may miss those of what is returned: not at all, unless it is [examined
-    /// elsewhere](crate::cgm::Problem::examined_elsewhere).
+    /// elsewhere](crate::cgm::Problem::verified_by_caller).
     fn accepted_error(&self) -> f64 {
         if self.problem.is_examined_elsewhere {
             ACCEPTED * self.monitor.tolerance()
@@ -364,8 +366,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// Records an examined step, and says if it is the last: converged or stopped.
-    pub(super) fn judge(&mut self, merit: f64) -> ControlFlow<Status> {
-        self.monitor.judge(merit, &mut self.workspace.linear.report)
+    pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
+        self.monitor
+            .check_termination(merit, &mut self.workspace.linear.report)
     }
 
     /// Counts a step.
@@ -379,8 +382,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
     }
 
     /// Asks observer and clock alone whether to go on.
-    pub(super) fn ask(&mut self) -> ControlFlow<Status> {
-        self.monitor.ask(&self.workspace.linear.report)
+    pub(super) fn notify_observer(&mut self) -> ControlFlow<Status> {
+        self.monitor.notify_observer(&self.workspace.linear.report)
     }
 
     /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
@@ -452,12 +455,12 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
 
     /// Moves the iterate within its sets and to its sums, if it is not there but for round-off; its product is then fresh,
     /// or as accurate as is needed.
-    pub(super) fn make_feasible(&mut self) -> Feasible {
+    pub(super) fn make_feasible(&mut self) -> ProjectionOutcome {
         let mut keeps_sets = true;
         let constraint = self.problem.constraint;
         let x = slices(&self.x);
         let outside: f64 = reduce::sum(self.layout(), |i| constraint.of(i).excess(at(&x, i)));
-        let mut was_so = outside == 0.0 && !self.has_springs();
+        let mut unchanged = outside == 0.0 && !self.has_springs();
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             // No cell displaces another further than itself.
@@ -474,7 +477,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             if norm(missing) > 1e-13 * magnitude {
                 let product_error = self.product_error;
                 keeps_sets = self.restore_totals(false);
-                was_so = false;
+                unchanged = false;
                 if keeps_sets {
                     // Displacements change by about the part of the sum that was missing.
                     self.product_error = product_error;
@@ -484,7 +487,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
         }
         let accepted = self.accepted_error();
         if self.product_error > accepted {
-            was_so = false;
+            unchanged = false;
             if SINGLE <= accepted {
                 self.refresh_f32();
             } else {
@@ -492,7 +495,10 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> Run<'a, 'b, K, N> {
             }
         }
         self.hold_springs();
-        Feasible { keeps_sets, was_so }
+        ProjectionOutcome {
+            keeps_sets,
+            unchanged,
+        }
     }
 
     /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.

@@ -3,8 +3,10 @@
 use std::borrow::Cow;
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Carried, Interval, Total};
-use crate::contact::{Ahead, ElasticProblem, ElasticSolver, Levels, Reached, Scene};
+use crate::cgm::{BoundedPressure, Interval, Total};
+use crate::contact::{
+    ElasticProblem, ElasticSolver, GridTransfer, LoadIncrement, LoadPoint, MultilevelProblem,
+};
 use crate::error::Result;
 use crate::grid::per_cell::PerCell;
 use crate::half_space::{HalfSpace, Region};
@@ -20,7 +22,7 @@ const NO_CHANGE: f64 = 1e-12;
 
 /// All that a pressure depends on.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PressureScene<C> {
+pub(super) struct PressureProblem<C> {
     pub(super) gap: C,
     /// What the gap is measured from: its least value, or the approach where that is prescribed.
     pub(super) datum: f64,
@@ -30,16 +32,16 @@ pub(super) struct PressureScene<C> {
     pub(super) total: Total,
 }
 
-impl<C: AsRef<[f64]>> PressureScene<C> {
-    pub(super) fn constraint(&self) -> Carried<'_> {
-        Carried(self.limits.map(C::as_ref))
+impl<C: AsRef<[f64]>> PressureProblem<C> {
+    pub(super) fn constraint(&self) -> BoundedPressure<'_> {
+        BoundedPressure(self.limits.map(C::as_ref))
     }
 
     /// What is to be minimised.
     pub(super) fn problem(
         &self,
         solver: &ElasticSolver<Interval, 1>,
-    ) -> ElasticProblem<'_, Carried<'_>, 1> {
+    ) -> ElasticProblem<'_, BoundedPressure<'_>, 1> {
         solver
             .problem([self.gap.as_ref()], self.constraint())
             .datum([self.datum])
@@ -47,23 +49,23 @@ impl<C: AsRef<[f64]>> PressureScene<C> {
     }
 
     /// How far the load lies ahead of what was reached: nowhere, if that is round-off.
-    pub(super) fn ahead(&self, reached: Reached) -> Ahead {
+    pub(super) fn remaining_load(&self, reached: LoadPoint) -> LoadIncrement {
         let beyond = |wanted: f64, reached: f64| {
             let ahead = wanted - reached;
             (ahead.abs() > NO_CHANGE * wanted.abs()).then_some(ahead)
         };
         let ahead = match self.total {
-            Total::Sum(sum) => beyond(sum, reached[0]).map(Ahead::Total),
-            _ => beyond(self.datum, reached[1]).map(Ahead::Motion),
+            Total::Sum(sum) => beyond(sum, reached[0]).map(LoadIncrement::Total),
+            _ => beyond(self.datum, reached[1]).map(LoadIncrement::Motion),
         };
-        ahead.unwrap_or(Ahead::Nothing)
+        ahead.unwrap_or(LoadIncrement::Nothing)
     }
 }
 
-impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
+impl MultilevelProblem<1> for PressureProblem<Cow<'_, [f64]>> {
     type Set = Interval;
     type Constraint<'a>
-        = Carried<'a>
+        = BoundedPressure<'a>
     where
         Self: 'a;
 
@@ -71,11 +73,14 @@ impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
         [Direction::Z]
     }
 
-    fn problem(&self, solver: &ElasticSolver<Interval, 1>) -> ElasticProblem<'_, Carried<'_>, 1> {
+    fn problem(
+        &self,
+        solver: &ElasticSolver<Interval, 1>,
+    ) -> ElasticProblem<'_, BoundedPressure<'_>, 1> {
         self.problem(solver)
     }
 
-    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
+    fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self> {
         Ok(Self {
             gap: Cow::Owned(levels.coarsened(&self.gap)?),
             limits: self
@@ -87,14 +92,14 @@ impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
     }
 
     /// Around the pressure, with room for it to spread.
-    fn confined(
+    fn restrict_to_window(
         &self,
         bodies: &HalfSpace,
         [start]: &[Vec<f64>; 1],
     ) -> Result<Option<(Region, Self)>> {
         let grid = bodies.grid();
         let contact = bodies.around(|i| start[i] > 0.0);
-        let window = contact.map(|contact| bodies.confined(contact.widened(grid)));
+        let window = contact.map(|contact| bodies.restrict_to_window(contact.widened(grid)));
         let Some(window) = window.filter(|window| FEW * window.cells() <= grid.whole().cells())
         else {
             return Ok(None);
@@ -121,7 +126,7 @@ impl Scene<1> for PressureScene<Cow<'_, [f64]>> {
 
     fn refined_start(
         &self,
-        levels: Levels<'_>,
+        levels: GridTransfer<'_>,
         _: &Self,
         [answer]: &[Vec<f64>; 1],
     ) -> Result<[Vec<f64>; 1]> {

@@ -3,8 +3,10 @@
 use std::borrow::Cow;
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Admissible, Ball, Linearised, Magnitude, Own, Total, Within, reduce};
-use crate::contact::{ElasticProblem, ElasticSolver, Levels, Scene};
+use crate::cgm::{
+    AbsBound, Ball, CellCompliance, ConstraintSet, LinearisedSet, NormBound, Total, reduce,
+};
+use crate::contact::{ElasticProblem, ElasticSolver, GridTransfer, MultilevelProblem};
 use crate::error::Result;
 use crate::memory::fallible::{self, try_each};
 use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
@@ -13,28 +15,28 @@ use crate::tangential::friction_limits::is_at_limit;
 
 /// Friction limits, the compliance that cells have of their own, if any do, minus the prescribed motion, and the prescribed
 /// sums of the tractions along `directions`.
-pub(super) struct FrictionScene<'a, const N: usize> {
+pub(super) struct FrictionProblem<'a, const N: usize> {
     pub(super) directions: [Direction; N],
     pub(super) limits: Cow<'a, [f64]>,
-    pub(super) own: Own<'a>,
+    pub(super) own: CellCompliance<'a>,
     pub(super) linear: [Cow<'a, [f64]>; N],
     pub(super) totals: [Total; N],
 }
 
-impl<const N: usize> FrictionScene<'_, N> {
+impl<const N: usize> FrictionProblem<'_, N> {
     /// What friction holds, as a traction times cells.
     fn capacity(&self, layout: &Layout) -> f64 {
         reduce::total(layout, &self.limits)
     }
 }
 
-impl<const N: usize> Scene<N> for FrictionScene<'_, N>
+impl<const N: usize> MultilevelProblem<N> for FrictionProblem<'_, N>
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
-    type Set = <Within as Ball<N>>::Set;
+    type Set = <NormBound as Ball<N>>::Set;
     type Constraint<'b>
-        = Magnitude<'b>
+        = AbsBound<'b>
     where
         Self: 'b;
 
@@ -42,22 +44,19 @@ where
         self.directions
     }
 
-    fn problem(
-        &self,
-        solver: &ElasticSolver<Self::Set, N>,
-    ) -> ElasticProblem<'_, Magnitude<'_>, N> {
+    fn problem(&self, solver: &ElasticSolver<Self::Set, N>) -> ElasticProblem<'_, AbsBound<'_>, N> {
         solver
-            .problem(slices(&self.linear), Magnitude(&self.limits))
+            .problem(slices(&self.linear), AbsBound(&self.limits))
             .own(self.own)
             .totals(self.totals)
     }
 
     /// With sums that are the same part of what friction holds, and without compliances of cells.
-    fn coarsened(&self, levels: Levels<'_>) -> Result<Self> {
+    fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self> {
         let mut coarse = Self {
             directions: self.directions,
             limits: levels.coarsened(&self.limits)?.into(),
-            own: Own::default(),
+            own: CellCompliance::default(),
             linear: try_each(|n| levels.coarsened(&self.linear[n]).map(Cow::from))?,
             totals: self.totals,
         };
@@ -85,7 +84,7 @@ where
     /// direction is that of the whole where the interpolated traction is zero.
     fn refined_start(
         &self,
-        levels: Levels<'_>,
+        levels: GridTransfer<'_>,
         coarse: &Self,
         answer: &[Vec<f64>; N],
     ) -> Result<[Vec<f64>; N]> {
@@ -101,14 +100,14 @@ where
         let reserves = levels.refined_zone(&reserves)?;
         for (cell, &limit) in self.limits.iter().enumerate() {
             let interpolated = at(&slices(&start), cell);
-            let traction = handed_down(interpolated, limit, reserves[cell] > 0.0, overall);
+            let traction = prolongated_traction(interpolated, limit, reserves[cell] > 0.0, overall);
             for (part, value) in start.iter_mut().zip(traction) {
                 part[cell] = value;
             }
         }
         if N > 1 {
             // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
-            let (sums, limits) = (self.totals.map(Total::sum), Magnitude(&self.limits));
+            let (sums, limits) = (self.totals.map(Total::sum), AbsBound(&self.limits));
             let sticks = |cell: usize| reserves[cell] > 0.0;
             let parts = slices_mut(&mut start);
             Self::Set::restore(&levels.layout(), parts, &limits, sticks, sums);
@@ -129,21 +128,21 @@ pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
 
 /// The traction of a cell that was interpolated from coarser cells, within its limit: at it where the cell slips, in a
 /// direction that may be given for one without traction.
-pub(crate) fn handed_down<const N: usize>(
+pub(crate) fn prolongated_traction<const N: usize>(
     interpolated: [f64; N],
     limit: f64,
     sticks: bool,
     otherwise: [f64; N],
 ) -> [f64; N]
 where
-    Within: Ball<N>,
+    NormBound: Ball<N>,
 {
     let direction = if norm(interpolated) > 0.0 {
         interpolated
     } else {
         otherwise
     };
-    let (set, length) = (Within::of_radius(limit), norm(direction));
+    let (set, length) = (NormBound::of_radius(limit), norm(direction));
     if sticks || length == 0.0 {
         set.project(interpolated)
     } else {

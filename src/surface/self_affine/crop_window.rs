@@ -8,7 +8,7 @@ use crate::grid::field::Field;
 
 /// The middle of a periodic field, or all of it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cut {
+pub(super) struct CropWindow {
     /// The periodic field.
     pub(super) whole: Grid,
     /// The part of it that is used.
@@ -17,7 +17,7 @@ pub(super) struct Cut {
     pub(super) first: [usize; 2],
 }
 
-impl Cut {
+impl CropWindow {
     /// All of a periodic field.
     pub(super) fn all(grid: Grid) -> Self {
         Self {

@@ -5,12 +5,12 @@ use std::ops::Range;
 
 use crate::contact::map::ContactMap;
 use crate::parallel;
-use crate::parallel::ranks::{Team, Words};
+use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::warning::RESOLVED;
 
 /// Counts of a map of contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Survey {
+pub(crate) struct ContactCounts {
     /// Cells in the set.
     pub(crate) cells: usize,
     /// Pairs of neighbours, along x or y, of which exactly one is in the set.
@@ -46,23 +46,23 @@ struct Strip {
     /// Rows without a cell: below the first one that has any, above the last one, and most of them in between.
     free: [usize; 3],
     /// The first row and the last.
-    ends: [Vec<Run>; 2],
+    ends: [Vec<RowSegment>; 2],
     /// Spots of the first row or the last.
-    open: Vec<Spot>,
+    open: Vec<PartialSpot>,
     /// All others.
     closed: Spots,
 }
 
 /// Cells of a row, and which spot they are of.
 #[derive(Debug, Clone)]
-struct Run {
+struct RowSegment {
     columns: Range<usize>,
     spot: usize,
 }
 
 /// A spot, as far as it is known.
 #[derive(Debug, Clone, Copy, Default)]
-struct Spot {
+struct PartialSpot {
     cells: usize,
     /// Whether it touches the first column and the last, the first row and the last.
     edges: [[bool; 2]; 2],
@@ -70,7 +70,7 @@ struct Spot {
 
 /// The counts of a strip that travel first: of its cells, rows without a cell, spots that are closed, and of the runs of
 /// both ends and the open spots that follow.
-type Head = (
+type StripHeader = (
     [usize; 4],
     [usize; 3],
     (usize, [usize; 2], [bool; 2]),
@@ -79,7 +79,7 @@ type Head = (
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     /// All counts, of all ranks if the map is that of the slab of each.
-    pub(crate) fn survey(&self, team: Option<&Team>) -> Survey {
+    pub(crate) fn survey(&self, team: Option<&RankGroup>) -> ContactCounts {
         let [columns, rows] = self.grid.size();
         let mut slab = parallel::fold_rows(
             rows,
@@ -107,19 +107,19 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
             columns: vec![0; nx.div_ceil(64)],
             ..Strip::default()
         };
-        let mut runs: Vec<Run> = Vec::new();
+        let mut runs: Vec<RowSegment> = Vec::new();
         for column in (0..nx).filter(|column| (self.contains)(row * nx + column)) {
             strip.cells += 1;
             strip.columns[column / 64] |= 1 << (column % 64);
             match runs.last_mut() {
                 Some(run) if run.columns.end == column => run.columns.end += 1,
-                _ => runs.push(Run {
+                _ => runs.push(RowSegment {
                     columns: column..column + 1,
                     spot: runs.len(),
                 }),
             }
         }
-        let ends = |runs: &[Run]| {
+        let ends = |runs: &[RowSegment]| {
             let (first, last) = (runs.first()?, runs.last()?);
             Some([first.columns.start == 0, last.columns.end == nx])
         };
@@ -135,7 +135,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         } else {
             runs.len()
         };
-        strip.open = vec![Spot::default(); count];
+        strip.open = vec![PartialSpot::default(); count];
         for run in &runs {
             let spot = &mut strip.open[run.spot];
             spot.cells += run.columns.len();
@@ -211,7 +211,7 @@ impl Strip {
     }
 
     /// Of all rows.
-    fn survey(mut self, width: usize, [along_x, along_y]: [bool; 2]) -> Survey {
+    fn survey(mut self, width: usize, [along_x, along_y]: [bool; 2]) -> ContactCounts {
         let [bottom, top] = std::mem::take(&mut self.ends);
         let mut spots = Joined::new([std::mem::take(&mut self.open), Vec::new()]);
         if along_y {
@@ -222,7 +222,7 @@ impl Strip {
             let columns = span(width, self.free_columns(width), along_x);
             [columns, span(self.rows, self.free, along_y)]
         });
-        Survey {
+        ContactCounts {
             cells: self.cells,
             switches: self.switches,
             cells_on_edge: self.cells_on_edge,
@@ -243,7 +243,7 @@ impl Strip {
 
     fn write(&self, width: usize, words: &mut Vec<u64>) {
         let closed = self.closed;
-        let head: Head = (
+        let head: StripHeader = (
             [self.rows, self.cells, self.switches, self.cells_on_edge],
             self.free,
             (
@@ -268,8 +268,9 @@ impl Strip {
     fn read(mut words: &[u64], width: usize) -> Option<Self> {
         let words = &mut words;
         let columns = width.div_ceil(64);
-        let rest = words.len().checked_sub(Head::COUNT + columns)?;
-        let ([rows, cells, switches, cells_on_edge], free, closed, lengths) = Head::read(words);
+        let rest = words.len().checked_sub(StripHeader::COUNT + columns)?;
+        let ([rows, cells, switches, cells_on_edge], free, closed, lengths) =
+            StripHeader::read(words);
         let (all, [unresolved, unresolved_cells], is_across) = closed;
         let [.., open] = lengths;
         let sizes = [3, 3, <(usize, [[bool; 2]; 2])>::COUNT];
@@ -284,8 +285,8 @@ impl Strip {
         }
         let columns = (0..columns).map(|_| u64::read(words)).collect();
         let mut run = || {
-            let [start, end, spot] = Words::read(words);
-            (spot < open).then_some(Run {
+            let [start, end, spot] = WireFormat::read(words);
+            (spot < open).then_some(RowSegment {
                 columns: start..end,
                 spot,
             })
@@ -293,8 +294,8 @@ impl Strip {
         let mut end = |count| (0..count).map(|_| run()).collect::<Option<_>>();
         let ends = [end(lengths[0])?, end(lengths[1])?];
         let spot = |_| {
-            let (cells, edges) = Words::read(words);
-            Spot { cells, edges }
+            let (cells, edges) = WireFormat::read(words);
+            PartialSpot { cells, edges }
         };
         Some(Self {
             rows,
@@ -325,7 +326,7 @@ impl Spots {
         }
     }
 
-    fn add(&mut self, spot: &Spot) {
+    fn add(&mut self, spot: &PartialSpot) {
         self.all += 1;
         if spot.cells < RESOLVED {
             self.unresolved += 1;
@@ -339,14 +340,14 @@ impl Spots {
 
 /// Spots that turn out to be one.
 struct Joined {
-    spots: Vec<Spot>,
+    spots: Vec<PartialSpot>,
     parents: Vec<usize>,
     /// The place of the first one of the second strip.
     second: usize,
 }
 
 impl Joined {
-    fn new([mut spots, above]: [Vec<Spot>; 2]) -> Self {
+    fn new([mut spots, above]: [Vec<PartialSpot>; 2]) -> Self {
         let second = spots.len();
         spots.extend(above);
         Self {
@@ -366,8 +367,9 @@ impl Joined {
     }
 
     /// Joins the spots of two rows, one above the other; returns in how many columns they differ.
-    fn join(&mut self, below: &[Run], above: &[Run]) -> usize {
-        let length = |runs: &[Run]| -> usize { runs.iter().map(|run| run.columns.len()).sum() };
+    fn join(&mut self, below: &[RowSegment], above: &[RowSegment]) -> usize {
+        let length =
+            |runs: &[RowSegment]| -> usize { runs.iter().map(|run| run.columns.len()).sum() };
         let (mut common, mut next) = (0, 0);
         for run in below {
             while next < above.len() && above[next].columns.end <= run.columns.start {
@@ -412,7 +414,7 @@ fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize
 
 /// The strip of all rows, on the first rank; on others the part that they have handed on. Each step halves the number of
 /// strips: only their ends travel.
-fn over_ranks(slab: Strip, width: usize, team: &Team) -> Strip {
+fn over_ranks(slab: Strip, width: usize, team: &RankGroup) -> Strip {
     let (me, ranks) = (team.rank(), team.size());
     let (mut strip, mut step) = (slab, 1);
     while step < ranks {
@@ -443,9 +445,9 @@ type Counts = (
     (usize, [usize; 2], [bool; 2]),
 );
 
-impl Survey {
+impl ContactCounts {
     /// That of the first rank.
-    fn of_first(self, team: &Team) -> Self {
+    fn of_first(self, team: &RankGroup) -> Self {
         let found = self.spots;
         let (counts, extent, spots): Counts = team.of_first((
             (self.cells, self.switches, self.cells_on_edge),
@@ -529,7 +531,7 @@ mod tests {
                                 _ => (ny * (rank - 1) / (ranks - 1)).max(1),
                             };
                             let slab = grid.slab(end(rank.rank())..end(rank.rank() + 1));
-                            map(slab).survey(Some(&Team::new(Arc::new(rank))))
+                            map(slab).survey(Some(&RankGroup::new(Arc::new(rank))))
                         });
                         assert!(
                             found.iter().all(|found| *found == whole),

@@ -1,8 +1,8 @@
 //! The steps of bodies whose pressure and traction are found together.
 
 use crate::bodies::coupling::Coupling;
-use crate::contact::{Conditions, Trend};
-use crate::coupled::{CoupledDemand, CoupledIncrement};
+use crate::contact::{LoadTrend, SolveContext};
+use crate::coupled::{CoupledIncrement, CoupledTarget};
 use crate::error::{Result, of_rolling};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
@@ -12,9 +12,9 @@ use crate::history::{History, LoadStep};
 use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
-use crate::rolling::Travel;
+use crate::rolling::RollingShift;
 use crate::rolling::entry::compliance;
-use crate::tangential::{Axis, Motion, OwnCompliance};
+use crate::tangential::{Axis, EntryCompliance, RigidMotion};
 
 impl State {
     /// With this much coupling. Where pressure and traction are found together, that is on all of the grid and along both
@@ -24,7 +24,7 @@ impl State {
         if self.is_joint() {
             let (grid, axes) = (self.grid(), Axis::BOTH);
             let mut memory = Memory::first(grid, axes, Window::whole(grid), self.motion)?;
-            memory.trend = Trend::default();
+            memory.trend = LoadTrend::default();
             (self.axes, self.contact) = (axes, Some(memory));
         }
         Ok(self)
@@ -50,7 +50,7 @@ impl History {
         &mut self,
         load: &LoadStep,
         observer: Observer<'_>,
-    ) -> Result<Option<Motion>> {
+    ) -> Result<Option<RigidMotion>> {
         let (state, Some(joint)) = (&self.state, &mut self.joint) else {
             return Ok(None);
         };
@@ -74,8 +74,8 @@ impl History {
         }
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());
-        let mut conditions = Conditions::new(&state.settings, observer);
-        let demand = CoupledDemand {
+        let mut conditions = SolveContext::new(&state.settings, observer);
+        let demand = CoupledTarget {
             gap: &state.gap,
             friction: &state.friction,
             hardness,
@@ -102,19 +102,19 @@ fn roll(
     joint: &mut CoupledIncrement,
     state: &State,
     (bodies, control): (&HalfSpace, NormalControl),
-    travel: &Travel,
+    travel: &RollingShift,
     twist: f64,
 ) -> Result<()> {
     let passage = travel.through(state.grid().size());
-    let turned = travel.turned(0.5 * (state.twist() + twist));
-    joint.carry_offset(|part| passage.carry(part), turned);
+    let turned = travel.rotation_correction(0.5 * (state.twist() + twist));
+    joint.carry_offset(|part| passage.shift_with_particles(part), turned);
     let Some(gap) = state.closing(bodies, control, true) else {
         return joint.enter(None::<fn(usize) -> f64>);
     };
     // The compliance under a unit pressure, since the solve has yet to find the pressure of the cell.
-    joint.roll_in(Some(|i: usize| {
+    joint.set_rolling_entry_compliance(Some(|i: usize| {
         let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
-        travel.before(i).map_or(OwnCompliance::NONE, entered)
+        travel.before(i).map_or(EntryCompliance::NONE, entered)
     }))
 }
 

@@ -30,7 +30,7 @@ pub(in crate::history) fn narrow(
     let Some(contact) = bodies.around(|i| before[i] > 0.0 || after[i] > 0.0) else {
         return;
     };
-    let needed = bodies.confined(contact.widened(grid).with_margins(grid, margins));
+    let needed = bodies.restrict_to_window(contact.widened(grid).with_margins(grid, margins));
     let smaller = |window: Window, waste: f64| {
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)

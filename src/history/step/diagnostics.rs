@@ -11,7 +11,7 @@ use crate::warning::{Resolution, Warning};
     derive(serde::Serialize, serde::Deserialize),
     serde(default)
 )]
-pub(in crate::history) struct Remarks {
+pub(in crate::history) struct StepDiagnostics {
     /// Whether the pressure was held although the gap had changed.
     pub(in crate::history) is_pressure_stale: bool,
     /// Whether a contact of dissimilar bodies grew too much in the step.
@@ -38,7 +38,7 @@ pub(in crate::history) struct Remarks {
 /// Largest part of the tangential force that a held shift may lose without a warning, in per cent.
 const LARGEST_LOSS: usize = 50;
 
-impl Remarks {
+impl StepDiagnostics {
     /// With those of another step.
     pub(in crate::history) fn and(self, other: Self) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl Remarks {
     pub(in crate::history) fn warnings(self) -> Vec<Warning> {
         let cells = self.edge_cells;
         let stale = self.is_pressure_stale.then_some(Warning::StalePressure);
-        let at_once = self.is_pressed_at_once.then_some(Warning::PressedAtOnce);
+        let at_once = self.is_pressed_at_once.then_some(Warning::SingleLoadStep);
         let at_edge = (cells > 0).then_some(Warning::ContactAtEdge { cells });
         let apart = self.is_apart.then_some(Warning::NoContact);
         let cells = self.overloaded_cells;

@@ -1,7 +1,7 @@
 //! What partial results look like on their way between ranks.
 
 /// A value that travels as a fixed number of 64-bit words.
-pub(crate) trait Words: Copy + Send {
+pub(crate) trait WireFormat: Copy + Send {
     /// How many.
     const COUNT: usize;
 
@@ -24,7 +24,7 @@ fn next(words: &mut &[u64]) -> u64 {
     *first
 }
 
-impl Words for () {
+impl WireFormat for () {
     const COUNT: usize = 0;
     const ZERO: Self = ();
 
@@ -33,7 +33,7 @@ impl Words for () {
     fn read(_: &mut &[u64]) -> Self {}
 }
 
-impl Words for u64 {
+impl WireFormat for u64 {
     const COUNT: usize = 1;
     const ZERO: Self = 0;
 
@@ -46,7 +46,7 @@ impl Words for u64 {
     }
 }
 
-impl Words for f64 {
+impl WireFormat for f64 {
     const COUNT: usize = 1;
     const ZERO: Self = 0.0;
 
@@ -59,7 +59,7 @@ impl Words for f64 {
     }
 }
 
-impl Words for usize {
+impl WireFormat for usize {
     const COUNT: usize = 1;
     const ZERO: Self = 0;
 
@@ -76,7 +76,7 @@ impl Words for usize {
     }
 }
 
-impl Words for bool {
+impl WireFormat for bool {
     const COUNT: usize = 1;
     const ZERO: Self = false;
 
@@ -89,7 +89,7 @@ impl Words for bool {
     }
 }
 
-impl<T: Words> Words for Option<T> {
+impl<T: WireFormat> WireFormat for Option<T> {
     const COUNT: usize = 1 + T::COUNT;
     const ZERO: Self = None;
 
@@ -104,7 +104,7 @@ impl<T: Words> Words for Option<T> {
     }
 }
 
-impl<T: Words, const K: usize> Words for [T; K] {
+impl<T: WireFormat, const K: usize> WireFormat for [T; K] {
     const COUNT: usize = K * T::COUNT;
     const ZERO: Self = [T::ZERO; K];
 
@@ -122,7 +122,7 @@ impl<T: Words, const K: usize> Words for [T; K] {
 /// A tuple travels part by part.
 macro_rules! words_of_tuple {
     ($($part:ident $place:tt),+) => {
-        impl<$($part: Words),+> Words for ($($part,)+) {
+        impl<$($part: WireFormat),+> WireFormat for ($($part,)+) {
             const COUNT: usize = 0 $(+ $part::COUNT)+;
             const ZERO: Self = ($($part::ZERO,)+);
 

@@ -56,7 +56,7 @@ fn nothing_on_few_cells_enters_the_pool() {
         Grid::new(9, 12, 0.8, 0.6).unwrap(),
         Grid::new(1, 12, 0.8, 0.6).unwrap(),
     ] {
-        assert!(grid.cells() <= CELLS_ON_ONE_THREAD);
+        assert!(grid.cells() <= SERIAL_CELL_LIMIT);
         let mut watch = |what: &str, work: &mut dyn FnMut() -> Result<()>| {
             let before = threads();
             work().unwrap_or_else(|error| panic!("{what} on {grid:?}: {error}"));
@@ -119,7 +119,7 @@ fn work_on_few_cells_does_not_enter_the_pool() {
     // Steps of more cells do share, unless the global pool is avoided, with the same bits.
     let (is_elsewhere, numbers, pressure) = step_elsewhere(80);
     assert!(is_elsewhere);
-    avoid_global_pool();
+    disable_global_pool();
     assert!((false, numbers, pressure.clone()) == step_elsewhere(80));
     let in_own = apart.install(|| step_elsewhere(80));
     assert_eq!((in_own.1, in_own.2), (numbers, pressure));

@@ -4,7 +4,7 @@
 const PATIENCE: u64 = 256;
 
 /// What is made for rectangles of one size.
-pub(crate) trait OfSize {
+pub(crate) trait HasSize {
     /// Cells along x and along y.
     fn size(&self) -> [usize; 2];
 
@@ -19,36 +19,36 @@ pub(crate) trait OfSize {
 ///
 /// A clone has the present one alone.
 #[derive(Debug)]
-pub(crate) struct BySize<T> {
+pub(crate) struct SizeCache<T> {
     /// `None` before the first.
     pub(crate) present: Option<T>,
     /// The one that was left last comes last.
-    left: Vec<Left<T>>,
+    left: Vec<RetiredEntry<T>>,
     /// Cells of the largest size since there was last none here.
     largest: usize,
     uses: u64,
 }
 
 #[derive(Debug)]
-struct Left<T> {
+struct RetiredEntry<T> {
     made: T,
     /// Count of uses when it was left.
     at: u64,
 }
 
-impl<T> Default for BySize<T> {
+impl<T> Default for SizeCache<T> {
     fn default() -> Self {
         Self::of(None)
     }
 }
 
-impl<T: Clone> Clone for BySize<T> {
+impl<T: Clone> Clone for SizeCache<T> {
     fn clone(&self) -> Self {
         Self::of(self.present.clone())
     }
 }
 
-impl<T> BySize<T> {
+impl<T> SizeCache<T> {
     fn of(present: Option<T>) -> Self {
         Self {
             present,
@@ -59,9 +59,9 @@ impl<T> BySize<T> {
     }
 }
 
-impl<T: OfSize> BySize<T> {
+impl<T: HasSize> SizeCache<T> {
     /// Counts a use of the present size, and gives up what was not asked for in a long time.
-    pub(crate) fn age(&mut self) {
+    pub(crate) fn tick(&mut self) {
         self.uses += 1;
         let uses = self.uses;
         self.left.retain(|left| uses - left.at <= PATIENCE);
@@ -75,7 +75,7 @@ impl<T: OfSize> BySize<T> {
     ///
     /// # Errors
     /// Those of `make`; nothing has changed then.
-    pub(crate) fn provide<E>(
+    pub(crate) fn get_or_create<E>(
         &mut self,
         size: [usize; 2],
         make: impl FnOnce() -> Result<T, E>,
@@ -88,7 +88,7 @@ impl<T: OfSize> BySize<T> {
             let found = place.map(|place| self.left.remove(place).made);
             let next = found.map_or_else(make, Ok)?;
             if let Some(present) = self.present.take() {
-                self.leave(present, size);
+                self.retire(present, size);
             }
             next
         };
@@ -96,10 +96,10 @@ impl<T: OfSize> BySize<T> {
     }
 
     /// Keeps what is left for another size.
-    fn leave(&mut self, made: T, next: [usize; 2]) {
+    fn retire(&mut self, made: T, next: [usize; 2]) {
         let at = self.uses;
         self.largest = self.largest.max(made.cells());
-        self.left.push(Left { made, at });
+        self.left.push(RetiredEntry { made, at });
         let next = next.iter().product();
         if next > self.largest {
             self.largest = next;
@@ -119,24 +119,24 @@ mod tests {
 
     /// A square of so many cells along a side.
     #[derive(Debug)]
-    struct Square(usize);
+    struct WindowSide(usize);
 
-    impl OfSize for Square {
+    impl HasSize for WindowSide {
         fn size(&self) -> [usize; 2] {
             [self.0; 2]
         }
     }
 
     /// Goes from the first of the sizes to the next, and so on; tells which were found.
-    fn found(squares: &mut BySize<Square>, sides: &[usize]) -> Vec<bool> {
+    fn found(squares: &mut SizeCache<WindowSide>, sides: &[usize]) -> Vec<bool> {
         let mut found = Vec::new();
         for &side in sides {
             let mut is_found = true;
             let make = || {
                 is_found = false;
-                Ok::<_, ()>(Square(side))
+                Ok::<_, ()>(WindowSide(side))
             };
-            let fitting = squares.provide([side; 2], make);
+            let fitting = squares.get_or_create([side; 2], make);
             assert_eq!(fitting.unwrap().size(), [side; 2]);
             found.push(is_found);
         }
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn sizes_to_and_fro_are_found_again() {
-        let mut squares = BySize::default();
+        let mut squares = SizeCache::default();
         assert_eq!(
             found(&mut squares, &[9, 4, 9, 4, 4, 9]),
             [false, false, true, true, true, true]
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn a_size_larger_than_all_before_outgrows_them() {
-        let mut squares = BySize::default();
+        let mut squares = SizeCache::default();
         assert_eq!(
             found(&mut squares, &[4, 5, 6, 5, 6, 7, 6]),
             [false, false, false, false, true, false, false]
@@ -164,7 +164,7 @@ mod tests {
 
     #[test]
     fn what_waits_takes_no_more_than_twice_the_largest() {
-        let mut squares = BySize::default();
+        let mut squares = SizeCache::default();
         found(&mut squares, &[20, 19, 18, 17, 16, 15]);
         let sides: Vec<_> = squares.left.iter().map(|left| left.made.0).collect();
         assert_eq!(sides, [17, 16]);
@@ -172,20 +172,20 @@ mod tests {
 
     #[test]
     fn what_nobody_asks_for_is_given_up() {
-        let mut squares = BySize::default();
+        let mut squares = SizeCache::default();
         found(&mut squares, &[9, 4]);
         for _ in 0..PATIENCE {
-            squares.age();
+            squares.tick();
             assert_eq!(squares.left.len(), 1);
         }
-        squares.age();
+        squares.tick();
         assert!(squares.left.is_empty());
     }
 
     #[test]
     fn what_cannot_be_made_changes_nothing() {
-        let mut squares = BySize::of(Some(Square(4)));
-        let refused = squares.provide([5; 2], || Err("no memory"));
+        let mut squares = SizeCache::of(Some(WindowSide(4)));
+        let refused = squares.get_or_create([5; 2], || Err("no memory"));
         assert!(refused.is_err() && squares.left.is_empty());
         assert_eq!(squares.present.map(|square| square.0), Some(4));
     }

@@ -219,7 +219,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
             &mut depth,
         )?;
         CycleJump::new(&bodies, &cycle, &depth)?
-            .closed_within(0.9)
+            .max_residual(0.9)
             .cycles()?;
         let mut worn = ball.clone();
         worn.add_scaled(1.0, &depth)?;

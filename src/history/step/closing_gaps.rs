@@ -6,7 +6,7 @@ use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::normal::NormalControl;
 use crate::report::Status;
-use crate::tangential::TouchRule;
+use crate::tangential::EntryRule;
 
 impl State {
     /// The gap that a cell closes as it comes into contact in a step under this load, zero of one that was in contact;
@@ -18,7 +18,7 @@ impl State {
         control: NormalControl,
         is_rolled: bool,
     ) -> Option<impl Fn(usize) -> f64 + use<'_>> {
-        if self.touch_rule == TouchRule::WholeStep {
+        if self.entry_rule == EntryRule::WholeStep {
             return None;
         }
         let [gap, pressed_gap] = [&self.gap, &self.pressed_gap].map(Field::as_slice);

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::iterate::Precision;
+use crate::cgm::active_set_solve::Precision;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::Linear;
 use crate::cgm::linear::gmres::Equations;
@@ -12,14 +12,14 @@ use crate::report::Status;
 
 /// Unknowns, displacements and multipliers of an iterate, and the gap that is added to its displacements; of no cells where
 /// they have it in them.
-pub(in crate::cgm) struct Moved<'a, 'x, const N: usize> {
+pub(in crate::cgm) struct UpdatedIterate<'a, 'x, const N: usize> {
     pub(in crate::cgm) x: &'a mut [&'x mut [f64]; N],
     pub(in crate::cgm) displacement: &'a mut [Vec<f64>; N],
     pub(in crate::cgm) gap: [&'a [f64]; N],
     pub(in crate::cgm) multiplier: &'a mut [f64; N],
 }
 
-impl<R: Row<N>, const N: usize> Equations<R, N> for Moved<'_, '_, N> {
+impl<R: Row<N>, const N: usize> Equations<R, N> for UpdatedIterate<'_, '_, N> {
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
         let (x, u, gap) = (slices(self.x), slices(self.displacement), self.gap);
         let multiplier = *self.multiplier;

@@ -1,6 +1,6 @@
 //! How a cell of a disc moves: freely while it sticks, along the circle while it slips.
 
-use crate::cgm::law::state::{Motion, Row};
+use crate::cgm::law::state::{CellMotion, Row};
 use crate::numerics::cell_vector::{dot, norm};
 
 /// How a cell of a disc may move.
@@ -9,11 +9,11 @@ use crate::numerics::cell_vector::{dot, norm};
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Turn {
+pub enum DiscMotion {
     /// In any direction: it sticks.
     Free,
     /// Along the circle: it slips.
-    Along {
+    Tangential {
         /// Direction of the circle where the vector is.
         tangent: [f64; 2],
         /// Gradient against the vector over the radius: what the curvature of the circle adds to the stiffness.
@@ -87,11 +87,11 @@ impl Weight {
     }
 }
 
-impl Turn {
+impl DiscMotion {
     /// At its limit with this traction, of this stiffness, of which the preconditioner is not told yet.
     pub(in crate::cgm) fn along(q: [f64; 2], stiffness: f64) -> Self {
         let size = norm(q);
-        Self::Along {
+        Self::Tangential {
             tangent: [-q[1] / size, q[0] / size],
             stiffness,
             weight: Weight::PATTERN,
@@ -99,7 +99,7 @@ impl Turn {
     }
 }
 
-impl Row<2> for Turn {
+impl Row<2> for DiscMotion {
     const IS_CURVED: bool = true;
     const IS_STEADY: bool = true;
     const FREE: Self = Self::Free;
@@ -123,7 +123,7 @@ impl Row<2> for Turn {
     fn restrict(self, w: [f64; 2]) -> [f64; 2] {
         match self {
             Self::Free => w,
-            Self::Along { tangent, .. } => tangent.map(|t| t * dot(tangent, w)),
+            Self::Tangential { tangent, .. } => tangent.map(|t| t * dot(tangent, w)),
             Self::Fixed => [0.0; 2],
         }
     }
@@ -131,7 +131,7 @@ impl Row<2> for Turn {
     #[inline]
     fn bend(self, d: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Along { stiffness, .. } => d.map(|d| stiffness * d),
+            Self::Tangential { stiffness, .. } => d.map(|d| stiffness * d),
             Self::Free | Self::Fixed => [0.0; 2],
         }
     }
@@ -139,7 +139,7 @@ impl Row<2> for Turn {
     #[inline]
     fn weighted(self, r: [f64; 2]) -> [f64; 2] {
         match self {
-            Self::Along { weight, .. } => r.map(|r| weight.weighted(r)),
+            Self::Tangential { weight, .. } => r.map(|r| weight.weighted(r)),
             Self::Free | Self::Fixed => r,
         }
     }
@@ -148,7 +148,7 @@ impl Row<2> for Turn {
     fn preconditioned(self, answer: [f64; 2], r: [f64; 2]) -> [f64; 2] {
         match self {
             Self::Free => answer,
-            Self::Along {
+            Self::Tangential {
                 tangent, weight, ..
             } => {
                 let along = weight.pattern * dot(tangent, answer);
@@ -159,9 +159,9 @@ impl Row<2> for Turn {
     }
 }
 
-impl Motion<2> for Turn {
-    fn weighed(mut self, self_compliance: f64, diagonal: f64) -> Self {
-        if let Self::Along {
+impl CellMotion<2> for DiscMotion {
+    fn with_preconditioner_weight(mut self, self_compliance: f64, diagonal: f64) -> Self {
+        if let Self::Tangential {
             stiffness, weight, ..
         } = &mut self
         {
@@ -170,7 +170,7 @@ impl Motion<2> for Turn {
         self
     }
 
-    fn released(self, _: [f64; 2]) -> Self {
+    fn released_from_bound(self, _: [f64; 2]) -> Self {
         self
     }
 }
