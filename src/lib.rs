@@ -3,8 +3,7 @@
 //! Two elastic bodies are pressed together and loaded tangentially. This crate computes the pressure and the contact
 //! area, then the shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of
 //! loads. The bodies are half-spaces whose surfaces are divided into rectangular cells. Influence coefficients and a
-//! zero-padded FFT convolution give displacements from tractions, a constrained conjugate-gradient engine solves
-//!
+//! zero-padded FFT convolution map tractions to displacements. A constrained conjugate-gradient engine solves
 //! ```math
 //! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0,
 //! ```
@@ -13,9 +12,9 @@
 //! s = 0 \text{ where } |q| < \mu p, \quad q\,s \le 0 \text{ elsewhere,}
 //! ```
 //!
-//! and a certificate bounds the error of every solution. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
-//! (Tribology International 159 (2021) 106947, <https://doi.org/10.1016/j.triboint.2021.106947>), with
-//! [the errors in its printed formulas corrected](guide::errata).
+//! A certificate bounds the error of every solution. The model is that of Wang, De Boer, Neville & Ghanbarzadeh
+//! (Tribology International 159 (2021) 106947, <https://doi.org/10.1016/j.triboint.2021.106947>), with [the errors in
+//! its printed formulas corrected](guide::errata).
 //!
 //! ```
 //! use stickslip::{
@@ -50,66 +49,67 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 //!
-//! # Which type do I need
+//! # Choosing a type
 //!
-//! | to | use |
+//! | task | type or page |
 //! |---|---|
-//! | solve normal contact | [`NormalProblem`], by [`NormalControl::Force`] or [`Approach`](NormalControl::Approach) |
-//! | solve partial slip along x or y | [`TangentialProblem`], by [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
-//! | solve it for any direction, with both components of the traction | the same, with [`TangentialModel::Vector`] |
-//! | solve either repeatedly | [`NormalSolver`], [`TangentialSolver`] |
-//! | press bodies of different materials, in as many steps as a tolerance needs | [`History::press`], the page on [dissimilar bodies](guide::dissimilar_bodies) |
+//! | solve normal contact | [`NormalProblem`] with [`NormalControl::Force`] or [`Approach`](NormalControl::Approach) |
+//! | solve partial slip along x or y | [`TangentialProblem`] with [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
+//! | solve partial slip in any direction, with both components of the traction | [`TangentialProblem`] with [`TangentialModel::Vector`] |
+//! | solve normal or tangential contact repeatedly | [`NormalSolver`], [`TangentialSolver`] |
+//! | press bodies of different materials, in as many steps as a tolerance requires | [`History::press`], the page on [dissimilar bodies](guide::dissimilar_bodies) |
 //! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
-//! | load step by step with memory of slip | [`History`], [`LoadStep`] |
-//! | press and shear at once, with steps short enough for a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::load_steps) |
+//! | apply loads step by step with memory of slip | [`History`], [`LoadStep`] |
+//! | press and shear simultaneously, with step sizes that meet a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::load_steps) |
 //! | limit the pressure to the hardness | [`normal::Hardness`], in problems and [histories](history::HistoryBuilder::hardness) |
-//! | get the slopes of the forces | [`History::stiffness`], [`stiffness`] |
-//! | get moments, the centre of pressure, spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), of a history through [`History::normal`]; [`ContactSpots`] |
-//! | get stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
-//! | keep the state of a history, return to it, save it | [`history::State`] |
+//! | compute the tangent stiffness | [`History::stiffness`], [`stiffness`] |
+//! | compute moments, the centre of pressure, contact spots | [`NormalSolution::moments`], [`centre_of_pressure`](NormalSolution::centre_of_pressure), for a history through [`History::normal`]; [`ContactSpots`] |
+//! | compute stresses and displacements below the surface: at points, on planes, as a volume for ParaView | [`subsurface`]: [`at_points`](subsurface::at_points), [`Planes`](subsurface::Planes) |
+//! | store, restore and save the state of a history | [`history::State`] |
 //! | apply cyclic loads, until steady or with wear | [`history::FrettingLoop`], [`history::LoadPath`], [`history::Cycle`], [`history::wear`] |
-//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [more than one machine](guide::distributed) |
+//! | solve one large contact on several processes or machines | [`HalfSpace::distributed`], [`ranks`], the page on [distributed contacts](guide::distributed) |
 //! | solve the same contact for thousands of surfaces and loads | the page on [studies](guide::studies) |
 //! | embed contacts in a simulator | the page on [embedding](guide::embedding) |
-//! | begin, with no experience of the crate | the page of [first steps](guide::first_steps) |
+//! | start without experience of the crate | the page on [first steps](guide::first_steps) |
 //! | assess the accuracy of a solution | its [`Report`], its [`discretisation_estimate`](NormalSolution::discretisation_estimate) and its [`Warning`]s |
-//! | get more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`], [`History::edges`]; [`edges`] |
-//! | find out why a number looks wrong | the page [why is my answer wrong](guide::troubleshooting) |
+//! | obtain more accuracy from the same cells: areas, stick ratio, pressure at the edge | [`HalfSpace::with_cell_value`], [`NormalSolution::edges`], [`TangentialSolution::edges`], [`History::edges`]; [`edges`] |
+//! | find out why a number looks wrong | the page on [troubleshooting](guide::troubleshooting) |
 //! | generate a rough surface or a smooth shape | [`surface::SelfAffine`]; [`surface::sphere`], [`cone`](surface::cone), [`sum`](surface::sum()) ... |
 //! | characterise a surface, prepare a measured one | [`surface::Statistics`], [`GaussianFilter`](surface::GaussianFilter), [`fill_missing`](surface::fill_missing), [`gap_from_heights`](surface::gap_from_heights) ... and the page on [rough surfaces](guide::rough_surfaces) |
 //! | read surfaces, write fields for other programs | [`io`] |
 //! | press a cylinder along a line, smooth or rough | [`Grid::line`], [`Boundary::PeriodicAlongY`] |
-//! | stretch a body by a bulk stress while it is sheared | [`tangential::RelativeDisplacement`] |
-//! | roll with creepages, forces, spin or moment, steadily; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
+//! | stretch a body by a bulk stress during shear | [`tangential::RelativeDisplacement`] |
+//! | roll steadily with creepages, forces, spin or moment; creep curves | [`rolling::RollingProblem`], the page on [rolling](guide::rolling) |
 //! | roll bodies of different materials steadily | [`rolling::CoupledRollingProblem`] |
 //! | roll while loads, creepages or surfaces change | [`LoadStep::roll`] |
-//! | have coated bodies, or any linear ones: a thin sheet, a graded half-space, coefficients or operators of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
+//! | model coated bodies or other linear bodies: a thin sheet, a graded half-space, coefficients or operators of a finite-element code | [`Material::coated`], [`layers`], [`Kernel`]; [the page on coatings](guide::coatings) |
 //! | press nominally flat surfaces without edges | [`HalfSpace::with_boundary`], [`Boundary::Periodic`] |
 //! | compare with a closed form: spheres, cones, punches, waves, rough surfaces | [`analytical`], [`tangential::JaegerSuperposition`] |
-//! | use the engine with a custom operator | [`cgm`], with your [`Operator`] |
-//! | get influence coefficients only | [`influence::Rectangle`], [`influence::Table`] |
+//! | use the engine with a user-defined operator | [`cgm`], with an [`Operator`] |
+//! | compute influence coefficients only | [`influence::Rectangle`], [`influence::Table`] |
 //! | check results with explicit matrices | `dense::DenseOperator`, with the feature `dense` |
 //!
 //! # Combinations
 //!
-//! | | pressure alone | and traction along an axis | in the plane | [one-way](Coupling::OneWay) | [found together](Coupling::Full) |
+//! | | pressure only | with traction along an axis | with traction in the plane | [one-way](Coupling::OneWay) coupling | [full](Coupling::Full) coupling |
 //! |---|---|---|---|---|---|
 //! | [problems](NormalProblem), [histories](History), wear, cycles | yes | yes | yes | yes | yes |
-//! | grids that repeat along one axis or both, [lines](Grid::line) | yes | yes | yes | yes | yes |
-//! | [cells that enter](guide::load_steps) the contact in a step | - | yes | yes | yes | yes |
-//! | [hardness](normal::Hardness), permanent set of histories | yes | yes | yes | yes | yes |
+//! | grids periodic along one or both axes, [lines](Grid::line) | yes | yes | yes | yes | yes |
+//! | [cells that come into contact](guide::load_steps) in a step | - | yes | yes | yes | yes |
+//! | [hardness](normal::Hardness), permanent set in histories | yes | yes | yes | yes | yes |
 //! | [stiffness](History::stiffness) of histories | yes | yes | yes | yes | yes, without a bound |
-//! | stiffness of problems | yes, elastic ones | yes | yes | yes, but for pressing | yes, elastic ones |
-//! | [`ranks`], also of stiffnesses | yes | yes | yes | yes | yes |
+//! | stiffness of problems | yes, elastic contacts | yes | yes | yes, except for pressing | yes, elastic contacts |
+//! | [`ranks`], including stiffnesses | yes | yes | yes | yes | yes |
 //! | twist | - | - | yes | yes | yes |
 //! | [steady rolling](rolling), its stiffness | - | - | yes | yes, with a warning | yes |
-//! | [steps that roll](LoadStep::roll) | - | yes | yes | yes, with a warning | yes |
+//! | [rolling steps](LoadStep::roll) | - | yes | yes | yes, with a warning | yes |
 //!
-//! The twist needs a grid that does not repeat. Rolling has no hardness in steady problems, and no ranks.
+//! The twist requires a grid that is not periodic. Steady rolling problems do not support a hardness, and rolling does
+//! not support ranks.
 //!
 //! # Units and signs
 //!
-//! Any consistent system of units; the code contains no length or pressure of its own.
+//! Any consistent system of units can be used; the code contains no dimensional constants.
 //!
 //! | length | force | pressure, modulus |
 //! |---|---|---|
@@ -117,24 +117,25 @@
 //! | mm | N | MPa |
 //! | um | uN | MPa |
 //!
-//! z points into body 1. Pressure is positive in compression. A gap is positive where the surfaces are apart, the
-//! approach when the bodies come together; heights point out of their body. Traction and tangential force are those
-//! that body 2 exerts on body 1 through the contact, positive along the axis. Displacements are relative, body 1 minus
-//! body 2; the shift is the rigid motion of body 2 relative to body 1, far from the contact. A body 2 dragged along +x
-//! therefore has a positive shift and pulls body 1 along with a positive force. Slip is `s = u - shift`, the motion of
-//! the surface of body 1 over that of body 2; it is opposite to the traction. Fields are row-major with x fastest, the
-//! memory layout of a NumPy array of shape `(ny, nx)`.
+//! z points into body 1. Pressure is positive in compression. A gap is positive if the surfaces are apart, and the
+//! approach is positive if the bodies come together. Heights point out of their body. Traction and tangential force act
+//! on body 1 and are exerted by body 2 through the contact; they are positive along the axis. Displacements are
+//! relative: body 1 minus body 2. The shift is the rigid motion of body 2 relative to body 1, far from the contact. A
+//! body 2 dragged along +x therefore has a positive shift and pulls body 1 along with a positive force. Slip is
+//! `s = u - shift`, the motion of the surface of body 1 over the surface of body 2; its direction is opposite to the
+//! traction. Fields are row-major with x fastest, the memory layout of a NumPy array of shape `(ny, nx)`.
 //!
 //! # Accuracy and cost
 //!
-//! A solve ends as [`Converged`](Status::Converged) only if a fresh product shows two quantities below the tolerance:
-//! the largest complementarity residual, relative to the displacement of the contact, and a bound on the error in the
-//! energy norm. Any other end is an error that carries the report; the last feasible iterate is then in the solution
-//! that the caller passed in. The bound is rigorous up to the round-off of the product. It follows from the duality gap
-//! and from the smallest eigenvalue of the periodic continuation of the operator, which is read from its spectrum, as
-//! derived on the page of [`cgm`]. (A custom operator without such an eigenvalue is judged by its residual alone.)
+//! A solve ends as [`Converged`](Status::Converged) only if two quantities, computed from a new product, are below the
+//! tolerance: the largest complementarity residual, relative to the displacement of the contact, and a bound on the
+//! error in the energy norm. Every other status is returned as an error that contains the report; the last feasible
+//! iterate is then in the solution that the caller passed in. The bound is rigorous up to the round-off of the product.
+//! It follows from the duality gap and from the smallest eigenvalue of the periodic continuation of the operator, which
+//! is read from its spectrum, as derived on the page of [`cgm`]. (For a user-defined operator without such an
+//! eigenvalue, only the residual is tested.)
 //!
-//! For the sphere of the example the error is that of the discretisation, not of the solver. At 512 x 512 cells and
+//! For the sphere of the example the error is due to the discretisation and not to the solver. With 512 x 512 cells and
 //! the default tolerance 1e-8:
 //!
 //! | quantity | relative difference from the closed form |
@@ -146,81 +147,84 @@
 //! | stick ratio | -5.0e-5 |
 //!
 //! The discretisation error of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
-//! traction of the same sphere, and far more where cells barely resolve the roughness;
-//! [`discretisation_estimate`](NormalSolution::discretisation_estimate) tells how much. Values at the centres of the cells
-//! ([`CellValue::Centre`], which cost nothing) with the edges found inside the cells ([`edges`]) reach the same on a
-//! sixteenth of the cells, here on three contact radii anywhere between the cells (mean of 8 places):
+//! traction of the same sphere. It is far larger if the cells barely resolve the roughness;
+//! [`discretisation_estimate`](NormalSolution::discretisation_estimate) estimates it. Values at the centres of the
+//! cells ([`CellValue::Centre`], at no extra cost), combined with edges located inside the cells ([`edges`]), reach the
+//! same accuracy with a sixteenth of the cells. The table is for a grid side of three contact radii and any position of
+//! the centre between the cells (mean of 8 positions):
 //!
-//! | sphere, 40 % of the sliding force | uniform cells, counted: 128 x 128 | 512 x 512 | at centres, with edges: 128 x 128 |
+//! | sphere, 40 % of the sliding force | uniform cells, counted: 128 x 128 | 512 x 512 | centre values, with edges: 128 x 128 |
 //! |---|---|---|---|
 //! | pressure, sum over the cells | 9e-4 | 1.2e-4 | 1.1e-4 |
-//! | shear traction, likewise | 4e-3 | 5e-4 | 5e-4 |
+//! | shear traction, sum over the cells | 4e-3 | 5e-4 | 5e-4 |
 //! | contact area | 5e-3 | 1.4e-3 | 3e-5 |
 //! | stick area | 6e-3 | 1.6e-3 | 8e-5 |
 //! | largest shear traction | 7e-3 | 2e-3 | 2e-4 |
 //! | approach | 2e-5 | 1.4e-6 | 1.2e-6 |
 //!
-//! Grids and tolerances for 0.1 %, N x N cells on three contact radii, to 1e-3, on one thread with the time of the edges:
+//! The next table lists grids for an error of 0.1 %, with N x N cells on a side of three contact radii, a tolerance of
+//! 1e-3 and one thread. The times include the edges.
 //!
-//! | scene, 0.1 % | cells, counted: N, ms | error of field, area | centres, edges: N, ms | error of field, area |
+//! | contact, 0.1 % | cells, counted: N, ms | error of field, area | centres, edges: N, ms | error of field, area |
 //! |---|---|---|---|---|
 //! | sphere, pressure | 128, 4.0 | 8.8e-4, 5.7e-3 | 32, 1.1 | 8.9e-4, 8.4e-4 |
 //! | ellipse 2 : 1, pressure | 256, 11 | 6.2e-4, 4.1e-3 | 64, 2.1 | 6.5e-4, 5.9e-4 |
 //! | cone, pressure | 128, 4.1 | 6.7e-4, 5.7e-3 | 64, 2.7 | 6.3e-4, 2.1e-4 |
 //! | sphere, shear traction | 512, 42 | 5.0e-4, 1.6e-3 | 128, 7.8 | 5.6e-4, 8.9e-5 |
 //!
-//! For 1 % of all of these N = 32 does, 11 cells on a contact radius, with values at the centres and edges; uniform cells
-//! without edges need 64 to 128 for it. The slip ring of the traction is then 1.7 cells wide. Narrower rings need more cells: at the
-//! same force and N = 32 a gap r^4 has a [ring of one cell](edges#narrow-slip-rings), and a traction error of 3 %. All of these
-//! are at a tolerance of 1e-3: less brings nothing there, and 1e-2 leaves up to 1 % whatever the grid. The example `grid_against_error` of the package `stickslip-testkit` measures this.
+//! An error of 1 % in all of these quantities requires N = 32 (11 cells per contact radius) with values at the centres
+//! and edges. Uniform cells without edges need N = 64 to 128. At N = 32 the slip ring of the traction is 1.7 cells
+//! wide. Narrower rings need more cells: at the same force and N = 32, a gap r^4 has a [slip ring one cell
+//! wide](edges#narrow-slip-rings) and a traction error of 3 %. All of these results use a tolerance of 1e-3. A smaller
+//! tolerance brings no improvement there, and 1e-2 leaves an error of up to 1 % on any grid. The example
+//! `grid_against_error` of the package `stickslip-testkit` measures this.
 //!
-//! A tolerance a hundred times
-//! below this error brings no improvement, unless steps are subtracted from one another, as in wear and friction
-//! histories. The table lists the errors that each tolerance leaves, the largest over the sphere and the rough surface
-//! at 2, 10 and 40 % contact on 256 x 256 cells:
+//! A tolerance a hundred times below the discretisation error brings no improvement, unless results of different steps
+//! are subtracted, as in wear and friction histories. The table lists the remaining errors for each tolerance, the
+//! largest over the sphere and the rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
 //!
-//! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | good for |
+//! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | suitable for |
 //! |---|---|---|---|---|
-//! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | a start, a rough estimate |
+//! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | an initial guess, a rough estimate |
 //! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
 //! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
-//! Two more digits cost ten to thirty per cent more time. A tolerance below round-off ends as
-//! [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat ones (see the table on
-//! the page of [`cgm`]). The results for [hard scenes](guide::hard_cases) have their own page.
+//! Reducing the tolerance by a factor of 100 costs 10 to 30 % more time. A solve whose tolerance is below round-off
+//! ends as [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat surfaces (see
+//! the table on the page of [`cgm`]). The results for [hard cases](guide::hard_cases) are on a separate page.
 //!
 //! On two shared cores, with 512 x 512 cells and a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms
-//! to 1e-10, and the shear traction 22 and 33 ms; on a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
-//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-testkit` measures this on your
-//! machine.
+//! to 1e-10, and the shear traction 22 and 33 ms. On a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
+//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-testkit` measures these times on
+//! the local machine.
 //!
 //! # Features
 //!
 //! | feature | default | adds |
 //! |---|---|---|
-//! | `full` | yes | the nine features below that begin with "model" |
+//! | `full` | yes | the nine features below that are marked "model" |
 //! | `analytical` | by `full` | model: closed forms ([`analytical`]), [`tangential::JaegerSuperposition`] |
 //! | `history` | by `full` | model: histories, cycles and wear ([`history`]), coupled problems of dissimilar bodies ([`coupled`]) |
-//! | `stiffness` | by `full` | model: slopes of the forces ([`stiffness`]) |
+//! | `stiffness` | by `full` | model: tangent stiffness ([`stiffness`]) |
 //! | `rolling` | by `full` | model: steady rolling ([`rolling`]) |
-//! | `edges` | by `full` | model: edges inside the cells ([`edges`]); switches `spots` on |
+//! | `edges` | by `full` | model: edges inside the cells ([`edges`]); enables `spots` |
 //! | `spots` | by `full` | model: connected parts of the contact ([`ContactSpots`]) |
 //! | `subsurface` | by `full` | model: stresses below the surface ([`subsurface`]) |
-//! | `roughness` | by `full` | model: rough and measured surfaces; without it [`surface`] has shapes and gaps |
+//! | `roughness` | by `full` | model: rough and measured surfaces; without it [`surface`] contains shapes and gaps |
 //! | `io` | by `full` | model: files of surfaces and fields ([`io`]) |
-//! | `parallel` | yes | threads, in the caller's rayon pool; the same bits on any number of them |
-//! | `dense` | no | explicit matrices and the direct solution of small scenes, through faer |
-//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml`; switches `io` on |
+//! | `parallel` | yes | threads, in the caller's rayon pool; results are bitwise identical for any number of threads |
+//! | `dense` | no | explicit matrices and the direct solution of small problems, through faer |
+//! | `x3p` | no | surfaces in X3P files, through `miniz_oxide` and `quick-xml`; enables `io` |
 //! | `serde` | no | grids, materials, friction, loads, options, fields and solutions in any format of `serde` |
-//! | `mpi` | no | [`ranks`] that are processes of an MPI program, through `mpi`; needs libclang and an MPI where it is built |
+//! | `mpi` | no | [`ranks`] that are processes of an MPI program, through `mpi`; the build requires libclang and an MPI library |
 //!
-//! A program that needs normal and tangential contact alone, of any bodies, depends on the crate with
-//! `default-features = false, features = ["parallel"]`. A function of two subjects, such as the edges of a history, needs
-//! the features of both.
+//! A program that needs only normal and tangential contact, for any bodies, can depend on the crate with
+//! `default-features = false, features = ["parallel"]`. A function that combines two subjects, such as the edges of a
+//! history, requires the features of both.
 //!
-//! The table lists their cost to a program that embeds the crate, measured on the program of the page on
-//! [embedding](guide::embedding), compiled from scratch (seconds of one core, rustc 1.95):
+//! The table lists the compile times of a program that embeds the crate: the program on the page on
+//! [embedding](guide::embedding), compiled from scratch (seconds on one core, rustc 1.95):
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
@@ -228,28 +232,30 @@
 //! | `parallel` | 23 | 65 s | 35 s |
 //! | `parallel`, `full` (default) | 23 | 110 s | 48 s |
 //! | `parallel`, `full`, `dense` | 64 | 211 s | 128 s |
-//! | all but `mpi` | 72 | 222 s | 137 s |
+//! | all except `mpi` | 72 | 222 s | 137 s |
 //!
 //! The library alone takes 48 s with `parallel` and 91 s with the defaults.
 //!
-//! With `serde`, values that a constructor would refuse are refused on reading, with the same message, and numbers keep
-//! their bits. In human-readable formats such as JSON, non-finite numbers are words: `"NaN"` (a missing height),
-//! `"Infinity"` (the modulus of a rigid body) or `"-Infinity"`. A [`HalfSpace`] is rebuilt from grid, pair and
-//! boundary, a closed form from its parameters; a generated or levelled surface is saved as its heights; and a
-//! [`History`], which needs its bodies, has its own byte format ([`History::to_bytes`]).
+//! With `serde`, deserialisation rejects the values that a constructor would reject, with the same message, and
+//! preserves the bits of numbers. In human-readable formats such as JSON, non-finite numbers are strings: `"NaN"` (a
+//! missing height), `"Infinity"` (the modulus of a rigid body) or `"-Infinity"`. A [`HalfSpace`] is rebuilt from grid,
+//! pair and boundary, and a closed form from its parameters. A generated or levelled surface is saved as its heights. A
+//! [`History`], which requires its bodies, has a separate byte format ([`History::to_bytes`]).
 //!
-//! # What is modelled, and what is not
+//! # Scope of the model
 //!
 //! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
-//! history of load along one axis or in the plane, including twist. Along an axis the traction across the load is
-//! neglected, as in the paper; on the sphere of Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
-//! vector model ([`TangentialModel::Vector`]) finds both components, in about three times the time. Where the materials
-//! couple pressure and traction (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] find both together, to the
-//! answers of CONTACT; a [`TangentialProblem`], whose pressure is given, finds the tractions that belong to it.
-//! [`Coupling`] chooses less. The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a
-//! moving sphere, to 1e-9 of the largest pressure (`tests/it/another_code_agrees_through_histories.rs`).
+//! history of load along one axis or in the plane, including twist. The model along one axis neglects the traction
+//! across the load, as the paper does. On a sphere with Poisson's ratio 0.29 this changes the force by less than 0.1 %.
+//! The vector model ([`TangentialModel::Vector`]) solves for both components and takes about three times as long. If
+//! the materials couple pressure and traction (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] solve for
+//! both simultaneously and reproduce the results of CONTACT. A [`TangentialProblem`] has a given pressure and solves
+//! for the tractions under this pressure. [`Coupling`] can select one-way coupling or none. The vector model reproduces
+//! the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of the largest pressure
+//! (`tests/it/another_code_agrees_through_histories.rs`).
 //!
-//! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Not modelled: plasticity, adhesion, viscosity, heat.
+//! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Plasticity, adhesion, viscosity and heat are
+//! not modelled.
 //!
 //! # Sources of the formulas
 //!
@@ -263,13 +269,13 @@
 //! | transient shift ([`history`]) | Kalker (1990), <https://doi.org/10.1007/978-94-015-7889-9> |
 //! | steady rolling ([`rolling`]) | Kalker (1990) |
 //! | wear by dissipated energy ([`history::wear`]) | Fouvry, Kapsa & Vincent (1996), <https://doi.org/10.1016/S0043-1648(96)07306-1> |
-//! | closed forms | each on its page, listed in [`analytical`] |
+//! | closed forms | cited on their pages, listed in [`analytical`] |
 //!
 //! The derivations are on the pages of the modules, in detail in [`cgm`], [`influence`], [`normal`], [`tangential`] and
 //! [`history`].
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// A helper may have no user without some of the features. With all of them the lints find what is dead.
+// Without some of the features a private function may be unused. With all of them the lints report dead code.
 #![cfg_attr(
     not(all(
         feature = "analytical",

@@ -1,4 +1,4 @@
-//! Who watches long work that is no solve, and ends it.
+//! Observer of long-running work other than a solve; it may cancel that work.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -7,10 +7,10 @@ use crate::error::{Error, Result};
 use crate::parallel::ranks::RankGroup;
 use crate::report::{Iteration, Report, Status};
 
-/// Sees every step of an iteration, and may end it.
+/// Callback that receives every step of an iteration and may cancel it.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
-/// An observer of work that is no solve, with what it is shown.
+/// Observer of work other than a solve, together with the progress that it receives.
 pub(crate) struct WorkObserver<'a> {
     observer: Observer<'a>,
     shown: Iteration,
@@ -32,21 +32,22 @@ impl<'a> WorkObserver<'a> {
         }
     }
 
-    /// The same of work that ranks share: the observer is asked on all, and the first decides.
+    /// Makes the observation collective: the observer is called on all ranks, and the decision of the first rank
+    /// applies to all.
     pub(crate) fn shared(self, team: Option<&Arc<RankGroup>>) -> Self {
         let team = team.cloned();
         Self { team, ..self }
     }
 
-    /// What is shown from now on of the work so far.
+    /// Returns the progress for update; the observer receives it at its next call.
     pub(crate) fn shown(&mut self) -> &mut Iteration {
         &mut self.shown
     }
 
-    /// Asks whether to make another product, or what this work consists of, and counts it.
+    /// Calls the observer before the next product, or the next unit of other work, and counts this unit.
     ///
     /// # Errors
-    /// [`Error::NotConverged`], cancelled.
+    /// - [`Error::NotConverged`] with the status [`Status::Cancelled`] if the observer cancels.
     pub(crate) fn notify_observer(&mut self) -> Result<()> {
         let is_over = (self.observer)(&self.shown).is_break();
         let is_over = match &self.team {
@@ -67,7 +68,7 @@ impl<'a> WorkObserver<'a> {
     }
 }
 
-/// The observer of work that nobody watches.
+/// Observer that never cancels.
 pub(crate) fn unwatched(_: &Iteration) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }

@@ -1,4 +1,4 @@
-//! The seam between physics and engine: a linear operator that can be applied, and the memory of its products.
+//! Interface between the contact models and the engine: a linear operator and the scratch memory of its products.
 
 use std::any::Any;
 use std::fmt;
@@ -7,13 +7,13 @@ use crate::error::Result;
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
-/// How far a unit traction on one cell of a half-space displaces that cell, in least eigenvalues.
+/// Displacement of a half-space cell under a unit traction on this cell, in multiples of the smallest eigenvalue.
 pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 
-/// A lower bound of the eigenvalues of an operator for the vectors that a problem allows.
+/// Lower bound of the eigenvalues of an operator for the vectors that a problem allows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LowerBound {
-    /// The bound; zero if none is known.
+    /// Value of the bound; zero if no bound is available.
     pub(crate) value: f64,
     pub(crate) known: EigenvalueBound,
     pub(crate) mean: MeanBound,
@@ -28,7 +28,7 @@ impl LowerBound {
     };
 }
 
-/// Bound of the energy of a uniform vector.
+/// Meaning of the bound for the energy of a uniform vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum MeanBound {
     /// The operator stores this energy, and springs add to it.
@@ -39,12 +39,12 @@ pub(crate) enum MeanBound {
     Springs,
 }
 
-/// A linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless it says
-/// [otherwise](Self::is_symmetric).
+/// Linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless
+/// [`Self::is_symmetric`] returns false.
 ///
 /// A vector is passed as `N` slices, one per component, each with an entry per cell. The operator is immutable and
-/// shared. A product writes to a [`Scratch`] that the caller owns, so that one operator serves many threads and a
-/// product allocates nothing. The trait is object-safe: a program may keep a `Box<dyn Operator>`.
+/// shared. A product writes to a [`Scratch`] that the caller owns, so that several threads can use the same operator
+/// and a product does not allocate. The trait is object-safe: a program may store a `Box<dyn Operator>`.
 ///
 /// ```
 /// use stickslip::{Operator, Scratch};
@@ -69,18 +69,19 @@ pub(crate) enum MeanBound {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub trait Operator<const N: usize = 1>: Sync {
-    /// Number of cells: the unknowns of one component.
+    /// Returns the number of cells: the unknowns of one component.
     fn cells(&self) -> usize;
 
-    /// How the cells lie, which sums over them follow. The default: one behind the other, all of them here.
+    /// Returns the layout of the cells, which determines the order of sums over them (default: a flat sequence of local
+    /// cells).
     fn layout(&self) -> Layout {
         Layout::flat(self.cells())
     }
 
-    /// Creates the memory that a product writes to besides its result (default: none).
+    /// Creates the memory that a product writes to in addition to its result (default: none).
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory) if there is not enough of it.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     fn scratch(&self) -> Result<Scratch> {
         Ok(Scratch::none())
     }
@@ -92,27 +93,24 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// different size or kind.
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch);
 
-    /// Writes `C x` to `out` in single precision, with an error of at most some 1e-6 of the largest
-    /// result: accurate enough to iterate, not to test convergence. The default is
-    /// [`Operator::apply`].
+    /// Writes `C x` to `out` in single precision, with an error of at most about 1e-6 of the largest result. This is
+    /// accurate enough for an iteration, but not for a convergence test. The default is [`Operator::apply`].
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         self.apply(x, out, scratch);
     }
 
-    /// A lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`: for all `x`, or for all
-    /// `x` whose components have sum zero if the operator maps constants to zero, as that of a
-    /// periodic grid does.
+    /// Returns a lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`. It is valid for all `x`, or for all
+    /// `x` whose components have sum zero if the operator maps constants to zero, like the operator of a periodic grid.
     ///
-    /// It turns a residual into a certified error: against the minimum or, in the second case, against
-    /// the minimum under the totals that the iterate has. The default, zero, states only that the
-    /// operator is positive semi-definite; the certificate is then the duality gap. A negative number
-    /// or NaN counts as zero.
+    /// The bound turns a residual into a certified error: relative to the minimum or, in the second case, to the
+    /// minimum under the totals of the iterate. The default, zero, states only that the operator is positive
+    /// semi-definite; the certificate is then the duality gap. A negative number or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
     }
 
-    /// How that is known: a positive number is [proven](EigenvalueBound::Proven) unless this says otherwise. An operator
-    /// that hands on the bound of another hands this on too.
+    /// Returns the origin of [`Self::lower_bound`]. The default is [proven](EigenvalueBound::Proven) for a positive
+    /// bound. An operator that returns the bound of a different operator should also return the origin of that bound.
     fn eigenvalue_bound(&self) -> EigenvalueBound {
         if self.lower_bound() > 0.0 {
             EigenvalueBound::Proven
@@ -121,21 +119,22 @@ pub trait Operator<const N: usize = 1>: Sync {
         }
     }
 
-    /// About how far a unit traction on one cell displaces that cell: beside it preconditioners weigh what cells have of
-    /// their own. The default is five times the [lower bound](Self::lower_bound), as of elastic half-spaces.
+    /// Returns the approximate displacement of a cell under a unit traction on this cell. Preconditioners use it as the
+    /// scale for the local compliances of cells. The default is five times the [lower bound](Self::lower_bound), as for
+    /// elastic half-spaces.
     fn self_compliance(&self) -> f64 {
         SELF_COMPLIANCE * self.lower_bound()
     }
 
-    /// Whether `x' C y = y' C x` (the default). The engine solves for others too, of which `x' C x > 0` holds: what it
-    /// finds is then no minimum, but satisfies the same conditions (a variational inequality), by GMRES in place of
-    /// conjugate gradients, and with the same certificate.
+    /// Returns whether `x' C y = y' C x` (default: true). The engine also accepts operators that are not symmetric but
+    /// satisfy `x' C x > 0`. It then uses GMRES instead of conjugate gradients, with the same certificate. The solution
+    /// is not a minimum in this case, but it satisfies the same conditions (a variational inequality).
     fn is_symmetric(&self) -> bool {
         true
     }
 }
 
-/// A pointer to an operator is one.
+/// Implements [`Operator`] for a pointer to an operator.
 macro_rules! operator_behind {
     ($pointer:ty, $($bound:tt)+) => {
         impl<T: $($bound)+ + ?Sized, const N: usize> Operator<N> for $pointer {
@@ -182,14 +181,14 @@ operator_behind!(&T, Operator<N>);
 operator_behind!(Box<T>, Operator<N>);
 operator_behind!(std::sync::Arc<T>, Operator<N> + Send);
 
-/// The identity: as a preconditioner it changes nothing.
+/// The identity, which has no effect as a preconditioner.
 #[derive(Debug, Clone, Copy)]
 pub struct Identity {
     cells: usize,
 }
 
 impl Identity {
-    /// The identity on `cells` cells, for any number of components.
+    /// Creates the identity on `cells` cells, for any number of components.
     #[must_use]
     pub fn new(cells: usize) -> Self {
         Self { cells }
@@ -212,10 +211,10 @@ impl<const N: usize> Operator<N> for Identity {
     }
 }
 
-/// Memory that a product of an [`Operator`] writes to besides its result.
+/// Memory that a product of an [`Operator`] writes to in addition to its result.
 ///
-/// [`Operator::scratch`] creates it, and the caller owns it. An operator stores buffers of any type in it and gets them
-/// back in [`Operator::apply`].
+/// [`Operator::scratch`] creates it, and the caller owns it. An operator stores buffers of any type in it and accesses
+/// them in [`Operator::apply`].
 ///
 /// ```
 /// use stickslip::{Operator, Result, Scratch};
@@ -272,9 +271,10 @@ impl Scratch {
     /// Returns the buffers of an operator of this crate.
     ///
     /// # Panics
-    /// If they are those of a different kind of operator.
+    /// Panics if the buffers belong to a different kind of operator.
     pub(crate) fn buffers<T: 'static>(&mut self) -> &mut T {
-        // The crate passes each scratch to the operator that created it. `Operator::apply` requires this of others.
+        // The crate passes each scratch to the operator that created it, and `Operator::apply` requires the same of
+        // other callers.
         let buffers = self.get_mut();
         buffers.expect("the scratch must be that of the operator")
     }

@@ -1,28 +1,28 @@
-//! A solver's report on its own work: status, residual, certified gap.
+//! Report of a solver: status, residual, certified bounds.
 //!
-//! These types are kept next to [`Error`](crate::Error) because the error of
-//! non-convergence carries the whole [`Report`].
+//! These types are kept next to [`Error`](crate::Error) because the error for a solve that has not converged contains
+//! the whole [`Report`].
 
 use std::fmt;
 use std::time::Duration;
 
-/// Why an iteration ended.
+/// Reason why an iteration ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Status {
-    /// Nothing has been solved yet.
+    /// No solve has been started yet.
     Unsolved,
-    /// A fresh product shows residual and certified error at or below the tolerance; only the residual, where a
-    /// custom operator has no [`lower_bound`](crate::Operator::lower_bound).
+    /// Residual and certified error, computed from a new product, are at or below the tolerance. For a user-defined
+    /// operator without a [`lower_bound`](crate::Operator::lower_bound), only the residual is tested.
     Converged,
-    /// The iteration limit was reached first.
+    /// The solve reached the iteration limit before it converged.
     IterationLimit,
-    /// The time limit was reached first.
+    /// The solve reached the time limit before it converged.
     TimeLimit,
-    /// The residual no longer falls: the tolerance is below round-off, or an operator returns NaN.
+    /// The residual no longer decreases: the tolerance is below round-off, or an operator returns NaN.
     Stalled,
-    /// The observer asked to stop.
+    /// The observer cancelled the solve.
     Cancelled,
 }
 
@@ -39,49 +39,49 @@ impl fmt::Display for Status {
     }
 }
 
-/// How the smallest eigenvalue of an operator is known, on which a certified error rests.
+/// Origin of the bound on the smallest eigenvalue of an operator, which a certified error requires.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EigenvalueBound {
-    /// Not at all. [`Report::duality_gap`] is then the duality gap of the problem, and the bound of the error, its root, falls
-    /// only with the root of the residual.
+    /// No bound is available. [`Report::duality_gap`] is then the duality gap of the problem, and the error bound, its
+    /// square root, decreases only with the square root of the residual.
     #[default]
     Unknown,
-    /// By an estimate on the safe side: of stiff coatings on long grids
-    /// ([`layers`](crate::layers#limits-of-the-model)).
+    /// Conservative estimate, used for stiff coatings on long grids ([`layers`](crate::layers#limits-of-the-model)).
     Estimated,
-    /// By a bound from below: computed for the operators of this crate, stated by those of a user.
+    /// Rigorous lower bound: computed for the operators of this crate, stated by the implementation for a user-defined
+    /// operator.
     Proven,
 }
 
 /// One step of an iteration, as passed to an observer.
 ///
-/// The observer is called before every product, also on the coarser grids of a nested start. After it cancels, or after
-/// a time limit, one more product is made on each grid in use, to measure the error of the remaining iterate. A solve that
-/// the observer has cancelled once ends as [`Status::Cancelled`], whatever that iterate shows, and a step of a history is
-/// then not taken.
-/// Residual and free entries are the last measured ones: between two outer steps of the active-set method they do not
-/// change.
+/// The observer is called before every product, including products on the coarser grids of a nested start. After the
+/// observer cancels, or after a time limit, the solver computes one more product on each grid in use, to measure the
+/// error of the remaining iterate. A solve that the observer has cancelled always ends as [`Status::Cancelled`], even
+/// if that iterate satisfies the tolerance. A step of a history is then not taken. Residual and free entries are the
+/// last measured values: between two outer steps of the active-set method they do not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
-    /// Conjugate-gradient steps so far; zero before the first.
+    /// Number of conjugate-gradient steps so far; zero before the first.
     pub iteration: usize,
-    /// Products with the operator in double precision so far.
+    /// Number of products with the operator in double precision so far.
     pub double_precision_products: usize,
-    /// Products in single precision so far.
+    /// Number of products in single precision so far.
     pub single_precision_products: usize,
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
-    /// Entries strictly between their bounds: contact cells of a normal problem, sticking cells of a tangential one.
+    /// Number of entries strictly between their bounds: contact cells of a normal problem, sticking cells of a
+    /// tangential problem.
     pub free: usize,
 }
 
 impl Iteration {
-    /// The same step, counted after the given numbers of steps and of products, double and single.
+    /// Returns this step with the given numbers of earlier steps, double-precision and single-precision products added.
     pub(crate) fn after(self, [iterations, double, single]: [usize; 3]) -> Self {
         Self {
             iteration: iterations + self.iteration,
@@ -92,54 +92,54 @@ impl Iteration {
     }
 }
 
-/// How a solve ended, what it cost and how large its error can be.
+/// Status, cost and error bounds of a solve.
 ///
-/// Every number is recomputed from a fresh product with the returned iterate,
-/// whatever the status.
+/// Every number is recomputed from a new product with the returned iterate, for every status.
 #[derive(PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Report {
-    /// Why the iteration ended.
+    /// Reason why the iteration ended.
     pub status: Status,
-    /// Conjugate-gradient steps.
+    /// Number of conjugate-gradient steps.
     pub iterations: usize,
-    /// Products with the operator in double precision, including the final check. Like all counts here,
-    /// this covers the requested grid only; the work of a nested start on coarser grids appears in the time.
+    /// Number of products with the operator in double precision, including the final check. Like all counts here, it
+    /// covers the requested grid only; the work of a nested start on coarser grids appears only in the time.
     pub double_precision_products: usize,
-    /// Products in single precision, within the iteration only.
+    /// Number of products in single precision, within the iteration only.
     pub single_precision_products: usize,
-    /// Largest complementarity residual: `|g_i|` on free entries, the wrong-signed part of
-    /// `g_i` on entries at a bound, divided by the largest `|(Cx)_i|` over the entries that can
-    /// move. If the operator's smallest eigenvalue times the largest unknown is larger, it is the divisor
-    /// (a uniform traction displaces nothing on a periodic grid). Dimensionless.
+    /// Largest complementarity residual: `|g_i|` on free entries and the wrong-signed part of `g_i` on entries at a
+    /// bound, divided by the largest `|(Cx)_i|` over the entries that can move. If the smallest eigenvalue of the
+    /// operator times the largest unknown is larger, this product is the divisor (a uniform traction causes no
+    /// displacement on a periodic grid). Dimensionless.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
-    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it takes its place,
-    /// with `lambda` the operator's known smallest eigenvalue. Dimensionless: a duality gap, not a distance.
+    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`,
+    /// with `lambda` the available bound on the smallest eigenvalue of the operator. Dimensionless. The value is a
+    /// duality gap and not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub duality_gap: f64,
-    /// How the smallest eigenvalue is known that [`Self::duality_gap`] rests on, and what else is certified beside it: the
-    /// bounds of a coupled contact, of a stiffness.
+    /// Origin of the eigenvalue bound behind [`Self::duality_gap`] and behind the other certified bounds, of a coupled
+    /// contact and of a stiffness.
     pub eigenvalue_bound: EigenvalueBound,
-    /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero when no total
-    /// is prescribed. The [duality gap](Self::duality_gap) is that of the total reached. Near sliding the directions of
-    /// tractions change by the root of this error.
+    /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero if no total is prescribed. The
+    /// [duality gap](Self::duality_gap) refers to the total of the iterate. Near sliding, the directions of tractions
+    /// change by the square root of this error.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,
-    /// Every iterate whose residual was measured, in order: the start, then one entry per outer step
-    /// (active set, in single precision while the residual is large) or per step (Polonsky-Keer).
+    /// Iterates whose residual was measured, in order: the start, then one entry per outer step (active set, in single
+    /// precision while the residual is large) or per step (Polonsky-Keer).
     pub history: Vec<Iteration>,
 }
 
-/// Number of outer steps that few solves exceed.
+/// Initial capacity of the history; few solves need more outer steps.
 const ENTRIES: usize = 64;
 
 impl Report {
-    /// The report before any solve.
+    /// Returns the report before any solve.
     pub(crate) fn unsolved() -> Self {
         Self {
             status: Status::Unsolved,
@@ -155,7 +155,8 @@ impl Report {
         }
     }
 
-    /// The report before any solve, with memory for a history of the usual length: for a solver used repeatedly.
+    /// Returns the report before any solve, with memory for a history of the usual length, for a solver that is used
+    /// repeatedly.
     pub(crate) fn with_room() -> Self {
         Self {
             history: Vec::with_capacity(ENTRIES),
@@ -163,7 +164,7 @@ impl Report {
         }
     }
 
-    /// Before a solve, with the memory there is.
+    /// Resets the report before a solve and keeps the memory of the history.
     pub(crate) fn clear(&mut self) {
         let mut history = std::mem::take(&mut self.history);
         history.clear();
@@ -173,7 +174,8 @@ impl Report {
         };
     }
 
-    /// That of an answer known from before: what it showed then, without work.
+    /// Sets the status and the errors to those of an earlier report, with all counts zero, for a solution that needs no
+    /// work.
     pub(crate) fn recall(&mut self, known: &Self) {
         self.clear();
         self.status = known.status;
@@ -189,22 +191,23 @@ impl Report {
         self.clone()
     }
 
-    /// Whether the tolerance was reached.
+    /// Returns whether the tolerance was reached.
     #[must_use]
     pub fn is_converged(&self) -> bool {
         self.status == Status::Converged
     }
 
-    /// Products with the operator in either precision: the cost of a solve, independent of the machine.
+    /// Returns the number of products with the operator in either precision: the cost of a solve, independent of the
+    /// machine.
     ///
-    /// All count the same. A product in single precision takes nine tenths of the time of one in double on 64 x 64
-    /// cells, and half to two thirds for 512 x 512 cells or more.
+    /// Both precisions count the same. A product in single precision takes nine tenths of the time of a product in
+    /// double precision on 64 x 64 cells, and half to two thirds for 512 x 512 cells or more.
     #[must_use]
     pub fn products(&self) -> usize {
         self.double_precision_products + self.single_precision_products
     }
 
-    /// Steps and products, in double and in single precision.
+    /// Returns the numbers of steps, double-precision products and single-precision products.
     pub(crate) fn counts(&self) -> [usize; 3] {
         [
             self.iterations,
@@ -213,7 +216,7 @@ impl Report {
         ]
     }
 
-    /// Adds a further pass: appends its history, adds its counts, and takes over the rest.
+    /// Adds a further pass: appends its history, adds its counts, and replaces all other values by those of the pass.
     pub(crate) fn add_pass(&mut self, pass: &Self) {
         let before = self.counts();
         let mut history = std::mem::take(&mut self.history);
@@ -227,14 +230,14 @@ impl Report {
         };
     }
 
-    /// Whether residual, load error and certified error are all at or below a tolerance.
+    /// Returns whether residual, load error and certified error are all at or below a tolerance.
     pub(crate) fn is_within(&self, tolerance: f64) -> bool {
         self.residual <= tolerance
             && self.load_error <= tolerance
             && self.energy_error_bound() <= tolerance
     }
 
-    /// Certified bound on the relative error in the energy norm, `sqrt(duality_gap)`.
+    /// Returns the certified bound on the relative error in the energy norm, `sqrt(duality_gap)`.
     #[must_use]
     pub fn energy_error_bound(&self) -> f64 {
         self.duality_gap.sqrt()
@@ -256,7 +259,7 @@ impl Clone for Report {
     }
 }
 
-/// One line, without the history, as printed by an error that carries a report.
+/// Formats the report on one line, without the history, as in the message of an error that contains a report.
 impl fmt::Debug for Report {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "Report({self})")

@@ -1,138 +1,143 @@
-//! Remarks on a converged solution, and what is resolved.
+//! Warnings about a converged solution, and the resolution of its zones.
 
 use crate::grid::Grid;
 
-/// A diagnostic on a converged solution that may mislead.
+/// Warning that a converged solution may mislead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Warning {
-    /// There is no contact: no cell carries pressure.
+    /// No cell carries pressure.
     NoContact,
     /// Contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
     ContactAtEdge {
-        /// Contact cells in the ring.
+        /// Number of contact cells in the ring.
         cells: usize,
     },
-    /// Contact spots smaller than five cells have a tenth of the contact cells or more: their area is overestimated and
-    /// their stick fraction means little. Rough surfaces always have some small spots, which matter only together.
+    /// Contact spots smaller than five cells contain a tenth of the contact cells or more. Their area is overestimated,
+    /// and their stick fraction has little meaning. Rough surfaces always have some small spots; a few of them do not
+    /// matter.
     UnresolvedSpots {
-        /// Spots of fewer than five cells.
+        /// Number of spots of fewer than five cells.
         unresolved: usize,
         /// Number of all spots.
         spots: usize,
     },
-    /// The grid is a line of cells, and does not repeat: a row of rectangles, whose ends bear peaks of pressure. It
-    /// is no line contact in plane strain.
+    /// The grid is a line of cells and not periodic: a row of rectangles with pressure peaks at its ends. It is not a
+    /// line contact in plane strain.
     SingleRowOfCells,
-    /// A contact spot runs from edge to edge of the grid, as that of a cylinder does: the bodies end there, and the
-    /// ends bear peaks of pressure that a longer body does not have.
+    /// A contact spot extends from edge to edge of the grid, like the contact of a cylinder. The bodies end there, and
+    /// their ends have pressure peaks that a longer body does not have.
     ContactSpansGrid {
-        /// From the first column to the last.
+        /// Whether a spot extends from the first column to the last.
         along_x: bool,
-        /// From the first row to the last.
+        /// Whether a spot extends from the first row to the last.
         along_y: bool,
     },
-    /// The pressure of some cells is beyond the hardness that a material states: the contact would flow there. Give the
-    /// problem a [`Hardness`](crate::normal::Hardness).
+    /// The pressure of some cells exceeds the hardness of a material: the material would deform plastically there. A
+    /// [`Hardness`](crate::normal::Hardness) in the problem limits the pressure.
     BeyondHardness {
-        /// Cells of such a pressure.
+        /// Number of cells above the hardness.
         cells: usize,
     },
-    /// A step of a history held the pressure although the gap had changed: the pressure is still that of the old gap.
+    /// A step of a history kept the pressure although the gap had changed: the pressure still belongs to the old gap.
     StalePressure,
-    /// The stress on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a side of a cell, below shear tractions
-    /// that end at the edge of a contact: `sxx` and `syy` have a peak with a vertical tangent there, which falls short by the
-    /// root of the cells. The [closed forms](crate::analytical::CattaneoMindlinLine::surface_stress) have it; planes a side of
-    /// a cell or more below the surface do not suffer from it.
+    /// The stress was computed on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a cell side, below
+    /// shear tractions that end at the edge of a contact. There `sxx` and `syy` have a peak with a vertical tangent.
+    /// The computed peak is too low by an error that decreases with the square root of the cell size. The [closed
+    /// forms](crate::analytical::CattaneoMindlinLine::surface_stress) contain the peak. Planes at a depth of a cell
+    /// side or more are not affected.
     StressAtEdge,
-    /// The contact has few cells: fewer than 100, a contact radius of 5.6 cells, or fewer than 20 on a line of cells. On a sphere
-    /// its area is then off by up to 17 % and the stick ratio by as much (by 22 % from 20 cells), from 113 cells on by 7 %,
-    /// wherever the centre lies between cells.
+    /// The contact has fewer than 100 cells (a contact radius of 5.6 cells), or fewer than 20 on a line of cells. On a
+    /// sphere the error of the area is then up to 17 %, and the error of the stick ratio up to 17 % (22 % for 20 cells).
+    /// For 113 cells or more both are at most 7 %, for any position of the centre between the cells.
     UnderresolvedContact {
-        /// Contact cells.
+        /// Number of contact cells.
         cells: usize,
     },
-    /// Few cells stick: fewer than 50, or fewer than 10 on a line of cells. On a sphere the stick ratio is then off by a tenth
-    /// and, from ten cells, by a fifth of itself.
+    /// Fewer than 50 cells stick, or fewer than 10 on a line of cells. On a sphere the error of the stick ratio is then
+    /// a tenth and, for ten cells, a fifth of the ratio.
     UnderresolvedStickZone {
-        /// Cells that stick.
+        /// Number of sticking cells.
         cells: usize,
     },
-    /// The zone that slips, a ring along the edge of the contact, is narrower than two cells. On a sphere the energy that slip
-    /// dissipates is right to 2 % from two cells on and to 12 % from one; below half a cell it is anything from nothing to
-    /// several times the right one. Where no cell slips, which a ring narrower than a cell may come to, there is no such
-    /// remark, nor where the mean radius of the contact spots is less than four cells: a ring of two cells has no room there.
+    /// The slip zone, a ring along the edge of the contact, is narrower than two cells. On a sphere the error of the
+    /// energy dissipated by slip is at most 2 % for a width of two cells or more, and at most 12 % for one cell or
+    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if
+    /// no cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean
+    /// radius of the contact spots is less than four cells, because a ring of two cells does not fit there.
     ///
-    /// A step that rolls has the warning only below one cell. Its slip zone lies along the trailing edge, and the mean is
-    /// over the whole edge. Forces and creepages of steady rolling are then right to 0.6 %, for widths from 0.3 cells. On a
-    /// sphere `dissipated_energy` is too small by 72 % at 0.3 cells and 28 % at one. It is too small by 15 % at two cells and
-    /// 8 % at four. On a cylinder it is too small by 51 % at one cell and 28 % at two. The work of rolling is right to 0.4 %.
+    /// A rolling step has the warning only below one cell. Its slip zone lies along the trailing edge, and the mean is
+    /// over the whole edge. The error of forces and creepages of steady rolling is then at most 0.6 %, for widths of
+    /// 0.3 cells or more. On a sphere `dissipated_energy` is too small by 72 % at 0.3 cells and 28 % at one cell. It is
+    /// too small by 15 % at two cells and 8 % at four cells. On a cylinder it is too small by 51 % at one cell and 28 %
+    /// at two cells. The work of rolling is accurate to 0.4 %.
     UnderresolvedSlipZone {
-        /// Mean width of the zone in tenths of a cell: its cells over the sides of cells along the edge of the contact,
-        /// which on a grid of rows and columns are counted as $`\pi/4`$ each.
+        /// Mean width of the zone in tenths of a cell: the number of its cells divided by the number of cell sides
+        /// along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
         tenths: usize,
     },
-    /// The cells leave an error of more than 5 % in the pressure, or in the traction, by the estimate of
-    /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or that of the tangential
-    /// solution. For more than ten spots, as on a rough surface, the text names how much smaller cells need to be:
-    /// [`surface::resample`](crate::surface::resample) refines the same surface, and
+    /// The estimated discretisation error exceeds 5 % in the pressure or in the traction, according to
+    /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or the estimate of
+    /// the tangential solution. For more than ten spots, as on a rough surface, the text states the necessary reduction
+    /// of the cell size. [`surface::resample`](crate::surface::resample) refines the same surface, and
     /// [`surface::GaussianFilter`](crate::surface::GaussianFilter) removes its short waves.
     DiscretisationError {
-        /// The estimate, in tenths of a per cent.
+        /// Estimated error in tenths of a per cent.
         per_mille: usize,
-        /// Cells on the radius of a contact spot of mean size that 1 % would need, where the error falls with the power 3/2.
+        /// Number of cells on the radius of a mean contact spot for an error of 1 %, if the error decreases with the
+        /// power 3/2 of the cell size.
         cells_per_radius: usize,
         /// Number of contact spots.
         spots: usize,
     },
-    /// Dissimilar bodies with friction were pressed in too few steps. Under a load that grows, cells come into contact one
-    /// after the other, and other cells slip and stick: press a [`History`](crate::History) by
-    /// [`press`](crate::History::press).
+    /// Dissimilar bodies with friction were pressed in too few steps. Under a growing load, cells come into contact one
+    /// after another while other cells slip and stick. [`History::press`](crate::History::press) presses in the
+    /// necessary number of steps.
     ///
-    /// A step of a history has the warning if more than a tenth of the contact came in the step. The first step from zero
-    /// load thus has the warning however small its load is. Steps that `press` or
+    /// A step of a history has the warning if more than a tenth of the contact came into contact in the step. The first
+    /// step from zero load thus has the warning for any load. Steps that `press` or
     /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have it. A
-    /// [`CoupledProblem`](crate::CoupledProblem) presses in one step. So does a
-    /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay). It has a pressure
-    /// and no gap. Its solutions therefore have the warning for a flat punch too, where they are exact.
+    /// [`CoupledProblem`](crate::CoupledProblem) presses in one step, and so does a
+    /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay), which has a
+    /// pressure and no gap. Its solutions therefore also have the warning for a flat punch, for which they are exact.
     SingleLoadStep,
-    /// The approach from the first touch exceeds the longest side of the grid. A common cause is a unit of gap, grid or
-    /// modulus that differs from the others.
+    /// The approach from the first touch exceeds the longest side of the grid. A common cause is an inconsistent unit
+    /// of gap, grid or modulus.
     ApproachBeyondGrid {
-        /// The approach over the longest side of the grid, in tenths.
+        /// The approach divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
-    /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. The theory of half-spaces assumes that
-    /// a/R is small.
+    /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
+    /// small.
     ///
-    /// Both follow from the slopes of the gap before loading between cells in contact: 1/R is their regression on the
-    /// position along x or along y, and a is twice the standard deviation of the position. On a sphere a/R is right to
-    /// 10 % for a radius of five cells or more, on a cylinder it is 15 % too large. Roughness, whose slopes do not follow
-    /// the position, has no such warning.
+    /// Both values follow from the slopes of the gap before loading between cells in contact. 1/R is the regression of
+    /// the slopes on the position along x or along y, and a is twice the standard deviation of the position. On a
+    /// sphere a/R is accurate to 10 % for a radius of five cells or more; on a cylinder it is 15 % too large. Roughness
+    /// does not cause this warning, because its slopes are not correlated with the position.
     LargeContactRadius {
-        /// The larger one of a/R along x and along y, in thousandths.
+        /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,
     },
-    /// The rms slope of the gap before loading within the contact exceeds 0.5. The theory of half-spaces assumes that
-    /// slopes are small.
+    /// The rms slope of the gap before loading within the contact exceeds 0.5. Half-space theory assumes that slopes
+    /// are small.
     SteepSurface {
         /// The rms slope between cells in contact, in thousandths.
         per_mille: usize,
     },
-    /// A step of a history named no tangential load. It held the shift, and the tangential force fell by more than half: a
-    /// lighter pressure or less friction cannot carry it. Steps that roll, turn or change a relative displacement have no
-    /// such warning.
+    /// A step of a history specified no tangential load. The step kept the shift, and the tangential force decreased by
+    /// more than half because a smaller pressure or less friction cannot carry it. Steps that roll, twist or change a
+    /// relative displacement do not have this warning.
     HeldShiftLostForce {
-        /// The part of the tangential force that was lost, in per cent.
+        /// The lost fraction of the tangential force, in per cent.
         per_cent: usize,
     },
-    /// Rolling of dissimilar bodies ignores that tractions change the pressure, and the neglected part exceeds the
-    /// tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History) of
-    /// [full coupling](crate::Coupling::Full) include it.
+    /// The rolling of dissimilar bodies neglects the effect of tractions on the pressure, and the neglected part
+    /// exceeds the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a
+    /// [`History`](crate::History) with [full coupling](crate::Coupling::Full) include this effect.
     ///
-    /// The neglected part is half the range of the normal displacement by the tractions within the contact, over the
-    /// largest normal displacement by the pressure.
+    /// The neglected part is half the range of the normal displacement due to the tractions within the contact, divided
+    /// by the largest normal displacement due to the pressure.
     NeglectedLift {
         /// The neglected part in millionths, rounded up.
         per_million: usize,
@@ -244,7 +249,7 @@ impl std::fmt::Display for Warning {
     }
 }
 
-/// Writes the warning of a lift that the pressure ignores.
+/// Writes the warning about the neglected lift.
 fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
     write!(
         formatter,
@@ -254,21 +259,21 @@ fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> st
     )
 }
 
-/// Discretisation errors that are remarked on, and that are aimed at.
+/// Discretisation errors: threshold of the warning, and target of the suggested refinement.
 const LARGEST_ERROR: f64 = 0.05;
 const SMALL_ERROR: f64 = 0.01;
 
-/// Number of spots above which a contact counts as rough: the radius of its spots cannot be chosen.
+/// Number of spots above which a contact counts as rough, so that the radius of its spots cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
-/// Returns how much smaller cells need to be for a small discretisation error.
+/// Returns the factor by which cells must be smaller for a small discretisation error.
 fn refinement(estimate: f64) -> f64 {
     (estimate / SMALL_ERROR).cbrt().powi(2)
 }
 
 impl Warning {
-    /// Returns the warning of an estimate of the discretisation error; `contact` has the cells on the radius of a contact
-    /// spot and the number of spots.
+    /// Returns the warning for an estimated discretisation error. `contact` contains the number of cells on the radius
+    /// of a contact spot and the number of spots.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -289,7 +294,7 @@ impl Warning {
 }
 
 impl Warning {
-    /// Returns a lift by tractions that the pressure ignores, in millionths; `None` up to the tolerance.
+    /// Returns a neglected lift by tractions, in millionths, or `None` if the lift is within the tolerance.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -300,37 +305,39 @@ impl Warning {
     }
 }
 
-/// Cells that a resolved spot needs.
+/// Least number of cells of a resolved spot.
 pub(crate) const RESOLVED: usize = 5;
 
-/// Cells that a resolved contact and a resolved stick zone need: of an area, and of a line, where one cell is a tenth of
-/// the stick zone.
+/// Least numbers of cells of a resolved contact and of a resolved stick zone, for an area and for a line. On a line,
+/// one cell is a tenth of the stick zone.
 const RESOLVED_AREA: [usize; 2] = [100, 50];
 const RESOLVED_LINE: [usize; 2] = [20, 10];
 
-/// Tenths of a cell that a resolved slip zone is wide.
+/// Least width of a resolved slip zone in tenths of a cell.
 const RESOLVED_WIDTH: usize = 20;
 
-/// Tenths of a cell that a resolved slip zone of a step that rolls is wide: forces need less than energies.
+/// Least width of a resolved slip zone of a rolling step in tenths of a cell: forces need less resolution than
+/// energies.
 const RESOLVED_ROLLING_WIDTH: usize = 10;
 
 /// Least number of cells on the mean radius of contact spots that resolves a slip zone.
 const LEAST_RADIUS: usize = 4;
 
-/// What the zones of a contact, or of some steps, tell of its resolution; `None` of what there is not.
+/// Resolution of the zones of a contact, or of several steps; `None` for a zone that does not exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Resolution {
     is_line: bool,
-    /// The fewest cells in contact, and the fewest that stick.
+    /// Smallest number of cells in contact (`contact`) and of sticking cells (`stick`).
     contact: Option<usize>,
     stick: Option<usize>,
-    /// The widest slip zone, in tenths of a cell.
+    /// Width of the widest slip zone in tenths of a cell.
     slip_width: Option<usize>,
 }
 
 impl Resolution {
-    /// Of this many cells in contact; one that fills the whole grid has no edge that cells could miss.
+    /// Returns the resolution of a contact with this number of cells. A contact that fills the whole grid has no edge
+    /// to resolve.
     pub(crate) fn of_contact(grid: Grid, contact: usize) -> Self {
         Self {
             is_line: grid.size().contains(&1),
@@ -339,18 +346,18 @@ impl Resolution {
         }
     }
 
-    /// With this many cells that stick and that slip; `edge` counts the sides of cells along the edge of the contact, if
-    /// both are.
+    /// Returns this resolution with the numbers of sticking and slipping cells. `edge` counts the cell sides along the
+    /// edge of the contact; it is called only if both numbers are positive.
     pub(crate) fn with_zones(
         self,
         [stick, slip]: [usize; 2],
         edge: impl FnOnce() -> usize,
     ) -> Self {
         let width = || {
-            // The edge of a disc has 4/pi times its length in sides of cells, 452/355 within 1e-7.
+            // Measured in cell sides, the edge of a disc is 4/pi times its length: 452/355 with an error below 1e-7.
             let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
             let edge = length * edge();
-            // The radius of a disc is twice its area over its edge.
+            // The radius of a disc is twice its area divided by the length of its edge.
             let has_room = self.is_line || 2 * sides * (stick + slip) >= LEAST_RADIUS * edge;
             (edge > 0 && has_room).then(|| (20 * sides * slip + edge) / (2 * edge))
         };
@@ -361,7 +368,7 @@ impl Resolution {
         }
     }
 
-    /// Returns the resolution of a step that rolls, in which narrower slip zones are resolved.
+    /// Returns the resolution of a rolling step, which resolves narrower slip zones.
     pub(crate) fn of_rolling(self) -> Self {
         let resolved = |width: usize| {
             if width < RESOLVED_ROLLING_WIDTH {
@@ -376,7 +383,7 @@ impl Resolution {
         }
     }
 
-    /// With those of another step.
+    /// Combines this resolution with the resolution of a different step.
     pub(crate) fn and(self, other: Self) -> Self {
         let fewest = |a: Option<usize>, b: Option<usize>| a.into_iter().chain(b).min();
         Self {
@@ -387,13 +394,14 @@ impl Resolution {
         }
     }
 
-    /// That the contact has too few cells.
+    /// Returns the warning if the contact has too few cells.
     pub(crate) fn contact_warning(self) -> Option<Warning> {
         let coarse = self.contact.filter(|cells| *cells < self.least()[0]);
         coarse.map(|cells| Warning::UnderresolvedContact { cells })
     }
 
-    /// That zones of a contact have too few cells; of the stick zone where the contact itself has not.
+    /// Returns the warnings for zones with too few cells. A coarse stick zone has no warning if the contact itself is
+    /// too coarse.
     pub(crate) fn zone_warnings(self) -> impl Iterator<Item = Warning> {
         let is_coarse = self.contact_warning().is_some();
         let stick = self
@@ -405,7 +413,7 @@ impl Resolution {
         stick.into_iter().chain(slip)
     }
 
-    /// Cells that a contact and a stick zone need.
+    /// Returns the least numbers of cells of a resolved contact and stick zone.
     fn least(self) -> [usize; 2] {
         if self.is_line {
             RESOLVED_LINE

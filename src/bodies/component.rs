@@ -1,18 +1,18 @@
-//! The directions of displacements and tractions, and the nine pairs of them.
+//! Directions of displacements and tractions, and the nine pairs of them.
 
-/// A direction of a displacement or a traction on the surface.
+/// Direction of a displacement or a traction on the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
-    /// Along the rows of the grid.
+    /// Direction along the rows of the grid.
     X,
-    /// Along the columns of the grid.
+    /// Direction along the columns of the grid.
     Y,
-    /// Into body 1: the direction of pressures and normal displacements.
+    /// Direction into body 1, of pressures and normal displacements.
     Z,
 }
 
-/// One of the nine influence coefficients: displacement component, then traction component.
+/// Component of the influence coefficients: displacement direction, then traction direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Component {
@@ -37,7 +37,7 @@ pub enum Component {
 }
 
 impl Component {
-    /// All nine, row by row.
+    /// All nine components, row by row.
     pub const ALL: [Self; 9] = [
         Self::XX,
         Self::XY,
@@ -50,7 +50,7 @@ impl Component {
         Self::ZZ,
     ];
 
-    /// The component between a direction of displacement and one of traction.
+    /// Returns the component for a direction of displacement and a direction of traction.
     ///
     /// ```
     /// use stickslip::influence::{Component, Direction};
@@ -61,13 +61,13 @@ impl Component {
         Self::ALL[3 * displacement as usize + traction as usize]
     }
 
-    /// The directions of displacement and of traction.
+    /// Returns the directions of displacement and of traction.
     pub(crate) const fn directions(self) -> [Direction; 2] {
         const DIRECTIONS: [Direction; 3] = [Direction::X, Direction::Y, Direction::Z];
         [DIRECTIONS[self as usize / 3], DIRECTIONS[self as usize % 3]]
     }
 
-    /// Whether the coefficient is odd in x and odd in y; otherwise it is even.
+    /// Returns whether the coefficient is odd in x and odd in y; otherwise it is even.
     ///
     /// ```
     /// use stickslip::influence::Component;

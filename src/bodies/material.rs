@@ -1,4 +1,4 @@
-//! Elastic constants of one body and of a pair.
+//! Elastic constants of a body and of a pair of bodies.
 
 use crate::bodies::layers::{Base, Coating, Layer, LayerWaves, Response};
 use crate::error::{
@@ -8,9 +8,10 @@ use crate::error::{
 /// Dundurs' beta at or below which pressure and traction count as uncoupled.
 const UNCOUPLED: f64 = 1e-12;
 
-/// A linear elastic, isotropic half-space, homogeneous or [coated](Self::coated).
+/// Linear elastic, isotropic half-space, homogeneous or [coated](Self::coated).
 ///
-/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`. Those of a coated body are its substrate's.
+/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`. The moduli of a coated body are those of
+/// its substrate.
 ///
 /// ```
 /// let steel = stickslip::Material::new(210e9, 0.3)?;
@@ -24,18 +25,18 @@ const UNCOUPLED: f64 = 1e-12;
     serde(try_from = "RawMaterial")
 )]
 pub struct Material {
-    /// Infinite for a rigid body.
+    /// Young's modulus; infinite for a rigid body.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     youngs_modulus: f64,
     poisson_ratio: f64,
-    /// Infinite where none is stated.
+    /// Hardness; infinite if none is stated.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     hardness: f64,
     #[cfg_attr(feature = "serde", serde(rename = "layers"))]
     coating: Coating,
 }
 
-/// The values read, before they are checked.
+/// Deserialised values before their check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawMaterial {
@@ -72,10 +73,11 @@ impl TryFrom<RawMaterial> for Material {
 }
 
 impl Material {
-    /// A body of Young's modulus `youngs_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
+    /// Creates a body of Young's modulus `youngs_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the modulus, [`Error::PoissonRatio`] for the ratio.
+    /// - [`Error::NotPositive`] if the modulus is not positive.
+    /// - [`Error::PoissonRatio`] if the ratio is out of range.
     pub fn new(youngs_modulus: f64, poisson_ratio: f64) -> Result<Self> {
         positive("Young's modulus", youngs_modulus)?;
         check_poisson_ratio(poisson_ratio)?;
@@ -88,10 +90,11 @@ impl Material {
         .checked(youngs_modulus)
     }
 
-    /// A body of shear modulus `shear_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
+    /// Creates a body of shear modulus `shear_modulus` (a pressure) and Poisson's ratio `poisson_ratio`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the modulus, [`Error::PoissonRatio`] for the ratio.
+    /// - [`Error::NotPositive`] if the modulus is not positive.
+    /// - [`Error::PoissonRatio`] if the ratio is out of range.
     pub fn from_shear_modulus(shear_modulus: f64, poisson_ratio: f64) -> Result<Self> {
         positive("shear modulus", shear_modulus)?;
         check_poisson_ratio(poisson_ratio)?;
@@ -116,7 +119,7 @@ impl Material {
         }
     }
 
-    /// A body that does not deform.
+    /// Creates a body that does not deform.
     #[must_use]
     pub fn rigid() -> Self {
         Self {
@@ -127,17 +130,17 @@ impl Material {
         }
     }
 
-    /// This body under layers that are bonded to it, the outermost first; over the layers it has, if it is coated
-    /// already. On a [rigid](Self::rigid) body it is a bed on a rigid base. What is known of such bodies, and what is
-    /// not, is on the page of [`layers`](crate::layers). The moduli of a coated [`Material`] are those of the body below the
-    /// layers. A hardness stated before is kept: state that of the coating after.
+    /// Adds layers that are bonded to this body, the outermost first, above any layers that it already has. On a
+    /// [rigid](Self::rigid) body they form a bed on a rigid base. The page of [`layers`](crate::layers) describes the
+    /// model and its limits. The moduli of a coated [`Material`] are those of the body below the layers. A hardness
+    /// that was stated before is kept; the hardness of the coating must be stated afterwards.
     ///
     /// ```
     /// use stickslip::{ElasticPair, Material, layers::Layer};
     /// let steel = Material::new(210e9, 0.3)?;
     /// let hard = steel.coated(&[Layer::new(400e9, 0.25, 2e-6)?])?;
     /// let response = |waves_per_metre| ElasticPair::new(hard, Material::rigid())?.response(waves_per_metre);
-    /// // LayerWaves long beside the coating see the steel, short ones the coating.
+    /// // LayerWaves that are long compared with the coating respond like the steel, short waves like the coating.
     /// let plane = |modulus: f64, nu: f64| modulus / (1.0 - nu * nu);
     /// assert!((response(1.0)?.normal * 0.5 * plane(210e9, 0.3) - 1.0).abs() < 1e-4);
     /// assert!((response(1e8)?.normal * 0.5e8 * plane(400e9, 0.25) - 1.0).abs() < 1e-12);
@@ -145,43 +148,43 @@ impl Material {
     /// ```
     ///
     /// # Errors
-    /// [`Error::TooManyLayers`] beyond [`layers::LIMIT`](crate::layers::LIMIT).
+    /// - [`Error::TooManyLayers`] if the number of layers exceeds [`layers::LIMIT`](crate::layers::LIMIT).
     pub fn coated(mut self, layers: &[Layer]) -> Result<Self> {
         self.coating = self.coating.under(layers)?;
         Ok(self)
     }
 
-    /// The layers of a coated body, the outermost first; none of a homogeneous one.
+    /// Returns the layers of a coated body, the outermost first; empty for a homogeneous body.
     #[must_use]
     pub fn layers(&self) -> &[Layer] {
         self.coating.layers()
     }
 
-    /// Whether the body is coated.
+    /// Returns whether the body is coated.
     #[must_use]
     pub fn is_coated(&self) -> bool {
         !self.layers().is_empty()
     }
 
-    /// The strain of the bulk along x under the stress `stress` along x, without strain along y and stress along z:
-    /// $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive where it is stretched. A body that is free to contract along y is
-    /// strained by $`\sigma/E`$ along x and by $`-\nu\sigma/E`$ along y.
+    /// Returns the strain of the bulk along x under the stress `stress` along x, without strain along y and stress
+    /// along z: $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive in tension. A body that is free to contract along y
+    /// has the strains $`\sigma/E`$ along x and $`-\nu\sigma/E`$ along y.
     #[must_use]
     pub fn plane_strain_under(&self, stress: f64) -> f64 {
         stress * (1.0 - self.poisson_ratio * self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// With the hardness it has (a pressure): where an elastic contact presses harder, its solution warns
-    /// ([`Warning::BeyondHardness`](crate::Warning::BeyondHardness)). To limit the pressure, give the problem a
+    /// Sets the hardness (a pressure). If an elastic contact exceeds it, the solution has the warning
+    /// [`Warning::BeyondHardness`](crate::Warning::BeyondHardness). To limit the pressure, give the problem a
     /// [`Hardness`](crate::normal::Hardness).
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// - [`Error::NotPositive`] if the hardness is not positive and finite.
     pub fn with_hardness(self, hardness: f64) -> Result<Self> {
         self.stating(positive("hardness", hardness)?)
     }
 
-    /// The same, or none if infinite.
+    /// Sets the hardness, which may be infinite if none is stated.
     pub(crate) fn stating(mut self, hardness: f64) -> Result<Self> {
         if hardness != f64::INFINITY {
             positive("hardness", hardness)?;
@@ -190,42 +193,42 @@ impl Material {
         Ok(self)
     }
 
-    /// The hardness stated (a pressure); infinite where none is.
+    /// Returns the stated hardness (a pressure), or infinity if none is stated.
     #[must_use]
     pub fn hardness(&self) -> f64 {
         self.hardness
     }
 
-    /// Whether the body does not deform: it is rigid, and not coated.
+    /// Returns whether the body does not deform: it is rigid and not coated.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         self.youngs_modulus.is_infinite() && !self.is_coated()
     }
 
-    /// Young's modulus `E` (a pressure); infinite for a rigid body.
+    /// Returns Young's modulus `E` (a pressure); infinite for a rigid body.
     #[must_use]
     pub fn youngs_modulus(&self) -> f64 {
         self.youngs_modulus
     }
 
-    /// Shear modulus `G = E / (2 (1 + nu))` (a pressure); infinite for a rigid body.
+    /// Returns the shear modulus `G = E / (2 (1 + nu))` (a pressure); infinite for a rigid body.
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         1.0 / self.compliance()
     }
 
-    /// Poisson's ratio; zero for a rigid body, where it has no effect.
+    /// Returns Poisson's ratio; zero for a rigid body, for which it has no effect.
     #[must_use]
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
     }
 
-    /// `1/G`; zero for a rigid body.
+    /// Returns `1/G`; zero for a rigid body.
     fn compliance(&self) -> f64 {
         2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// The three constants that the influence coefficients of short waves need: those of the outermost layer, if any.
+    /// Returns the three constants for the influence coefficients of short waves: those of the outermost layer, if any.
     pub(crate) fn compliances(&self) -> Compliances {
         match self.layers() {
             [] => self.base_compliances(),
@@ -235,12 +238,12 @@ impl Material {
         }
     }
 
-    /// Those of long waves: of what lies below all layers.
+    /// Returns the three constants for long waves: those of the body below all layers.
     pub(crate) fn base_compliances(&self) -> Compliances {
         Compliances::new(self.compliance(), self.poisson_ratio)
     }
 
-    /// The response of the body to waves.
+    /// Returns the layers and the base, which determine the response of the body to waves.
     pub(crate) fn waves(&self) -> LayerWaves<'_> {
         LayerWaves {
             layers: self.layers(),
@@ -263,7 +266,7 @@ impl Material {
 /// let steel = Material::new(213e9, 0.29)?;
 /// let pair = ElasticPair::new(steel, steel)?;
 /// assert!((pair.contact_modulus() / 116.27906977e9 - 1.0).abs() < 1e-9);
-/// // Of equal bodies, G* is G over 2 (2 - nu).
+/// // For equal bodies, G* is G over 2 (2 - nu).
 /// let expected = steel.shear_modulus() / (2.0 * 1.71);
 /// assert!((pair.tangential_modulus() / expected - 1.0).abs() < 1e-12);
 /// assert_eq!(pair.dundurs_beta(), 0.0);
@@ -281,21 +284,21 @@ pub struct ElasticPair {
     compliances: Compliances,
     #[cfg_attr(feature = "serde", serde(skip_serializing))]
     coupling: f64,
-    /// Of a pair that stands for a kernel.
+    /// Mark of the kernel that the pair represents, if any.
     kernel: Option<KernelMark>,
 }
 
-/// What tells a pair that stands for a [`Kernel`](crate::Kernel) from others.
+/// Data that distinguish a pair that represents a [`Kernel`](crate::Kernel) from other pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct KernelMark {
-    /// Of values of the kernel.
+    /// Digest of values of the kernel.
     pub(crate) digest: u64,
-    /// The like of Dundurs' beta for the waves that couple most.
+    /// Equivalent of Dundurs' beta for the waves with the strongest coupling.
     pub(crate) coupling: f64,
 }
 
-/// The values read, before they are checked.
+/// Deserialised values before their check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawPair {
@@ -319,7 +322,7 @@ impl TryFrom<RawPair> for ElasticPair {
 const LEAST_PART: f64 = 1e-12;
 const LEAST_IS: &str = "the least allowed";
 
-/// The least and the largest of some positive numbers.
+/// Returns the smallest and the largest of several positive numbers.
 fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, 0.0], |[least, most], number| {
         [least.min(number), most.max(number)]
@@ -327,12 +330,12 @@ fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 impl ElasticPair {
-    /// The pair of `body_1` (into which z points) and `body_2`.
+    /// Creates the pair of `body_1` (into which z points) and `body_2`.
     ///
     /// # Errors
-    /// [`Error::BothRigid`] if neither body deforms; [`Error::NotPositive`] or [`Error::NotFinite`] if a combined
-    /// constant of the pair over- or underflows; [`Error::BelowMinimum`] for layers whose moduli or thicknesses differ by more than
-    /// a factor of 1e12.
+    /// - [`Error::BothRigid`] if neither body deforms.
+    /// - [`Error::NotPositive`] or [`Error::NotFinite`] if a combined constant of the pair over- or underflows.
+    /// - [`Error::BelowMinimum`] if moduli or thicknesses of layers differ by more than a factor of 1e12.
     pub fn new(body_1: Material, body_2: Material) -> Result<Self> {
         if body_1.is_rigid() && body_2.is_rigid() {
             return Err(Error::BothRigid);
@@ -357,7 +360,7 @@ impl ElasticPair {
         Ok(pair)
     }
 
-    /// The pair that stands for a kernel which tends to it.
+    /// Returns the pair that represents a kernel whose response tends to the response of this pair.
     pub(crate) fn standing_for(self, mark: KernelMark) -> Self {
         Self {
             coupling: mark.coupling,
@@ -366,18 +369,18 @@ impl ElasticPair {
         }
     }
 
-    /// Whether the pair stands for a [`Kernel`](crate::Kernel), and describes no bodies by itself.
+    /// Returns whether the pair represents a [`Kernel`](crate::Kernel) and does not define bodies by itself.
     #[must_use]
     pub fn stands_for_kernel(&self) -> bool {
         self.kernel.is_some()
     }
 
-    /// The mark of the kernel that the pair stands for, if it does.
+    /// Returns the mark of the kernel that the pair represents, if any.
     pub(crate) fn kernel(&self) -> Option<KernelMark> {
         self.kernel
     }
 
-    /// `Ok` for a pair that is known without a kernel.
+    /// Checks that the pair does not represent a kernel.
     pub(crate) fn check_no_kernel(&self) -> Result<()> {
         match self.kernel {
             None => Ok(()),
@@ -387,7 +390,7 @@ impl ElasticPair {
         }
     }
 
-    /// `Ok` if layers differ little enough for the numbers of the integrals over their waves.
+    /// Checks that the contrasts of layers are small enough for the integrals over their waves.
     fn check_layers(&self) -> Result<()> {
         for body in self.bodies.iter().filter(|body| body.is_coated()) {
             let base = (!body.youngs_modulus.is_infinite()).then(|| body.shear_modulus());
@@ -406,7 +409,8 @@ impl ElasticPair {
         Ok(())
     }
 
-    /// The largest ratio of the coupling to the mean of normal and tangential response, of waves of any length.
+    /// Returns the largest ratio of the coupling to the mean of normal and tangential response, over waves of any
+    /// length.
     fn strongest_coupling(&self) -> f64 {
         let near = self.dundurs_beta();
         let layers = || self.bodies.iter().flat_map(Material::layers);
@@ -429,13 +433,15 @@ impl ElasticPair {
         })
     }
 
-    /// The response of the relative displacement `u_1 - u_2` to waves of traction of the wave number `k` (one over a
-    /// length); of homogeneous bodies the constants of the [`influence`](crate::influence) page over k.
+    /// Returns the response of the relative displacement `u_1 - u_2` to waves of traction of the wave number `k` (one
+    /// over a length). For homogeneous bodies the response is given by the constants of the
+    /// [`influence`](crate::influence) page divided by k.
     ///
     /// # Errors
-    /// - [`Error::NotPositive`] for the wave number, and for a response that over- or underflows at this wave number.
-    /// - [`Error::NotFinite`] for a coupling that overflows.
-    /// - [`Error::IncompleteKernel`] if the pair stands for a [`Kernel`](crate::Kernel).
+    /// - [`Error::NotPositive`] if the wave number is not positive, or if the response over- or underflows at this wave
+    ///   number.
+    /// - [`Error::NotFinite`] if a coupling overflows.
+    /// - [`Error::IncompleteKernel`] if the pair represents a [`Kernel`](crate::Kernel).
     pub fn response(&self, k: f64) -> Result<Response> {
         self.check_no_kernel()?;
         positive("wave number", k)?;
@@ -447,24 +453,24 @@ impl ElasticPair {
         Ok(response)
     }
 
-    /// The wave number k > 0 times the response to waves of it.
+    /// Returns the wave number k > 0 times the response to waves of this wave number.
     pub(crate) fn times_k(&self, k: f64) -> Response {
         let [one, two] = self.bodies.each_ref().map(|body| body.waves().times_k(k));
         one.and_second(two)
     }
 
-    /// Whether a body is coated.
+    /// Returns whether a body is coated.
     #[must_use]
     pub fn is_coated(&self) -> bool {
         self.bodies.iter().any(Material::is_coated)
     }
 
-    /// Whether both bodies are homogeneous half-spaces.
+    /// Returns whether both bodies are homogeneous half-spaces.
     pub(crate) fn is_homogeneous(&self) -> bool {
         !self.is_coated() && self.kernel.is_none()
     }
 
-    /// `Ok` for homogeneous bodies, of what knows no others.
+    /// Checks that both bodies are homogeneous, for a quantity that is not available for other bodies.
     pub(crate) fn check_homogeneous(
         &self,
         quantity: &'static str,
@@ -486,82 +492,83 @@ impl ElasticPair {
         }
     }
 
-    /// The same of a closed form.
+    /// Checks that both bodies are homogeneous, as a closed form requires.
     pub(crate) fn check_closed_form(&self) -> Result<()> {
         let remedy = "solve the contact on a grid";
         self.check_homogeneous("a closed form with one modulus", remedy)
     }
 
-    /// Hardness of the softer body (a pressure); infinite where none is stated.
+    /// Returns the hardness of the softer body (a pressure), or infinity if none is stated.
     #[must_use]
     pub fn hardness(&self) -> f64 {
         self.bodies[0].hardness.min(self.bodies[1].hardness)
     }
 
-    /// The two bodies.
+    /// Returns the two bodies.
     #[must_use]
     pub fn bodies(&self) -> [Material; 2] {
         self.bodies
     }
 
-    /// Contact modulus `E*`, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure), Johnson's; for one body on a rigid
-    /// one its plane-strain modulus. Of coated bodies, as the constants below, that of the outermost layers; see
-    /// [`response`](Self::response).
+    /// Returns the contact modulus `E*` of Johnson, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure). For one
+    /// body on a rigid body it is the plane-strain modulus. For coated bodies this constant and those below are the
+    /// values for the outermost layers; see [`response`](Self::response).
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         2.0 / self.compliances.normal
     }
 
-    /// Tangential modulus `G*`, `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2` (a pressure), as in Johnson's and Mindlin's
-    /// stiffness `8 G* a` of a circular contact of radius `a` that sticks.
+    /// Returns the tangential modulus `G*`, `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2` (a pressure), as in the stiffness
+    /// `8 G* a` of Johnson and Mindlin for a sticking circular contact of radius `a`.
     #[must_use]
     pub fn tangential_modulus(&self) -> f64 {
         1.0 / (2.0 * self.compliances.normal + self.compliances.lateral)
     }
 
-    /// Shear modulus of the one body that is as compliant as both, `1/G = 1/G_1 + 1/G_2` (a pressure); see
-    /// [`tangential_modulus`](Self::tangential_modulus) for `G*`.
+    /// Returns the shear modulus of a single body that is as compliant as both bodies, `1/G = 1/G_1 + 1/G_2` (a
+    /// pressure); see [`tangential_modulus`](Self::tangential_modulus) for `G*`.
     #[must_use]
     pub fn equivalent_shear_modulus(&self) -> f64 {
         1.0 / (self.compliances.normal + self.compliances.lateral)
     }
 
-    /// Poisson's ratio of the one body that is as compliant as both, `nu = G (nu_1/G_1 + nu_2/G_2)`.
+    /// Returns Poisson's ratio of a single body that is as compliant as both bodies, `nu = G (nu_1/G_1 + nu_2/G_2)`.
     #[must_use]
     pub fn equivalent_poisson_ratio(&self) -> f64 {
         self.compliances.lateral * self.equivalent_shear_modulus()
     }
 
-    /// Dundurs' second parameter `beta`, the strength of the coupling between pressure and traction.
+    /// Returns Dundurs' second parameter `beta`, the strength of the coupling between pressure and traction.
     ///
-    /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes
-    /// for identical bodies, for two incompressible bodies, and for an incompressible body on a rigid one. Its size is at
-    /// most 1/2 where no Poisson's ratio is negative, and below 3/4 for auxetic bodies (2/3 for one of -1/2 on a rigid one).
+    /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes for identical
+    /// bodies, for two incompressible bodies, and for an incompressible body on a rigid body. Its magnitude is at most
+    /// 1/2 if no Poisson's ratio is negative, and below 3/4 for auxetic bodies (2/3 for a body with Poisson's ratio
+    /// -1/2 on a rigid body).
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal
     }
 
-    /// Whether pressure moves the surfaces tangentially and shear moves them normally:
-    /// [`dundurs_beta`](Self::dundurs_beta) is more than 1e-12 in size; of coated bodies the ratio
-    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) is, for waves of some length.
+    /// Returns whether pressure moves the surfaces tangentially and shear moves them normally. This is the case if
+    /// [`dundurs_beta`](Self::dundurs_beta) exceeds 1e-12 in magnitude. For coated bodies the ratio
+    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) must exceed it, for waves of some length.
     #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.coupling.abs() > UNCOUPLED
     }
 
-    /// Dundurs' beta; of coated bodies the like of it for the waves that couple most.
+    /// Returns Dundurs' beta, or its equivalent for the waves with the strongest coupling of coated bodies.
     pub(crate) fn coupling_strength(&self) -> f64 {
         self.coupling
     }
 
-    /// The sums that the influence coefficients of the pair need.
+    /// Returns the sums that the influence coefficients of the pair require.
     pub(crate) fn compliances(&self) -> Compliances {
         self.compliances
     }
 }
 
-/// The elastic constants that the influence coefficients need, each per pressure.
+/// Elastic constants for the influence coefficients, each per pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Compliances {
     /// `(1 - nu)/G`, summed over the bodies.
@@ -573,7 +580,7 @@ pub(crate) struct Compliances {
 }
 
 impl Compliances {
-    /// Of one body, by one over its modulus of shear.
+    /// Returns the constants of one body with the given reciprocal shear modulus.
     fn new(compliance: f64, poisson_ratio: f64) -> Self {
         Self {
             normal: (1.0 - poisson_ratio) * compliance,

@@ -1,4 +1,4 @@
-//! The bodies: elastic constants, layers, kernels of a user, and how pressure and traction are coupled.
+//! Bodies: elastic constants, layers, user-defined kernels, and the coupling between pressure and traction.
 
 pub(crate) mod component;
 pub(crate) mod coupling;

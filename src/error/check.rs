@@ -1,11 +1,11 @@
-//! Checks of arguments, each with the error it returns.
+//! Checks of arguments, each with its error.
 
 use std::ops::RangeInclusive;
 
 use crate::error::{Error, Result};
 use crate::report::{Report, Status};
 
-/// `Ok` if `value` is positive and finite.
+/// Checks that `value` is positive and finite.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
@@ -14,7 +14,7 @@ pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
-/// `Ok` if `value` is zero or positive, and finite.
+/// Checks that `value` is zero or positive, and finite.
 pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64> {
     if value >= 0.0 && value.is_finite() {
         Ok(value)
@@ -23,7 +23,7 @@ pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
-/// `Ok` if `value` is finite.
+/// Checks that `value` is finite.
 pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() {
         Ok(value)
@@ -32,11 +32,11 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
-/// The numbers whose squares, and products of up to three with others of them, are summed over all cells without leaving
-/// the range of numbers.
+/// Numbers for which sums over all cells of squares, and of products of up to three with other such numbers, do not
+/// over- or underflow.
 const WITH_SQUARES: RangeInclusive<f64> = 1e-130..=1e130;
 
-/// Returns an error if the squares of a positive value, and of small parts of it, leave the range of numbers.
+/// Checks that the squares of a positive value, and of small fractions of it, do not over- or underflow.
 pub(crate) fn has_squares(quantity: &'static str, value: f64, remedy: &'static str) -> Result<f64> {
     if WITH_SQUARES.contains(&value) {
         Ok(value)
@@ -51,7 +51,7 @@ pub(crate) fn has_squares(quantity: &'static str, value: f64, remedy: &'static s
     }
 }
 
-/// `Ok` if an isotropic body of this ratio is stable.
+/// Checks that an isotropic body with this Poisson's ratio is stable.
 pub(crate) fn poisson_ratio(value: f64) -> Result<()> {
     if value > -1.0 && value <= 0.5 {
         Ok(())
@@ -60,12 +60,12 @@ pub(crate) fn poisson_ratio(value: f64) -> Result<()> {
     }
 }
 
-/// `Ok` if every sample is finite.
+/// Checks that every sample is finite.
 pub(crate) fn all_finite(quantity: &'static str, samples: &[f64]) -> Result<()> {
     samples_obey(quantity, samples, "must be finite", f64::is_finite)
 }
 
-/// `Ok` if every sample is zero or positive, and finite.
+/// Checks that every sample is zero or positive, and finite.
 pub(crate) fn all_non_negative(quantity: &'static str, samples: &[f64]) -> Result<()> {
     samples_obey(
         quantity,
@@ -75,10 +75,10 @@ pub(crate) fn all_non_negative(quantity: &'static str, samples: &[f64]) -> Resul
     )
 }
 
-/// Samples tested together.
+/// Number of samples that are tested together.
 const SCANNED: usize = 512;
 
-/// `Ok` if every sample obeys the rule, otherwise the first sample that does not.
+/// Checks that every sample obeys the rule; the error reports the first sample that does not.
 pub(crate) fn samples_obey(
     quantity: &'static str,
     samples: &[f64],
@@ -104,7 +104,7 @@ pub(crate) fn samples_obey(
     }
 }
 
-/// `Ok` if a slice has the expected length.
+/// Checks that a slice has the expected length.
 pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> Result<()> {
     if expected == found {
         Ok(())
@@ -117,8 +117,8 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
     }
 }
 
-/// `Ok` if memory for `[columns, rows]` of `each` bytes can be allocated now: it is requested and released, and
-/// never written to.
+/// Checks that memory for `[columns, rows]` of `each` bytes can be allocated now. The memory is requested and released,
+/// and never written to.
 pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) -> Result<()> {
     let [columns, rows, each] = [counts[0], counts[1], each].map(|count| count as u128);
     let bytes = columns.saturating_mul(rows).saturating_mul(each);
@@ -136,7 +136,7 @@ pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) ->
     }
 }
 
-/// The error of an iteration that reached its limit.
+/// Returns the error of an iteration that reached its limit.
 pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     Error::NotConverged(Box::new(Report {
         status: Status::IterationLimit,
@@ -146,7 +146,7 @@ pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     }))
 }
 
-/// `Ok` if a value is at least its lower limit, to round-off.
+/// Checks that a value is at least its lower limit, to round-off.
 pub(crate) fn at_least(
     least_is: &'static str,
     least: f64,
@@ -165,14 +165,14 @@ pub(crate) fn at_least(
     }
 }
 
-/// Fraction by which a value meant to equal its lower limit may fall short of it.
+/// Relative deficit at which a value that should equal its lower limit is still accepted.
 const ROUND_OFF: f64 = 1e-9;
 
-/// The loads that are possible beyond the friction limit.
+/// Remedies for a load beyond the friction limit.
 pub(crate) const SLIDE: &str = "prescribe a shift or a spring to let the body slide";
 const ROLL: &str = "prescribe the creepage, or lower the force";
 
-/// Replaces the remedy of a force beyond friction by the remedy of bodies that roll.
+/// Replaces the remedy for a force beyond the friction capacity by the remedy for rolling bodies.
 pub(crate) fn of_rolling(error: Error) -> Error {
     match error {
         Error::BeyondFrictionCapacity { force, limit, .. } => Error::BeyondFrictionCapacity {

@@ -1,4 +1,4 @@
-//! How an error is shown, beyond the sentence of its variant.
+//! Error messages that are not a fixed sentence of their variant.
 
 use std::fmt;
 
@@ -10,12 +10,12 @@ impl fmt::Debug for Error {
     }
 }
 
-/// The name of a file before what is wrong in it.
+/// Returns the name of a file as a prefix of the problem in it.
 pub(super) fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))
 }
 
-/// Returns a number of bytes in MiB below 1 GiB, else in GiB.
+/// Returns a number of bytes in MiB below 1 GiB, and in GiB above.
 pub(super) fn size(bytes: u128) -> String {
     const MIB: f64 = 1_048_576.0;
     let mib = bytes as f64 / MIB;
@@ -32,7 +32,7 @@ pub(super) fn size(bytes: u128) -> String {
     format!("{value:.decimals$} {unit}")
 }
 
-/// Why a tangential force cannot act, and what to do.
+/// Returns the message for a tangential force beyond the friction capacity, with a remedy.
 pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     let remedy = if limit > 0.0 {
         remedy
@@ -42,14 +42,14 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     format!("a tangential force of {force:?} exceeds the friction limit {limit:?}: {remedy}")
 }
 
-/// Why a normal force cannot act, and what to do.
+/// Returns the message for a normal force beyond the hardness, with a remedy.
 pub(super) fn beyond_hardness(force: f64, capacity: f64) -> String {
     format!(
         "a normal force of {force:?} exceeds the {capacity:?} that cells at their hardness carry: take a larger grid, or prescribe an approach"
     )
 }
 
-/// That no surface has the heights asked for.
+/// Returns the message for a height distribution that was not reached.
 pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2]) -> String {
     format!(
         "no surface of this spectrum was found with a skewness of {skewness:?} and a kurtosis of {kurtosis:?}; the search ended at {:?} and {:?}",
@@ -57,14 +57,14 @@ pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2
     )
 }
 
-/// Why an approach determines no pressure.
+/// Returns the message for an approach that does not determine the pressure.
 pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
     format!(
         "an approach of {approach:?} is not below the mean gap {mean_gap:?} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
     )
 }
 
-/// Why a cycle cannot stand for those that follow, and what to do.
+/// Returns the message for a cycle that cannot represent the following cycles, with a remedy.
 pub(super) fn not_closed(residual: f64, limit: f64) -> String {
     format!(
         "the cycle ends {residual:?} of its amplitude from where it began, more than {limit:?}: take another cycle on this gap before jumping, or allow a larger residual"

@@ -1,4 +1,4 @@
-//! The error type: every way a call can be refused or fail, with the offending number.
+//! Error type: the reasons why a call can fail, with the offending numbers.
 
 mod check;
 mod messages;
@@ -14,28 +14,29 @@ pub use {place::Place, ranks::RankFailure, result::Result};
 
 use crate::report::Report;
 
-/// The reason a call failed: one variant per violated rule, with the offending number.
+/// Reason why a call failed: one variant per violated rule, with the offending number.
 ///
-/// `Debug` writes the same sentence as `Display`: it is what a program prints whose `main` returns the error.
-/// Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception is
-/// [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
+/// `Debug` writes the same sentence as `Display`, because a program whose `main` returns the error prints it with
+/// `Debug`. Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception
+/// is [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A grid needs at least one cell along each axis.
+    /// The grid has no cell along an axis.
     #[error("a grid of {nx} x {ny} cells is empty")]
     GridSize {
-        /// Cells along x.
+        /// Number of cells along x.
         nx: usize,
-        /// Cells along y.
+        /// Number of cells along y.
         ny: usize,
     },
-    /// Memory for a quantity cannot be allocated; [nothing has changed](crate::guide::embedding#when-memory-runs-out).
+    /// Memory for a quantity cannot be allocated; [the state is
+    /// unchanged](crate::guide::embedding#when-memory-runs-out).
     #[error("cannot allocate {} for {quantity}", messages::size(*bytes))]
     Memory {
-        /// The quantity that needs the memory, in words.
+        /// The quantity that requires the memory, in words.
         quantity: &'static str,
-        /// Bytes needed.
+        /// Required number of bytes.
         bytes: u128,
     },
     /// A quantity that must be positive and finite is not.
@@ -43,7 +44,7 @@ pub enum Error {
     NotPositive {
         /// The quantity, in words.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         value: f64,
     },
     /// A quantity that must be zero or positive, and finite, is not.
@@ -51,7 +52,7 @@ pub enum Error {
     NegativeOrNotFinite {
         /// The quantity, in words.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         value: f64,
     },
     /// A quantity that must be finite is not.
@@ -59,21 +60,21 @@ pub enum Error {
     NotFinite {
         /// The quantity, in words.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         value: f64,
     },
-    /// A number is so small or so large that squares of it leave the range of numbers, and no error could be certified.
+    /// A number is so small or so large that its squares over- or underflow, so that no error could be certified.
     #[error(
         "{quantity} is {value:e}, and must lie between {least:e} and {most:e}, where its squares are numbers: {remedy}"
     )]
     ExtremeNumber {
         /// The quantity, in words.
         quantity: &'static str,
-        /// The value found.
+        /// The actual value.
         value: f64,
-        /// The least value allowed.
+        /// The smallest permitted value.
         least: f64,
-        /// The largest value allowed.
+        /// The largest permitted value.
         most: f64,
         /// The remedy, in words.
         remedy: &'static str,
@@ -85,7 +86,7 @@ pub enum Error {
         quantity: &'static str,
         /// Index into the row-major samples.
         index: usize,
-        /// The value found there.
+        /// The value at this index.
         value: f64,
         /// The rule, in words.
         rule: &'static str,
@@ -93,45 +94,46 @@ pub enum Error {
     /// Poisson's ratio lies outside `(-1, 1/2]`, the range in which an isotropic body is stable.
     #[error("Poisson's ratio must lie in (-1, 0.5], got {0:?}")]
     PoissonRatio(f64),
-    /// Both bodies are rigid. Neither deforms, so there is nothing to solve.
+    /// Both bodies are rigid. Neither body deforms, so there is nothing to solve.
     #[error("both bodies are rigid")]
     BothRigid,
-    /// More layers than a coated body may have.
+    /// A coated body has more layers than the limit.
     #[error("a body of {found} layers exceeds the limit of {limit}")]
     TooManyLayers {
-        /// Layers given.
+        /// Number of given layers.
         found: usize,
-        /// Layers allowed.
+        /// Largest number of layers.
         limit: usize,
     },
-    /// A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this
+    /// A quantity is available for homogeneous bodies only, and not for these coated bodies or this
     /// [`Kernel`](crate::Kernel).
     #[error("{quantity} is not modelled for {bodies}: {remedy}")]
     UnsupportedForCoatings {
         /// The requested quantity, in words.
         quantity: &'static str,
-        /// The bodies for which it is not modelled, in words.
+        /// The bodies for which the quantity is not available, in words.
         bodies: &'static str,
-        /// What to do instead.
+        /// The remedy, in words.
         remedy: &'static str,
     },
-    /// A pair that stands for a [`Kernel`](crate::Kernel) was given without the kernel, or its table lacks a coefficient, or its
-    /// operators a direction.
+    /// A pair that represents a [`Kernel`](crate::Kernel) was given without the kernel, or the table of the kernel
+    /// lacks a coefficient, or its operators lack a direction.
     #[error("the kernel is missing: {0}")]
     IncompleteKernel(&'static str),
-    /// The least eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
-    /// grid: nothing could be certified. The page of [`kernel`](crate::kernel#certificate) tells which bounds are tried.
+    /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive
+    /// on this grid, so that no error could be certified. The page of [`kernel`](crate::kernel#certificate) lists the
+    /// available bounds.
     #[error(
         "the least eigenvalue of the compliance, {eigenvalue:?}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
     )]
     NotDefinite {
-        /// The least eigenvalue (a length over a pressure).
+        /// The smallest eigenvalue (a length over a pressure).
         eigenvalue: f64,
         /// Sides of a cell (lengths).
         sides: [f64; 2],
     },
-    /// A [datum](crate::Boundary::PeriodicAlongY) that makes the compliance indefinite. A prescribed approach, a prescribed
-    /// shift or a spring then has no unique solution.
+    /// The [datum](crate::Boundary::PeriodicAlongY) makes the compliance indefinite. A prescribed approach, a
+    /// prescribed shift or a spring then has no unique solution.
     #[error(
         "the datum {datum:e} makes the compliance of the grid indefinite, so that a prescribed approach, shift or spring has no unique solution: prescribe the force, or take a datum beyond {least:e}"
     )]
@@ -141,21 +143,24 @@ pub enum Error {
         /// Distance beyond which the compliance is definite (a length).
         least: f64,
     },
-    /// Stress or displacement of a body that is rigid: nothing determines them.
+    /// The stress or displacement of a rigid body was requested, but it is undetermined.
     #[error("{0} is rigid: nothing determines its stress")]
     RigidBody(&'static str),
-    /// A sum over images that does not converge.
+    /// A sum over images does not converge.
     #[error("{0} does not converge on a grid that repeats along both axes")]
     DivergentPeriodicSum(&'static str),
-    /// The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure.
+    /// The materials couple pressure and traction, and the requested model neglects the effect of shear on the
+    /// pressure.
     #[error(
         "the pair couples pressure and traction (Dundurs beta = {beta:?}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
     )]
     CoupledMaterials {
-        /// Dundurs' second parameter of the pair; of coated bodies the like of it for the waves that couple most.
+        /// Dundurs' second parameter of the pair; for coated bodies its equivalent for the waves with the strongest
+        /// coupling.
         beta: f64,
     },
-    /// Cells so much longer than wide that the least eigenvalue of the compliance is round-off: no error is certified.
+    /// The cells are so much longer than wide that round-off dominates the smallest eigenvalue of the compliance. No
+    /// error could be certified.
     #[error(
         "cells of sides {sides:?} are too long: double precision does not resolve the compliance of their short waves"
     )]
@@ -168,23 +173,23 @@ pub enum Error {
     Length {
         /// The slice or list, in words.
         quantity: &'static str,
-        /// Entries needed.
+        /// Expected number of entries.
         expected: usize,
-        /// Entries given.
+        /// Actual number of entries.
         found: usize,
     },
-    /// Two fields or bodies live on different grids.
+    /// Two fields or bodies have different grids.
     #[error(
         "{quantity} lives on {found_cells:?} cells of sides {found_sides:?}, expected {expected_cells:?} of {expected_sides:?}"
     )]
     GridMismatch {
         /// The field, in words.
         quantity: &'static str,
-        /// Cells along x and y of the expected grid.
+        /// Numbers of cells along x and y of the expected grid.
         expected_cells: [usize; 2],
         /// Cell sides of the expected grid (lengths).
         expected_sides: [f64; 2],
-        /// Cells along x and y of the field.
+        /// Numbers of cells along x and y of the field.
         found_cells: [usize; 2],
         /// Cell sides of the field (lengths).
         found_sides: [f64; 2],
@@ -195,37 +200,37 @@ pub enum Error {
         /// The solution, in words.
         quantity: &'static str,
     },
-    /// A solution belongs to bodies whose cells have values of another meaning.
+    /// A solution belongs to bodies with a different interpretation of cell values.
     #[error("{quantity} belongs to bodies with another CellValue")]
     CellValueMismatch {
         /// The solution, in words.
         quantity: &'static str,
     },
-    /// The tolerance lies outside `(0, 1)`, where it is meaningless.
+    /// The tolerance lies outside the open interval `(0, 1)`.
     #[error("the tolerance must lie strictly between 0 and 1, got {0:?}")]
     Tolerance(f64),
     /// The iteration limit is zero.
     #[error("the iteration limit must be at least 1")]
     IterationLimit,
-    /// A normal problem that is to hold its pressure: it has none yet.
+    /// The load control holds the pressure, but the normal problem has no pressure yet.
     #[error("a normal problem has no pressure to hold: give it a force or an approach")]
     NoPressureToHold,
-    /// The method is not defined for the problem.
+    /// The method does not support the problem.
     #[error("the method {method} does not solve problems with {quantity}: use ActiveSet")]
     Method {
-        /// The method asked for.
+        /// The requested method.
         method: &'static str,
-        /// What it does not solve, in words.
+        /// The unsupported property of the problem, in words.
         quantity: &'static str,
     },
-    /// No finite value lies between the bounds of an entry.
+    /// The bounds of an entry contain no finite value.
     #[error("the bounds [{lower:?}, {upper:?}] of entry {index} contain no finite value")]
     Bounds {
-        /// The entry.
+        /// Index of the entry.
         index: usize,
-        /// Its lower bound.
+        /// Lower bound of the entry.
         lower: f64,
-        /// Its upper bound.
+        /// Upper bound of the entry.
         upper: f64,
     },
     /// No point within the bounds has the prescribed total.
@@ -233,14 +238,14 @@ pub enum Error {
         "the total {total:?} is outside the range [{lower:?}, {upper:?}] allowed by the bounds"
     )]
     Total {
-        /// The total prescribed.
+        /// The prescribed total.
         total: f64,
-        /// The least total within the bounds.
+        /// The smallest total within the bounds.
         lower: f64,
-        /// The greatest total within the bounds.
+        /// The largest total within the bounds.
         upper: f64,
     },
-    /// A direction occurs twice among those of one operator.
+    /// A direction occurs twice among the directions of an operator.
     #[error("the directions of an operator must differ from each other")]
     RepeatedDirection,
     /// The bodies do not touch: there is no contact to load tangentially.
@@ -248,45 +253,45 @@ pub enum Error {
         "the contact is empty, no cell carries pressure: press the bodies first, by a force or an approach beyond the least gap"
     )]
     EmptyContact,
-    /// The tangential force exceeds what friction can carry: no equilibrium exists.
+    /// The tangential force exceeds the force that friction can carry, so that no equilibrium exists.
     #[error("{}", messages::beyond_capacity(*force, *limit, remedy))]
     BeyondFrictionCapacity {
-        /// Magnitude of the force requested.
+        /// Magnitude of the requested force.
         force: f64,
-        /// Largest force that friction can carry, the area integral of the shear limit.
+        /// Largest force that friction can carry, the area integral of the friction limit.
         limit: f64,
         /// The loads that are possible instead, in words.
         remedy: &'static str,
     },
-    /// The moment about the normal is not between the moments that large spins of both signs cause, next to the prescribed
+    /// The moment about the normal does not lie between the moments for large spins of both signs, given the prescribed
     /// creepages and forces.
     #[error(
         "a moment of {moment:?} is not less than the friction limit {limit:?} next to the prescribed creepages and forces: give a moment between {:?} and {:?}, or prescribe the spin", .range[0], .range[1]
     )]
     BeyondFrictionMoment {
-        /// The moment requested, positive in the direction of the limit.
+        /// The requested moment, positive in the direction of the limit.
         moment: f64,
-        /// The moment of a contact that slides as a whole, in the same direction.
+        /// The moment of full sliding in the same direction.
         limit: f64,
-        /// The least and the greatest moment of a contact that slides as a whole.
+        /// The smallest and the largest moment of full sliding.
         range: [f64; 2],
     },
-    /// The normal force exceeds what the hardness lets the cells carry.
+    /// The normal force exceeds the largest force that the cells can carry at their hardness.
     #[error("{}", messages::beyond_hardness(*force, *capacity))]
     BeyondHardness {
-        /// Normal force requested.
+        /// Requested normal force.
         force: f64,
-        /// Largest force that the cells carry, the integral of the hardness.
+        /// Largest force that the cells can carry, the integral of the hardness.
         capacity: f64,
     },
-    /// A quantity that only elastic contacts have was asked of one in which cells are at their hardness.
+    /// A quantity that is defined for elastic contacts only was requested for a contact with cells at their hardness.
     #[error(
         "{quantity} is that of an elastic contact, and {cells} cells of this one are at their hardness"
     )]
     Yielded {
         /// The quantity, in words.
         quantity: &'static str,
-        /// Cells at their hardness.
+        /// Number of cells at their hardness.
         cells: usize,
     },
     /// The load has components along both axes, which the scalar tangential model does not allow.
@@ -304,11 +309,11 @@ pub enum Error {
     UnsupportedByModel {
         /// The model, in words.
         model: &'static str,
-        /// The load or the property, in words.
+        /// The load or property, in words.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         value: f64,
-        /// The options that add it to the model, or that there is no such option, in words.
+        /// The options that add it to the model, in words, or a statement that there is no such option.
         remedy: &'static str,
     },
     /// A solution or a saved history belongs to bodies of different materials.
@@ -317,26 +322,27 @@ pub enum Error {
         /// The solution or the saved quantity, in words.
         quantity: &'static str,
     },
-    /// The approach is not below the mean gap of a periodic contact: all touches, and the pressure is undetermined.
+    /// The approach is not below the mean gap of a periodic contact: all cells are in contact, and the pressure is
+    /// undetermined.
     #[error("{}", messages::beyond_mean_gap(*approach, *mean_gap))]
     ApproachBeyondMeanGap {
-        /// The approach requested.
+        /// The requested approach.
         approach: f64,
-        /// Mean of the initial gap.
+        /// The mean of the initial gap.
         mean_gap: f64,
     },
     /// An explicit matrix of this size exceeds the limit.
     #[error("an explicit matrix of {cells} cells exceeds the limit of {limit} cells")]
     TooManyCells {
-        /// Cells requested.
+        /// Requested number of cells.
         cells: usize,
-        /// Cells allowed.
+        /// Largest number of cells.
         limit: usize,
     },
     /// A matrix is not symmetric positive definite.
     #[error("the matrix is not symmetric positive definite (row {row})")]
     NotPositiveDefinite {
-        /// The first row that shows it.
+        /// The first row at which the factorisation fails.
         row: usize,
     },
     /// The known points do not determine the unknowns.
@@ -352,9 +358,9 @@ pub enum Error {
     /// The degree of a polynomial exceeds the limit.
     #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
     Degree {
-        /// Degree requested.
+        /// Requested degree.
         degree: usize,
-        /// Degree allowed.
+        /// Largest degree.
         limit: usize,
     },
     /// A range of rows or columns is empty or extends beyond the grid.
@@ -362,25 +368,25 @@ pub enum Error {
         "the range {start}..{end} of {quantity} is empty or extends beyond the {count} of the grid"
     )]
     Range {
-        /// Rows or columns.
+        /// The quantity: rows or columns.
         quantity: &'static str,
-        /// First of the range.
+        /// First index of the range.
         start: usize,
-        /// First after the range.
+        /// First index after the range.
         end: usize,
-        /// Number in the grid.
+        /// Number of rows or columns in the grid.
         count: usize,
     },
-    /// A grid extends beyond the samples it is to be filled from.
+    /// The grid extends beyond the samples from which it is filled.
     #[error(
         "the grid extends to {reach:?} from the centre along {axis}, the samples only to {limit:?}"
     )]
     BeyondSamples {
         /// The axis, x or y.
         axis: &'static str,
-        /// Distance of the outermost cell centres from the middle.
+        /// Distance of the outermost cell centres from the middle of the grid.
         reach: f64,
-        /// Distance of the edge of the samples' grid from the middle.
+        /// Distance of the edge of the sampled grid from the middle.
         limit: f64,
     },
     /// The Hurst exponent lies outside `[0, 1]`.
@@ -391,14 +397,14 @@ pub enum Error {
     BelowMinimum {
         /// The quantity, in words.
         quantity: &'static str,
-        /// The value given.
+        /// The given value.
         value: f64,
         /// The meaning of the lower limit, in words.
         least_is: &'static str,
         /// The lower limit.
         least: f64,
     },
-    /// The grid ends too near the contact for a rolled step.
+    /// The distance between the contact and the edge of the grid is too small for a rolling step.
     #[error(
         "the grid is too small in the rolling direction: a step needs {needed} cells {side} the contact, the grid has {found}; add at least {} cells there",
         needed.saturating_sub(*found)
@@ -406,25 +412,25 @@ pub enum Error {
     GridTooShort {
         /// The side of the contact: "ahead of" or "behind".
         side: &'static str,
-        /// Cells that a step needs there.
+        /// Number of cells that a step needs on this side.
         needed: usize,
-        /// Cells that the grid has there.
+        /// Number of cells that the grid has on this side.
         found: usize,
     },
     /// No wave that is periodic on the surface has a wavelength within the requested band.
     #[error("the surface has no wave with a wavelength between {shortest:?} and {longest:?}")]
     NoWaveInBand {
-        /// Longest wavelength requested.
+        /// Requested longest wavelength.
         longest: f64,
-        /// Shortest wavelength requested.
+        /// Requested shortest wavelength.
         shortest: f64,
     },
-    /// No phases were found that give the heights the requested skewness and kurtosis.
+    /// The search found no phases for which the heights have the requested skewness and kurtosis.
     #[error("{}", messages::heights_not_reached(*skewness, *kurtosis, *reached))]
     HeightMomentsNotReached {
-        /// Skewness requested.
+        /// Requested skewness.
         skewness: f64,
-        /// Kurtosis requested.
+        /// Requested kurtosis.
         kurtosis: f64,
         /// Skewness and kurtosis at which the search ended.
         reached: [f64; 2],
@@ -432,66 +438,66 @@ pub enum Error {
     /// The operating system could not read or write a file.
     #[error("{path}: {problem}")]
     File {
-        /// The file.
+        /// Path of the file.
         path: String,
         /// The message of the operating system.
         problem: String,
-        /// Its number of the error, if it has one.
+        /// Error number of the operating system, if any.
         code: Option<i32>,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
     #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]
     Format {
-        /// The file, if it was read from one.
+        /// The file, if the data were read from a file.
         file: Option<String>,
         /// The format, by its usual abbreviation.
         format: &'static str,
-        /// Where the file violates the rule.
+        /// Position of the violation in the file.
         place: Place,
-        /// The rule or the unsupported part, with what was found.
+        /// The violated rule or the unsupported part, with the actual value.
         problem: String,
     },
-    /// The number of steps per cycle is not a positive multiple of 4, so no step would end at a turning point.
+    /// The number of steps per cycle is not a positive multiple of 4, so that no step would end at a turning point.
     #[error("the steps per cycle must be a positive multiple of 4, got {0}")]
     StepsPerCycle(usize),
     /// A load path has no steps.
     #[error("the load path has no steps")]
     EmptyPath,
-    /// A cycle already holds the steps of its history up to some step, and this step does not come after it.
+    /// The cycle already contains the steps of its history up to a given step, and this step does not come after it.
     #[error(
         "step {step} of the history does not come after step {last}, the last step of the cycle: each step is counted once"
     )]
     StepAlreadyCounted {
         /// The number of the step, counted from 1; zero before the first step.
         step: u64,
-        /// The number of the last step that the cycle holds or begins after.
+        /// The number of the last step that the cycle contains, or after which it begins.
         last: u64,
     },
-    /// A cycle that does not close was to stand for those that follow.
+    /// The cycle does not close, so that it cannot represent the following cycles.
     #[error("{}", messages::not_closed(*residual, *limit))]
     CycleNotClosed {
-        /// [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
+        /// The value of [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
         residual: f64,
-        /// The largest one allowed.
+        /// The largest permitted residual.
         limit: f64,
     },
-    /// A load was cut into the shortest steps allowed, and the error of one is still beyond its tolerance.
+    /// A load was divided into the shortest permitted steps, and the error of a step still exceeds its tolerance.
     #[error(
         "a step of {part:?} of the load still has an error of {error:?}, more than its share of {tolerance:?}: raise the tolerance, or tighten that of the history"
     )]
     StepTooLong {
-        /// Length of the step, as a part of the load.
+        /// Length of the step, as a fraction of the load.
         part: f64,
-        /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) of the step.
+        /// The value of [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) for the step.
         error: f64,
         /// The tolerance of the whole load.
         tolerance: f64,
     },
-    /// Ranks that solve together cannot go on together.
+    /// Ranks that solve together cannot continue.
     #[error("{0}")]
     Ranks(RankFailure),
-    /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution holds
-    /// the last feasible iterate; a [`History`](crate::History) remains as it was before the step.
+    /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution
+    /// contains the last feasible iterate; a [`History`](crate::History) remains unchanged.
     #[error("not converged: {0}")]
     NotConverged(Box<Report>),
 }

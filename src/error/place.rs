@@ -1,16 +1,16 @@
-//! Where a file violates the rules of its format.
+//! Positions in files, for format errors.
 
 use std::fmt;
 
-/// A place in a file.
+/// Position in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
-    /// Bytes from the beginning of the file.
+    /// Offset in bytes from the beginning of the file.
     Byte(u64),
-    /// A line of text; the first is line 1.
+    /// Line of text; the first is line 1.
     Line(usize),
-    /// A named part of a file: an entry of an archive, an element of a header, a field.
+    /// Named part of a file: an entry of an archive, an element of a header, or a field.
     Entry(String),
 }
 

@@ -1,8 +1,8 @@
-//! The result type.
+//! Result type.
 
 use crate::error::Error;
 
-/// The result of a call that can be refused.
+/// Result of a call that can fail.
 ///
 /// A second parameter replaces the error, so that a glob import of this crate leaves the two-parameter `Result` of the
 /// standard library usable.

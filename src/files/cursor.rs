@@ -1,9 +1,9 @@
-//! Numbers in binary files, read in order and never beyond the end.
+//! Reading of numbers in binary files, in order and never beyond the end.
 
 use crate::error::Result;
 use crate::files::Format;
 
-/// The bytes of a file and the current position in them.
+/// Bytes of a file and the current position in them.
 #[derive(Debug)]
 pub(crate) struct Cursor<'a> {
     format: Format,
@@ -20,17 +20,17 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Position of the next byte.
+    /// Returns the position of the next byte.
     pub(crate) fn position(&self) -> usize {
         self.position
     }
 
-    /// The bytes not yet read.
+    /// Returns the remaining bytes.
     pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.position..]
     }
 
-    /// The next bytes; `what` describes them in the error.
+    /// Reads the next `count` bytes; `what` describes them in the error.
     pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
@@ -41,7 +41,7 @@ impl<'a> Cursor<'a> {
         Ok(taken)
     }
 
-    /// The next `N` bytes.
+    /// Reads the next `N` bytes.
     pub(crate) fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N]> {
         let mut array = [0; N];
         array.copy_from_slice(self.take(what, N)?);
@@ -73,14 +73,14 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// The order of the bytes of a number.
+/// Byte order of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ByteOrder {
     LeastFirst,
     GreatestFirst,
 }
 
-/// How a sample is stored.
+/// Storage type of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Number {
     I8,
@@ -96,7 +96,7 @@ pub(crate) enum Number {
 }
 
 impl Number {
-    /// Bytes per number.
+    /// Returns the number of bytes per number.
     pub(crate) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -106,7 +106,7 @@ impl Number {
         }
     }
 
-    /// All numbers stored in `bytes`; 64-bit integers are rounded.
+    /// Decodes all numbers stored in `bytes`; 64-bit integers are rounded.
     pub(crate) fn decode(self, order: ByteOrder, bytes: &[u8]) -> Vec<f64> {
         match self {
             Self::I8 => map(order, bytes, |b| f64::from(i8::from_le_bytes(b))),
@@ -123,7 +123,7 @@ impl Number {
     }
 }
 
-/// Every `N` bytes as a number; `number` takes them least significant first.
+/// Decodes every `N` bytes as a number; `number` receives them with the least significant byte first.
 fn map<const N: usize>(
     order: ByteOrder,
     bytes: &[u8],

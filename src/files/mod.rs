@@ -1,4 +1,4 @@
-//! Reading and writing whole files: positions in bytes, errors that name the file, replacement of a file as a whole.
+//! Reading and writing of whole files: byte positions, errors that name the file, and atomic replacement of a file.
 
 mod cursor;
 mod whole_file;
@@ -11,7 +11,7 @@ use crate::grid::Grid;
 pub(crate) use cursor::{ByteOrder, Cursor, Number};
 pub(crate) use whole_file::{PartialFile, replace, replace_bytes};
 
-/// The name of a format, used in its errors.
+/// Name of a format, as used in its errors.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Format(pub(crate) &'static str);
 
@@ -37,19 +37,19 @@ impl Format {
         self.at(Place::Entry(name.into()), problem)
     }
 
-    /// `Ok` if a number at a place in the file is positive and finite.
+    /// Checks that a number at a position in the file is positive and finite.
     pub(crate) fn positive(self, place: Place, quantity: &'static str, value: f64) -> Result<f64> {
         positive(quantity, value).map_err(|error| self.at(place, error.to_string()))
     }
 
-    /// The grid a file declares at a place.
+    /// Returns the grid that a file declares at a position.
     pub(crate) fn grid(self, place: Place, size: [usize; 2], sides: [f64; 2]) -> Result<Grid> {
         let grid = Grid::new(size[0], size[1], sides[0], sides[1]);
         grid.map_err(|error| self.at(place, error.to_string()))
     }
 }
 
-/// Returns an error in the content of a file with the name of the file.
+/// Adds the name of the file to an error in its content.
 pub(crate) fn in_file(path: &Path, mut error: Error) -> Error {
     if let Error::Format { file, .. } = &mut error {
         *file = Some(path.display().to_string());

@@ -1,4 +1,4 @@
-//! Files that take their names when they are whole, written by one process or by ranks together.
+//! Files that receive their names when they are complete, written by one process or by ranks together.
 
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Result as IoResult, Write};
@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::files::refused;
 use crate::parallel::ranks::RankGroup;
 
-/// A new file beside another, `NAME.PID.NUMBER.part`, which is removed again unless it takes the name of that.
+/// Temporary file next to the target file, `NAME.PID.NUMBER.part`. It is removed unless it replaces the target.
 #[derive(Debug)]
 pub(crate) struct PartialFile<'a> {
     target: &'a Path,
@@ -19,7 +19,7 @@ pub(crate) struct PartialFile<'a> {
 }
 
 impl<'a> PartialFile<'a> {
-    /// Makes one of a name that no other thread or process has.
+    /// Creates a temporary file with a name that no other thread or process uses.
     pub(crate) fn beside(target: &'a Path) -> Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         loop {
@@ -34,7 +34,7 @@ impl<'a> PartialFile<'a> {
         }
     }
 
-    /// The one that another rank has made.
+    /// Returns the temporary file that a different rank has created.
     fn of_another(target: &'a Path, id: u64) -> Self {
         let path = Self::path(target, id);
         Self { target, path, id }
@@ -47,20 +47,20 @@ impl<'a> PartialFile<'a> {
         target.with_file_name(name)
     }
 
-    /// Opens it to be written.
+    /// Opens the file for writing.
     pub(crate) fn open(&self) -> Result<File> {
         let file = OpenOptions::new().write(true).open(&self.path);
         file.map_err(|error| refused(self.target, &error))
     }
 
-    /// Writes to it, onto the disk.
+    /// Writes to the file and flushes it to the disk.
     pub(crate) fn write(&self, write: impl FnOnce(&mut File) -> IoResult<()>) -> Result<()> {
         let mut file = self.open()?;
         let written = write(&mut file).and_then(|()| file.sync_all());
         written.map_err(|error| refused(self.target, &error))
     }
 
-    /// Replaces the other file, on the disk too.
+    /// Renames the file to the target and flushes the renaming to the disk.
     pub(crate) fn take_name(&self) -> Result<()> {
         std::fs::rename(&self.path, self.target).map_err(|error| refused(self.target, &error))?;
         // Some systems cannot open a folder.
@@ -75,18 +75,19 @@ impl<'a> PartialFile<'a> {
 
 impl Drop for PartialFile<'_> {
     fn drop(&mut self) {
-        // Nothing is there if it has taken the name; what is left of a failure has no use.
+        // After the renaming there is no file to remove. The remains of a failed write are useless, so an error here is
+        // ignored.
         drop(std::fs::remove_file(&self.path));
     }
 }
 
-/// Replaces a file as a whole, or not at all: a file beside it takes its name when it is on the disk. A process that is
-/// killed meanwhile leaves that one, `NAME.PID.NUMBER.part`.
+/// Replaces a file completely or not at all: a temporary file next to it is renamed to it when it is on the disk. A
+/// process that is killed in the meantime leaves the temporary file `NAME.PID.NUMBER.part`.
 pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     replace(path, None, |file| file.write_all(bytes))
 }
 
-/// The same of a file to which every rank writes its bytes.
+/// Like [`replace_bytes`], for a file to which every rank writes its part.
 pub(crate) fn replace(
     path: &Path,
     team: Option<&RankGroup>,
@@ -99,7 +100,7 @@ pub(crate) fn replace(
     RankGroup::agreed_of(team, named)
 }
 
-/// A file beside another, which the first rank makes for all.
+/// Returns the temporary file next to a target, which the first rank creates for all ranks.
 fn shared_part<'a>(path: &'a Path, team: Option<&RankGroup>) -> Result<PartialFile<'a>> {
     let Some(team) = team else {
         return PartialFile::beside(path);
@@ -110,7 +111,7 @@ fn shared_part<'a>(path: &'a Path, team: Option<&RankGroup>) -> Result<PartialFi
     let made = team.collective_result(made)?;
     let id = team.decided(made.as_ref().map_or(0, |part| part.id));
     team.check()?;
-    // A number that did not arrive is that of no file.
+    // If the number did not arrive, the default number belongs to no existing file.
     Ok(made.unwrap_or_else(|| PartialFile::of_another(path, id.unwrap_or_default())))
 }
 
@@ -123,7 +124,7 @@ mod tests {
     use crate::error::{Error, RankFailure};
     use crate::parallel::ranks::{Ranks, Threads};
 
-    /// A disk that is full for one rank, after the others have written all of their bytes.
+    /// The disk is full for one rank after the other ranks have written all of their bytes.
     #[test]
     fn a_full_disk_leaves_the_old_file() {
         let folder = format!("stickslip_full_disk_{}", std::process::id());

@@ -1,50 +1,52 @@
-//! What lies beyond the edge of the grid.
+//! Boundary conditions at the edge of the grid.
 
-/// The surroundings of the grid.
+/// Surroundings of the grid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Boundary {
-    /// Unloaded half-space: the grid is a patch on infinite bodies (default). Exact, whatever the
-    /// size of the grid, as long as contact stays inside it.
+    /// Unloaded half-space: the grid is a patch on infinite bodies (default). The model is exact for any size of the
+    /// grid as long as the contact stays inside it.
     #[default]
     NonPeriodic,
-    /// The grid repeats along x and y, with its gap and tractions: for nominally flat surfaces, where
-    /// free edges would sag and bias the contact.
+    /// The grid is periodic along x and y, including its gap and tractions: for nominally flat surfaces, whose free
+    /// edges would sag and bias the contact.
     ///
-    /// The displacement of a periodic half-space under a mean traction is undefined; here it is set to
-    /// zero. A displacement therefore has zero mean, the approach is the mean of the initial gap minus
-    /// that of the gap under load, and the shift is measured from the mean plane of the surface.
+    /// The displacement of a periodic half-space under a mean traction is undefined; here it is set to zero. A
+    /// displacement therefore has zero mean. The approach is the mean of the initial gap minus the mean of the gap
+    /// under load, and the shift is measured from the mean plane of the surface.
     Periodic,
-    /// The grid repeats along y alone, and unloaded half-space lies beyond its ends along x: for cylinders, rollers and
-    /// pads. A [line of cells](crate::Grid::line) is a line contact in plane strain, and carries forces per length; a grid
-    /// of more rows is the same with roughness or texture along y, and carries the forces of one period.
+    /// The grid is periodic along y only, and unloaded half-space lies beyond its ends along x: for cylinders, rollers
+    /// and pads. A [line of cells](crate::Grid::line) is a line contact in plane strain with forces per length. A grid
+    /// of more rows is the same contact with roughness or texture along y, with the forces of one period.
     ///
-    /// Under a load that extends along y without end, a body moves infinitely far from its own depth, so that displacements
-    /// are those relative to a datum: a point of the surface at the distance `datum` (a length) along x from a line load is
-    /// not moved by it. Per unit length of a line load P, both bodies together,
+    /// Under a load that is infinitely long in y, the surface moves infinitely far relative to points deep inside the
+    /// body. Displacements are therefore relative to a datum: a line load does not move the surface at the distance
+    /// `datum` (a length) along x from the load. Per unit length of a line load P, both bodies together,
     ///
     /// ```math
     /// u_z(x) = -\frac{2 P}{\pi E^*} \ln\frac{|x|}{d} .
     /// ```
     ///
-    /// Approach and shift are those of this datum. Another one changes them by a multiple of the force, and nothing
-    /// else. For one body the point at the depth h below the load moves as the surface does at the distance
-    /// $`d = h \exp(-1/2(1-\nu))`$ from it. The datum is at least the length of the grid along x.
+    /// Approach and shift are relative to this datum. A different datum changes them by a multiple of the force and
+    /// changes nothing else. In one body, the point at the depth h below the load moves by the same distance as the
+    /// surface at the distance $`d = h \exp(-1/2(1-\nu))`$ from the load. The datum must be at least the length of the
+    /// grid along x.
     ///
-    /// A prescribed force has one solution at any datum. A prescribed approach or shift, and a spring, need a datum at which
-    /// a flat punch as wide as the grid sinks in under its load. Homogeneous bodies always have it. Under a stiff coating the
-    /// datum must be larger; [`Error::DatumTooNear`](crate::Error::DatumTooNear) reports the least one.
+    /// A prescribed force has one solution for any datum. A prescribed approach or shift, and a spring, require a datum
+    /// for which a flat punch as wide as the grid sinks in under its load. Homogeneous bodies always satisfy this
+    /// condition. Under a stiff coating the datum must be larger; [`Error::DatumTooNear`](crate::Error::DatumTooNear)
+    /// reports the smallest valid datum.
     ///
     /// Source: K. L. Johnson, Contact Mechanics (1985), sections 2.2 and 5.6.
     PeriodicAlongY {
-        /// Distance along x at which a line load moves nothing (a length).
+        /// Distance along x at which a line load causes no displacement (a length).
         datum: f64,
     },
 }
 
 impl Boundary {
-    /// Whether the grid repeats along x and along y.
+    /// Returns whether the grid is periodic along x and along y.
     pub(crate) fn repeats(self) -> [bool; 2] {
         match self {
             Self::NonPeriodic => [false; 2],
@@ -53,7 +55,7 @@ impl Boundary {
         }
     }
 
-    /// Whether the bodies may turn about z: not where their gap repeats.
+    /// Returns whether the bodies can rotate about z, which a periodic gap does not allow.
     pub(crate) fn may_turn(self) -> bool {
         self.repeats() == [false; 2]
     }

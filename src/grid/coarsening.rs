@@ -1,4 +1,4 @@
-//! Fields on cells of twice the sides, and back.
+//! Transfer of fields to cells of twice the sides (restriction) and back (prolongation).
 
 use std::ops::Range;
 
@@ -6,12 +6,13 @@ use crate::error::Result;
 use crate::memory::fallible;
 use crate::parallel;
 
-/// Half the cells along each axis, the last one alone where their number is odd.
+/// Returns half the number of cells along each axis, rounded up. If the number is odd, the last coarse cell contains a
+/// single fine cell.
 pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| n.div_ceil(2))
 }
 
-/// The mean of each two by two cells (of those there are, at an odd edge).
+/// Returns the mean of each block of two by two cells, with fewer cells at an odd edge.
 pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> {
     let [width, height] = halved([nx, ny]);
     let mut coarse = fallible::zeros(width * height)?;
@@ -29,8 +30,8 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> 
     Ok(coarse)
 }
 
-/// Bilinear interpolation of coarse cell centres at the fine ones of some rows, constant beyond the outermost. The coarse
-/// field begins with the row `first`.
+/// Prolongates a field by bilinear interpolation of the coarse cell centres at the fine cells of some rows. The field
+/// is constant beyond the outermost centres. The slice `coarse` begins with the row `first`.
 pub(crate) fn refined(
     [nx, ny]: [usize; 2],
     rows: Range<usize>,
@@ -38,7 +39,7 @@ pub(crate) fn refined(
     first: usize,
 ) -> Result<Vec<f64>> {
     let [width, height] = halved([nx, ny]);
-    // The nearer coarse cell weighs 3/4 along each axis, the one beyond 1/4.
+    // Along each axis the weight of the nearer coarse cell is 3/4 and the weight of the farther cell is 1/4.
     let neighbours = |i: usize, cells: usize| {
         let near = i / 2;
         let far = if i % 2 == 0 {
@@ -59,16 +60,17 @@ pub(crate) fn refined(
     })
 }
 
-/// The same of a field that is positive in a zone and falls to zero at its edge like the root of the distance, as a
-/// pressure does: its squares, which fall linearly there, are interpolated. For a part of the rows the coarse field must
-/// hold [`REACH`] rows beyond the nearest ones, as far as the grid goes.
+/// Prolongates a field that is positive in a zone and falls to zero at its edge like the square root of the distance,
+/// as a pressure does. The squares of the field, which are linear there, are interpolated. For a part of the rows the
+/// coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
 pub(crate) fn refined_zone(
     size: [usize; 2],
     rows: Range<usize>,
     coarse: &[f64],
     first: usize,
 ) -> Result<Vec<f64>> {
-    // Squares in any unit of pressure are numbers; a power of two rounds nothing, so that all ranks find the same bits.
+    // The unit keeps the squares finite for any unit of pressure. A power of two causes no rounding, so that the
+    // results of all ranks are bitwise identical.
     let largest = coarse.iter().copied().fold(0.0, f64::max);
     let unit = largest.log2().clamp(-1000.0, 1000.0).floor().exp2();
     let squares = continued_squares(halved(size)[0], coarse, unit)?;
@@ -81,12 +83,13 @@ pub(crate) fn refined_zone(
     Ok(fine)
 }
 
-/// Rows of coarse cells beyond the nearest that the finer ones may depend on.
+/// Number of rows of coarse cells beyond the nearest row that affect the fine cells.
 pub(crate) const REACH: usize = 3;
 
-/// The squares of a field inside the zone where it is positive, in a unit. In cells next to the zone the mean, over the
-/// directions whose next cell lies inside, of the linear continuation from two cells, or of minus the one square if the
-/// second cell lies outside, at most zero. Elsewhere zero.
+/// Returns the squares of a field, in the given unit, inside the zone where it is positive, with a continuation into
+/// the cells next to the zone. The continued value is a mean over the directions whose next cell lies inside the zone,
+/// with every term limited to at most zero. The term is the linear continuation from two cells, or minus the square in
+/// the next cell if the second cell lies outside. All other cells are zero.
 fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> {
     const DIRECTIONS: [[isize; 2]; 8] = [
         [1, 0],
@@ -118,7 +121,7 @@ fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> 
                 count += 1.0;
             }
         }
-        // None does whose square underflows.
+        // The count is zero if the squares of all neighbours underflow.
         if count > 0.0 { sum / count } else { 0.0 }
     };
     let mut squares = fallible::zeros(zone.len())?;
@@ -140,7 +143,7 @@ fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> 
     Ok(squares)
 }
 
-/// Some rows of a field of so many columns, each written by `write(row, its samples)`.
+/// Creates rows of a field with the given number of columns. `write(row, samples)` fills each of them.
 fn by_rows(
     columns: usize,
     rows: Range<usize>,
@@ -155,7 +158,7 @@ fn by_rows(
 mod tests {
     use super::*;
 
-    /// `sqrt(1 - r^2)` at the centres of `n` x `n` cells around its zone.
+    /// Returns `sqrt(1 - r^2)` at the centres of `n` x `n` cells around its zone.
     fn root(n: usize) -> Vec<f64> {
         let centre = |i: usize| 2.6 * ((i as f64 + 0.5) / n as f64 - 0.5);
         let value = |cell: usize| {
@@ -176,7 +179,7 @@ mod tests {
             };
             let bilinear = refined([2 * n; 2], 0..2 * n, &coarse, 0).unwrap();
             let edge = std::f64::consts::TAU * n as f64 / 1.3;
-            // Measured; bilinear interpolation of the values adds at least a ring of cells.
+            // The limits are measured. Bilinear interpolation of the values adds at least a ring of cells.
             assert!(differ(&zone) <= most, "{}", differ(&zone));
             assert!(differ(&bilinear) as f64 > edge);
         }

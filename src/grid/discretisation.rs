@@ -1,4 +1,4 @@
-//! An estimate of what the cells leave of a field's error.
+//! Estimate of the discretisation error of a field.
 
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
@@ -6,8 +6,8 @@ use crate::grid::field::Field;
 use crate::grid::neighbours::second_difference;
 use crate::parallel::reduce;
 
-/// The sum of the errors over that of the values, by the second differences of the parts of a vector field of a whole grid;
-/// `None` for a slab or without any value.
+/// Estimates the sum of the errors divided by the sum of the values from the second differences of a vector field with
+/// the given components. Returns `None` if the field covers only a slab of the grid, or if all values are zero.
 pub(crate) fn estimate<const N: usize>(
     parts: [&Field; N],
     boundary: Boundary,
@@ -26,7 +26,7 @@ pub(crate) fn estimate<const N: usize>(
         }
         [difference, value]
     });
-    // Of the means, on spheres, ellipses, quartics, rough surfaces and in partial slip.
+    // The factors are means over spheres, ellipses, quartics, rough surfaces and partial slip.
     let factor = match (boundary, cell_value) {
         (Boundary::Periodic, _) => 1.25,
         (_, CellValue::Uniform) => 1.4,

@@ -1,4 +1,4 @@
-//! Samples on a grid.
+//! Fields: samples on a grid.
 
 use std::sync::Arc;
 
@@ -14,11 +14,13 @@ use crate::support::debug::shown;
 
 /// One number per cell of a [`Grid`], row-major with x fastest.
 ///
-/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is
-/// stored at index `iy * nx + ix`. The unit is that of the sampled quantity.
+/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is stored at index
+/// `iy * nx + ix`. The unit is that of the sampled quantity.
 ///
-/// If memory runs out, its constructors and operations end the program, as any `Vec` does; bodies and surfaces return
-/// [`Error::Memory`](crate::Error::Memory) for such a grid, and [`TryClone`] copies a field.
+/// # Memory
+///
+/// If memory runs out, the constructors and operations of `Field` abort the program, as `Vec` does. Bodies and surfaces
+/// return [`Error::Memory`](crate::Error::Memory) for such a grid, and [`TryClone`] copies a field without aborting.
 ///
 /// ```
 /// use stickslip::{Field, Grid};
@@ -46,7 +48,8 @@ pub struct Field {
 
 shown!(Field: grid, min(), max());
 
-/// `Clone` field by field, so that `clone_from` keeps the memory that each field has; `derive` would give it up.
+/// Implements `Clone` field by field, so that `clone_from` reuses the memory of each field, which `derive` would not
+/// do.
 macro_rules! clone_in_place {
     ($type:ident $(<const $n:ident: usize>)? { $($field:ident),* $(,)? }) => {
         impl$(<const $n: usize>)? Clone for $type$(<$n>)? {
@@ -67,7 +70,7 @@ clone_in_place!(Field { grid, samples });
 
 try_clone!(Field { samples } { grid });
 
-/// The values read, before they are checked.
+/// Deserialised values before their check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawField {
@@ -85,17 +88,17 @@ impl TryFrom<RawField> for Field {
     }
 }
 
-/// A copy, to be shared.
+/// Copies the field into a shared pointer.
 impl From<&Field> for Arc<Field> {
     fn from(field: &Field) -> Self {
         Self::new(field.clone())
     }
 }
 
-/// Replaces a shared field, of which others may hold the old samples; allocates only if they do.
+/// Replaces a shared field. It allocates only if the old samples have a further owner.
 ///
 /// # Errors
-/// [`Error::Memory`](crate::Error::Memory); the field is then as it was.
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out; the field is then unchanged.
 pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
     match Arc::get_mut(shared) {
         Some(own) => own.try_clone_from(field)?,
@@ -105,7 +108,7 @@ pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
 }
 
 impl PerCell<Field> {
-    /// `Ok` if the samples fit the grid, named so in the error.
+    /// Checks that the samples are on the grid. The error message contains the name `quantity`.
     pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
         match self {
             Self::Cells(field) => grid.expect(quantity, field.grid()),
@@ -115,19 +118,19 @@ impl PerCell<Field> {
 }
 
 impl Field {
-    /// Zero in every cell.
+    /// Creates a field that is zero in every cell.
     #[must_use]
     pub fn zeros(grid: Grid) -> Self {
         Self::constant(grid, 0.0)
     }
 
-    /// [`Self::zeros`] where memory may run out.
+    /// Like [`Self::zeros`], but returns an error if memory runs out.
     pub(crate) fn try_zeros(grid: Grid) -> Result<Self> {
         let samples = fallible::zeros(grid.cells())?;
         Ok(Self { grid, samples })
     }
 
-    /// The same value in every cell.
+    /// Creates a field with the same value in every cell.
     #[must_use]
     pub fn constant(grid: Grid, value: f64) -> Self {
         Self {
@@ -136,13 +139,13 @@ impl Field {
         }
     }
 
-    /// A function of the cell centres, `f(x, y)`.
+    /// Creates a field from a function of the cell centres, `f(x, y)`.
     #[must_use]
     pub fn from_fn(grid: Grid, f: impl FnMut(f64, f64) -> f64) -> Self {
         unwrap_or_abort(Self::try_from_fn(grid, f))
     }
 
-    /// [`Self::from_fn`] where memory may run out.
+    /// Like [`Self::from_fn`], but returns an error if memory runs out.
     pub(crate) fn try_from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Result<Self> {
         let mut samples = fallible::with_room(grid.cells())?;
         for iy in 0..grid.ny() {
@@ -152,7 +155,7 @@ impl Field {
         Ok(Self { grid, samples })
     }
 
-    /// A function of column and row, `f(ix, iy)`.
+    /// Creates a field from a function of column and row, `f(ix, iy)`.
     #[must_use]
     pub fn from_indices(grid: Grid, f: impl Fn(usize, usize) -> f64) -> Self {
         let cells = (0..grid.ny()).flat_map(|iy| (0..grid.nx()).map(move |ix| (ix, iy)));
@@ -162,28 +165,28 @@ impl Field {
         }
     }
 
-    /// Samples in row-major order, x fastest.
+    /// Creates a field from samples in row-major order, x fastest.
     ///
     /// # Errors
-    /// [`Error::Length`](crate::Error::Length) if there are not `nx * ny` samples.
+    /// - [`Error::Length`](crate::Error::Length) if the number of samples is not `nx * ny`.
     pub fn from_vec(grid: Grid, samples: Vec<f64>) -> Result<Self> {
         length("field", grid.cells(), samples.len())?;
         Ok(Self { grid, samples })
     }
 
-    /// The grid.
+    /// Returns the grid.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.grid
     }
 
-    /// `Ok` if the field is on the grid and all its samples are finite.
+    /// Checks that the field is on the grid and that all its samples are finite.
     pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
         grid.expect(quantity, self.grid)?;
         all_finite(quantity, &self.samples)
     }
 
-    /// The sample of cell `(ix, iy)`, `None` outside the grid.
+    /// Returns the sample of cell `(ix, iy)`, or `None` outside the grid.
     #[must_use]
     pub fn get(&self, ix: usize, iy: usize) -> Option<f64> {
         if ix < self.grid.nx() && iy < self.grid.ny() {
@@ -193,18 +196,18 @@ impl Field {
         }
     }
 
-    /// All samples, row-major with x fastest.
+    /// Returns all samples, row-major with x fastest.
     #[must_use]
     pub fn as_slice(&self) -> &[f64] {
         &self.samples
     }
 
-    /// All samples one after the other, row by row with x fastest.
+    /// Iterates over all samples, row by row with x fastest.
     pub fn iter(&self) -> std::slice::Iter<'_, f64> {
         self.samples.iter()
     }
 
-    /// All samples, mutable.
+    /// Returns all samples for update, row-major with x fastest.
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
         &mut self.samples
@@ -222,8 +225,10 @@ impl Field {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for the factor,
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); the field is then unchanged.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the factor is not finite.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+    ///
+    /// The field is unchanged if an error is returned.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
         finite("factor", factor)?;
         self.grid.expect("field to be added", other.grid)?;
@@ -238,7 +243,7 @@ impl Field {
         Ok(())
     }
 
-    /// The field of a function of the samples.
+    /// Applies a function to every sample and returns the new field.
     ///
     /// ```
     /// use stickslip::{Field, Grid};
@@ -256,41 +261,42 @@ impl Field {
         }
     }
 
-    /// The field times a factor.
+    /// Returns the field times a factor.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         self.map(|sample| factor * sample)
     }
 
-    /// The field less another.
+    /// Returns this field minus the other field.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn minus(&self, other: &Self) -> Result<Self> {
         let mut difference = self.try_clone()?;
         difference.add_scaled(-1.0, other)?;
         Ok(difference)
     }
 
-    /// The samples, without the grid.
+    /// Returns the samples without the grid.
     #[must_use]
     pub fn into_vec(self) -> Vec<f64> {
         self.samples
     }
 
-    /// The rows, from the lowest y up; each runs along x.
+    /// Iterates over the rows in the order of increasing y; each row runs along x.
     #[must_use]
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
         self.samples.chunks_exact(self.grid.nx())
     }
 
-    /// Largest sample; NaN samples are ignored.
+    /// Returns the largest sample; NaN samples are ignored.
     #[must_use]
     pub fn max(&self) -> f64 {
         self.extreme(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Smallest sample; NaN samples are ignored.
+    /// Returns the smallest sample; NaN samples are ignored.
     #[must_use]
     pub fn min(&self) -> f64 {
         self.extreme(f64::INFINITY, f64::min)
@@ -303,7 +309,7 @@ impl Field {
         parallel::enter_with(count, || parallel::fold(count, leaf, of))
     }
 
-    /// Mean of the samples.
+    /// Returns the mean of the samples.
     #[must_use]
     pub fn mean(&self) -> f64 {
         let samples = &self.samples;
@@ -311,13 +317,13 @@ impl Field {
         parallel::fold(samples.len(), leaf, |a, b| a + b) / self.grid.cells() as f64
     }
 
-    /// Integral over the grid, cell area times the sum of the samples.
+    /// Returns the integral over the grid: the cell area times the sum of the samples.
     #[must_use]
     pub fn integral(&self) -> f64 {
         self.integral_over(&self.grid.layout())
     }
 
-    /// Integral over the grid of all ranks, whose cells lie so.
+    /// Returns the integral over the distributed grid of all ranks, whose cells have this layout.
     pub(crate) fn integral_over(&self, layout: &Layout) -> f64 {
         let leaf = |range: Range<usize>| self.samples[range].iter().fold(0.0, |sum, x| sum + x);
         let sum = parallel::enter_with(self.samples.len(), || layout.fold(leaf, |a, b| a + b));
@@ -334,10 +340,10 @@ impl<'a> IntoIterator for &'a Field {
     }
 }
 
-/// The sample of the cell in this column and row; [`Field::get`] does not panic.
+/// Returns the sample of the cell in this column and row; [`Field::get`] is the alternative that does not panic.
 ///
 /// # Panics
-/// Outside the grid, as the index of a slice does.
+/// Panics if the cell is outside the grid, like the index of a slice.
 impl Index<(usize, usize)> for Field {
     type Output = f64;
 
@@ -348,7 +354,7 @@ impl Index<(usize, usize)> for Field {
 }
 
 /// # Panics
-/// Outside the grid, as the index of a slice does.
+/// Panics if the cell is outside the grid, like the index of a slice.
 impl IndexMut<(usize, usize)> for Field {
     fn index_mut(&mut self, (ix, iy): (usize, usize)) -> &mut f64 {
         let (start, columns) = (iy * self.grid.nx(), self.grid.nx());
@@ -356,7 +362,7 @@ impl IndexMut<(usize, usize)> for Field {
     }
 }
 
-/// The sum, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+/// Adds two fields cell by cell; returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids differ.
 impl Add for &Field {
     type Output = Result<Field>;
 
@@ -367,7 +373,7 @@ impl Add for &Field {
     }
 }
 
-/// The difference, cell by cell: [`Field::minus`].
+/// Subtracts two fields cell by cell: [`Field::minus`].
 impl Sub for &Field {
     type Output = Result<Field>;
 
@@ -376,7 +382,8 @@ impl Sub for &Field {
     }
 }
 
-/// The product, cell by cell; [`Error::GridMismatch`](crate::Error::GridMismatch) of fields on two grids.
+/// Multiplies two fields cell by cell; returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids
+/// differ.
 impl Mul for &Field {
     type Output = Result<Field>;
 
@@ -387,7 +394,7 @@ impl Mul for &Field {
     }
 }
 
-/// The field times a factor: [`Field::scaled`].
+/// Multiplies the field by a factor: [`Field::scaled`].
 impl Mul<f64> for &Field {
     type Output = Field;
 

@@ -1,4 +1,4 @@
-//! The rectangular grid of cells on which every field is sampled.
+//! Rectangular grid of cells on which every field is sampled.
 
 pub(crate) mod boundary;
 pub(crate) mod cell_value;
@@ -14,14 +14,14 @@ use std::ops::Range;
 use crate::error::{Error, Result, positive};
 use crate::parallel::layout::Layout;
 
-/// A rectangle of `nx` x `ny` cells of sides `dx` x `dy`, centred on the origin.
+/// Rectangle of `nx` x `ny` cells of sides `dx` x `dy`, centred on the origin.
 ///
 /// The centre of cell `(ix, iy)` is `x = (ix - (nx - 1)/2) dx`, `y = (iy - (ny - 1)/2) dy`.
 /// The paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
 ///
-/// Two grids count as the same if they have equal numbers of cells and sides that agree to a relative 1e-12: a side
-/// computed by division, or read from a file, may differ from another in its last bits. Solutions then differ by no
-/// more than that. `==` is exact.
+/// Two grids count as the same if their numbers of cells are equal and their sides agree to a relative 1e-12. A side
+/// that was computed by division, or read from a file, may differ in its last bits. Solutions then differ by no more
+/// than this tolerance. The operator `==` is exact.
 ///
 /// ```
 /// let grid = stickslip::Grid::new(4, 2, 0.5, 1.0)?;
@@ -40,15 +40,15 @@ pub struct Grid {
     ny: usize,
     dx: f64,
     dy: f64,
-    /// Where the rows lie in the grid that this one is a slab of, and the rows of that: from zero, and as many, if it is
-    /// whole. What is saved of a slab is a grid of its own.
+    /// First row of this slab in the whole grid and number of rows of the whole grid; 0 and `ny` if the grid is whole.
+    /// They are not serialised, so a slab is read back as a whole grid.
     #[cfg_attr(feature = "serde", serde(skip))]
     first_row: usize,
     #[cfg_attr(feature = "serde", serde(skip))]
     all_rows: usize,
 }
 
-/// The values read, before they are checked.
+/// Deserialised values before their check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawGrid {
@@ -68,16 +68,17 @@ impl TryFrom<RawGrid> for Grid {
 }
 
 impl Grid {
-    /// A grid of `nx` x `ny` cells of sides `dx` x `dy` (lengths).
+    /// Creates a grid of `nx` x `ny` cells of sides `dx` x `dy` (lengths).
     ///
     /// # Errors
-    /// [`Error::GridSize`] if a number of cells is zero; [`Error::Memory`] if memory cannot index the padded
-    /// grid; [`Error::NotPositive`] if a side, the cell area or the grid area is not positive and finite.
+    /// - [`Error::GridSize`] if a number of cells is zero.
+    /// - [`Error::Memory`] if memory cannot index the padded grid.
+    /// - [`Error::NotPositive`] if a side, the cell area or the grid area is not positive and finite.
     pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self> {
         if nx == 0 || ny == 0 {
             return Err(Error::GridSize { nx, ny });
         }
-        // The padded transform of a grid holds up to 4 nx ny complex numbers.
+        // The padded transform of a grid stores up to 4 nx ny complex numbers.
         let bytes = (nx as u128 * ny as u128).saturating_mul(128);
         if isize::try_from(bytes).is_err() {
             let quantity = "a padded grid";
@@ -96,28 +97,29 @@ impl Grid {
         Ok(grid)
     }
 
-    /// A square grid of `n` x `n` cells and the given side (a length).
+    /// Creates a square grid of `n` x `n` cells and the given side (a length).
     ///
     /// # Errors
-    /// As [`Grid::new`].
+    /// Returns the errors of [`Grid::new`].
     pub fn square(n: usize, side: f64) -> Result<Self> {
         positive("grid side", side)?;
         let cell = side / n.max(1) as f64;
         Self::new(n, n, cell, cell)
     }
 
-    /// A line of `n` cells of side `dx` (a length) along x, each of unit length along y: on bodies with
-    /// [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY) a line contact in plane strain, and all forces and
-    /// energies are those per unit length.
+    /// Creates a line of `n` cells of side `dx` (a length) along x, each of unit length along y. On bodies with
+    /// [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY) it is a line contact in plane strain, and all
+    /// forces and energies are per unit length.
     ///
     /// # Errors
-    /// As [`Grid::new`].
+    /// Returns the errors of [`Grid::new`].
     pub fn line(n: usize, dx: f64) -> Result<Self> {
         Self::new(n, 1, dx, 1.0)
     }
 
-    /// Some rows of this grid, none of which may be held: cells and positions are then those of the slab, at their places in
-    /// the whole grid. What ranks hold of a [distributed](crate::HalfSpace::distributed) contact lies on slabs.
+    /// Returns a slab of some rows of this grid; the slab may have no rows. Cells and positions are those of the slab,
+    /// at their places in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed)
+    /// contact on a slab.
     pub(crate) fn slab(self, rows: Range<usize>) -> Self {
         Self {
             ny: rows.len(),
@@ -126,7 +128,7 @@ impl Grid {
         }
     }
 
-    /// So many of its cells, of which there may be none.
+    /// Returns a grid of this cell size with the given numbers of cells, which may be zero.
     pub(crate) fn of_size(self, [nx, ny]: [usize; 2]) -> Self {
         Self {
             nx,
@@ -137,7 +139,7 @@ impl Grid {
         }
     }
 
-    /// The grid that this one is a slab of; itself if it is whole.
+    /// Returns the whole grid that contains this slab, or the grid itself if it is whole.
     #[must_use]
     pub fn whole(&self) -> Self {
         Self {
@@ -147,56 +149,56 @@ impl Grid {
         }
     }
 
-    /// The rows of the whole grid that are held here: all, unless the grid is a slab of a
-    /// [distributed](crate::HalfSpace::distributed) one.
+    /// Returns the local rows of the whole grid: all rows, unless the grid is a slab of a
+    /// [distributed](crate::HalfSpace::distributed) contact.
     #[must_use]
     pub fn rows(&self) -> Range<usize> {
         self.first_row..self.first_row + self.ny
     }
 
-    /// Cells along x.
+    /// Returns the number of cells along x.
     #[must_use]
     pub fn nx(&self) -> usize {
         self.nx
     }
 
-    /// Cells along y.
+    /// Returns the number of cells along y.
     #[must_use]
     pub fn ny(&self) -> usize {
         self.ny
     }
 
-    /// Side of a cell along x, 2a in the paper (a length).
+    /// Returns the side of a cell along x, 2a in the paper (a length).
     #[must_use]
     pub fn dx(&self) -> f64 {
         self.dx
     }
 
-    /// Side of a cell along y, 2b in the paper (a length).
+    /// Returns the side of a cell along y, 2b in the paper (a length).
     #[must_use]
     pub fn dy(&self) -> f64 {
         self.dy
     }
 
-    /// Number of cells, `nx * ny`.
+    /// Returns the number of cells, `nx * ny`.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.nx * self.ny
     }
 
-    /// Area of one cell (a length squared).
+    /// Returns the area of one cell (a length squared).
     #[must_use]
     pub fn cell_area(&self) -> f64 {
         self.dx * self.dy
     }
 
-    /// Area of the whole grid (a length squared).
+    /// Returns the area of the whole grid (a length squared).
     #[must_use]
     pub fn area(&self) -> f64 {
         self.cell_area() * self.cells() as f64
     }
 
-    /// `Ok` if a quantity on the grid `found` is on this grid.
+    /// Checks that a quantity on the grid `found` is on this grid.
     pub(crate) fn expect(&self, quantity: &'static str, found: Self) -> Result<()> {
         if self.agrees_with(found) {
             return Ok(());
@@ -210,7 +212,7 @@ impl Grid {
         })
     }
 
-    /// Whether the numbers of cells are equal, and the sides to round-off.
+    /// Returns whether the numbers of cells are equal and the sides agree to round-off.
     pub(crate) fn agrees_with(&self, other: Self) -> bool {
         let is_near = |own: f64, other: f64| (own - other).abs() <= SAME_SIDE * own;
         self.size() == other.size()
@@ -219,39 +221,39 @@ impl Grid {
             && is_near(self.dy, other.dy)
     }
 
-    /// How the cells of a field lie.
+    /// Returns the layout of the cells of a field.
     pub(crate) fn layout(&self) -> Layout {
         Layout::of(self.size())
     }
 
-    /// Cells along x and y.
+    /// Returns the numbers of cells along x and y.
     pub(crate) fn size(&self) -> [usize; 2] {
         [self.nx, self.ny]
     }
 
-    /// x of the centre of column `ix` (a length); `ix` may lie outside the grid.
+    /// Returns x of the centre of column `ix` (a length); `ix` may lie outside the grid.
     #[must_use]
     pub fn x(&self, ix: usize) -> f64 {
         centre(ix, self.nx, self.dx)
     }
 
-    /// y of the centre of row `iy` (a length); `iy` may lie outside the grid.
+    /// Returns y of the centre of row `iy` (a length); `iy` may lie outside the grid.
     #[must_use]
     pub fn y(&self, iy: usize) -> f64 {
         centre(self.first_row + iy, self.all_rows, self.dy)
     }
 
-    /// Centre of cell `(ix, iy)`, `[x, y]` (lengths).
+    /// Returns the centre of cell `(ix, iy)`, `[x, y]` (lengths).
     #[must_use]
     pub fn position(&self, ix: usize, iy: usize) -> [f64; 2] {
         [self.x(ix), self.y(iy)]
     }
 }
 
-/// Relative difference by which the sides of the same grid may differ.
+/// Relative tolerance for the sides of equal grids.
 const SAME_SIDE: f64 = 1e-12;
 
-/// `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.
+/// Returns `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.
 fn centre(i: usize, n: usize, d: f64) -> f64 {
     (i as f64 - 0.5 * (n - 1) as f64) * d
 }

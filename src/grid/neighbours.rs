@@ -1,7 +1,7 @@
-//! The four cells that share a side with a cell, and the second difference of a field over them.
+//! Neighbours of a cell, which share a side with it, and the second difference of a field over them.
 
-/// The cells to the left, below, to the right and above one of `nx` by `ny`; beyond an edge none, or the periodic
-/// image.
+/// Returns the cells to the left, below, to the right and above a cell of an `nx` x `ny` grid. Beyond an edge the entry
+/// is `None`, or the periodic image.
 pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], repeats: [bool; 2]) -> [Option<usize>; 4] {
     let (ix, last_row) = (i % nx, nx * (ny - 1));
     let step = |axis: usize, is_inside: bool, next: usize, image: usize| {
@@ -19,7 +19,8 @@ pub(crate) fn neighbours(i: usize, [nx, ny]: [usize; 2], repeats: [bool; 2]) -> 
     ]
 }
 
-/// The sum of a field over the four neighbours less four times the cell; zero lies beyond an edge.
+/// Returns the sum of a field over the four neighbours minus four times the value of the cell. Beyond an edge the field
+/// is zero.
 pub(crate) fn second_difference(
     field: &[f64],
     i: usize,

@@ -1,9 +1,9 @@
-//! A quantity that is the same everywhere, or another in each cell.
+//! Quantities that are uniform or vary from cell to cell.
 
 use crate::error::Result;
 use crate::memory::fallible::TryClone;
 
-/// One number for all cells, or one for each.
+/// One number for all cells, or one number for each cell.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum PerCell<C> {
@@ -13,7 +13,7 @@ pub(crate) enum PerCell<C> {
 }
 
 impl<C> PerCell<C> {
-    /// The same with something else for the cells.
+    /// Maps the values of the cells to a different type; a uniform value is unchanged.
     pub(crate) fn map<'a, D>(&'a self, of: impl FnOnce(&'a C) -> D) -> PerCell<D> {
         match self {
             Self::Uniform(value) => PerCell::Uniform(*value),
@@ -21,7 +21,7 @@ impl<C> PerCell<C> {
         }
     }
 
-    /// [`Self::map`] of what may fail.
+    /// Like [`Self::map`], with a function that may fail.
     pub(crate) fn try_map<D>(&self, of: impl FnOnce(&C) -> Result<D>) -> Result<PerCell<D>> {
         Ok(match self {
             Self::Uniform(value) => PerCell::Uniform(*value),
@@ -31,7 +31,7 @@ impl<C> PerCell<C> {
 }
 
 impl PerCell<&[f64]> {
-    /// That of a cell; NaN for one beyond the cells there are.
+    /// Returns the value of a cell, or NaN if the cell is out of range.
     #[inline]
     pub(crate) fn of(&self, cell: usize) -> f64 {
         match self {
@@ -40,14 +40,14 @@ impl PerCell<&[f64]> {
         }
     }
 
-    /// Whether the pressure of a cell that is pressed is at what is its largest.
+    /// Returns whether the pressure of a cell is positive and has reached its upper limit.
     #[inline]
     pub(crate) fn are_reached(&self, cell: usize, pressure: f64) -> bool {
         pressure > 0.0 && pressure >= self.of(cell)
     }
 }
 
-/// In the memory that is there.
+/// Clones into the existing allocation.
 #[expect(
     clippy::expl_impl_clone_on_copy,
     reason = "that of fields is theirs to keep, slices are copied"

@@ -1,4 +1,4 @@
-//! A rectangle of cells around a contact.
+//! Window: the bounding box of a contact.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use crate::grid::Grid;
 use crate::parallel::ranks::WireFormat;
 use crate::parallel::{self, Blocks};
 
-/// A rectangle of cells of a grid.
+/// Rectangle of cells of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Window {
     columns: usize,
@@ -15,7 +15,7 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// The whole grid.
+    /// Returns the window of the whole grid.
     pub(crate) fn whole(grid: Grid) -> Self {
         Self {
             columns: grid.nx(),
@@ -24,7 +24,7 @@ impl Window {
         }
     }
 
-    /// Around all cells held of a grid that are in a set; `None` if none is.
+    /// Returns the smallest window around all local cells in a set, or `None` if no local cell is in the set.
     pub(crate) fn around(grid: Grid, contains: impl Fn(usize) -> bool + Sync) -> Option<Self> {
         let (nx, first_row) = (grid.nx(), grid.rows().start);
         let of_row = |iy: usize| {
@@ -46,7 +46,8 @@ impl Window {
         )
     }
 
-    /// The rectangle of `size` cells whose first is `corner`; `None` if it is empty or leaves the grid.
+    /// Returns the window of `size` cells with the first cell `corner`, or `None` if the window is empty or exceeds the
+    /// grid.
     pub(crate) fn at(grid: Grid, corner: [usize; 2], size: [usize; 2]) -> Option<Self> {
         let cells = grid.whole().size();
         let fits = |axis: usize| {
@@ -60,12 +61,12 @@ impl Window {
         })
     }
 
-    /// Its columns and rows.
+    /// Returns the ranges of columns and rows.
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
         [0, 1].map(|axis| self.corner[axis]..self.corner[axis] + self.size[axis])
     }
 
-    /// Some of its rows.
+    /// Returns the window of some rows of this window.
     pub(crate) fn rows(self, rows: Range<usize>) -> Self {
         let ([x, y], [nx, _]) = (self.corner, self.size);
         Self {
@@ -75,7 +76,7 @@ impl Window {
         }
     }
 
-    /// The part of it in the rows of a grid that are held here, as a window of these; it may have no rows.
+    /// Returns the local part of the window, in local row numbers; it may have no rows.
     pub(crate) fn held(self, grid: Grid) -> Self {
         let (slab, [_, rows]) = (grid.rows(), self.ranges());
         let start = rows.start.clamp(slab.start, slab.end);
@@ -88,12 +89,12 @@ impl Window {
         }
     }
 
-    /// Column and row of its first cell.
+    /// Returns column and row of the first cell.
     pub(crate) fn corner(&self) -> [usize; 2] {
         self.corner
     }
 
-    /// The smallest window around what there is of two.
+    /// Returns the smallest window around two windows, either of which may be absent.
     pub(crate) fn union_of(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         match (one, other) {
             (Some(one), Some(other)) => Some(one.union(other)),
@@ -101,7 +102,7 @@ impl Window {
         }
     }
 
-    /// The smallest window around two.
+    /// Returns the smallest window around two windows.
     pub(crate) fn union(self, other: Self) -> Self {
         let mut both = self;
         for axis in [0, 1] {
@@ -112,7 +113,7 @@ impl Window {
         both
     }
 
-    /// What two have in common, if anything.
+    /// Returns the intersection with a different window, or `None` if it is empty.
     pub(crate) fn intersection(self, other: Self) -> Option<Self> {
         let mut common = self;
         for axis in [0, 1] {
@@ -123,12 +124,12 @@ impl Window {
         (common.cells() > 0).then_some(common)
     }
 
-    /// Whether all of another window lies inside.
+    /// Returns whether the other window lies entirely inside.
     pub(crate) fn covers(self, other: Self) -> bool {
         self.union(other) == self
     }
 
-    /// Whether a cell of the whole grid lies inside.
+    /// Returns whether a cell of the whole grid lies inside.
     pub(crate) fn contains(&self, index: usize) -> bool {
         let cell = [index % self.columns, index / self.columns];
         (0..2).all(|axis| {
@@ -136,12 +137,12 @@ impl Window {
         })
     }
 
-    /// Wider by a thirty-second and four cells on each side, as far as the grid goes.
+    /// Widens the window by four cells plus a thirty-second of its size on each side, within the grid.
     pub(crate) fn widened(self, grid: Grid) -> Self {
         self.with_margins(grid, self.size.map(|size| 4 + size / 32))
     }
 
-    /// Wider by so many cells on each side along x and along y, as far as the grid goes.
+    /// Widens the window by the given numbers of cells on each side along x and along y, within the grid.
     pub(crate) fn with_margins(self, grid: Grid, margins: [usize; 2]) -> Self {
         let mut wide = self;
         for (axis, cells) in grid.whole().size().into_iter().enumerate() {
@@ -153,7 +154,7 @@ impl Window {
         wide
     }
 
-    /// From edge to edge along the axes of which it is asked.
+    /// Extends the window from edge to edge of the grid along the axes that are set in `axes`.
     pub(crate) fn spanning(self, grid: Grid, axes: [bool; 2]) -> Self {
         let mut wide = self;
         for (axis, cells) in grid.whole().size().into_iter().enumerate() {
@@ -168,17 +169,17 @@ impl Window {
         self.size[0] * self.size[1]
     }
 
-    /// Index in the whole grid of the first cell of a row of the window.
+    /// Returns the index in the whole grid of the first cell of a row of the window.
     fn row_start(&self, row: usize) -> usize {
         (self.corner[1] + row) * self.columns + self.corner[0]
     }
 
-    /// Index in the whole grid of a cell of the window.
+    /// Returns the index in the whole grid of a cell of the window.
     pub(crate) fn index(&self, cell: usize) -> usize {
         self.row_start(cell / self.size[0]) + cell % self.size[0]
     }
 
-    /// Returns the place in the window of a cell of the whole grid, if that lies inside.
+    /// Returns the index in the window of a cell of the whole grid, or `None` if the cell lies outside.
     pub(crate) fn place(&self, index: usize) -> Option<usize> {
         let [column, row] = [index % self.columns, index / self.columns];
         let [first, start] = self.corner;
@@ -186,7 +187,7 @@ impl Window {
             .then(|| (row - start) * self.size[0] + column - first)
     }
 
-    /// Indices in the whole grid, in the order of the window.
+    /// Iterates over the indices in the whole grid, in the order of the window.
     pub(crate) fn indices(&self) -> impl Iterator<Item = usize> + use<> {
         let window = *self;
         (0..window.size[1]).flat_map(move |row| {
@@ -195,7 +196,7 @@ impl Window {
         })
     }
 
-    /// A field of the window, row by row.
+    /// Splits a field of the window into its rows.
     pub(crate) fn lines<'a, T>(&self, part: &'a mut [T]) -> Blocks<'a, T> {
         Blocks {
             items: part,
@@ -203,7 +204,7 @@ impl Window {
         }
     }
 
-    /// The rows of a field of the whole grid that hold the window.
+    /// Splits the rows of a field of the whole grid that contain the window.
     pub(crate) fn lines_of<'a, T>(&self, whole: &'a mut [T]) -> Blocks<'a, T> {
         let rows = self.corner[1]..self.corner[1] + self.size[1];
         Blocks {
@@ -212,7 +213,7 @@ impl Window {
         }
     }
 
-    /// The window as one of a grid that is a window around it.
+    /// Returns the window relative to a window around it.
     fn within(self, outer: Self) -> Self {
         Self {
             columns: outer.size[0],
@@ -221,7 +222,7 @@ impl Window {
         }
     }
 
-    /// Cuts the window out of a field of one around it, in place.
+    /// Crops a field of the window `outer` to this window, in place.
     pub(crate) fn cut(self, outer: Self, field: &mut Vec<f64>) {
         let ([nx, ny], own) = (self.size, self.within(outer));
         for row in 0..ny {
@@ -231,7 +232,7 @@ impl Window {
         field.truncate(self.cells());
     }
 
-    /// Spreads a field of a window inside over the window, in place, with zeros around it.
+    /// Extends a field of the window `inner` to this window, in place, with zeros around it.
     pub(crate) fn spread(self, inner: Self, field: &mut Vec<f64>) {
         let ([nx, ny], place) = (inner.size, inner.within(self));
         field.resize(self.cells(), 0.0);
@@ -245,7 +246,7 @@ impl Window {
         field[..end].fill(0.0);
     }
 
-    /// Copies the window out of a field of the whole grid.
+    /// Copies the window from a field of the whole grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
         let nx = self.size[0];
         parallel::rows(part, nx, |row, part| {

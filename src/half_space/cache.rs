@@ -1,4 +1,4 @@
-//! What was made once and is shared: operators and preconditioners of many sizes and types.
+//! Cache of shared operators and preconditioners of many sizes and types.
 
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 use crate::bodies::component::Component;
 use crate::error::Result;
 
-/// Shared values by their type, the components they are made of, and their size in cells.
+/// Shared values, indexed by their type, their components and their size in cells.
 #[derive(Debug, Default)]
 pub(super) struct Cache {
     entries: Mutex<Entries>,
@@ -16,7 +16,7 @@ pub(super) struct Cache {
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Key {
     kind: TypeId,
-    /// Of three directions by three at most; `None` beyond those asked for.
+    /// Components of at most three by three directions; unused entries are `None`.
     components: [Option<Component>; 9],
     size: [usize; 2],
 }
@@ -26,9 +26,9 @@ type Value = dyn Any + Send + Sync;
 
 #[derive(Debug)]
 enum CacheEntry {
-    /// Kept as long as the cache.
+    /// Value that is kept as long as the cache.
     Kept(Arc<Value>),
-    /// Shared as long as anyone uses it.
+    /// Value that is shared as long as it has an owner.
     Lent(Weak<Value>),
 }
 
@@ -50,11 +50,10 @@ impl CacheEntry {
 }
 
 impl Cache {
-    /// The value for these components and this size, made at the first request. It is kept as long as the cache, or only
-    /// as long as someone holds it.
+    /// Returns the value for these components and this size, which the first call creates. It is kept as long as the
+    /// cache, or only as long as it has an owner.
     ///
-    /// Nothing is made under the lock, for the reason that
-    /// [`get_or_make`](crate::parallel::get_or_make) gives.
+    /// Values are created outside the lock, for the reason stated in [`get_or_make`](crate::parallel::get_or_make).
     pub(super) fn get_or_make<T: Any + Send + Sync>(
         &self,
         components: &[Component],
@@ -88,7 +87,7 @@ impl Cache {
     }
 
     fn with_lock<R>(&self, work: impl FnOnce(&mut Entries) -> R) -> R {
-        // What panics under the lock leaves the map as it was or with one entry more.
+        // A panic under the lock leaves the map unchanged or with one more entry, so the poisoned lock can be used.
         let mut entries = self.entries.lock().unwrap_or_else(PoisonError::into_inner);
         work(&mut entries)
     }
@@ -102,7 +101,7 @@ fn find<T: Any + Send + Sync>(entries: &Entries, key: &Key) -> Option<Arc<T>> {
 mod tests {
     use super::*;
 
-    /// A long simulation of wear asks for many windows, one after the other.
+    /// A long simulation of wear requests many windows, one after another.
     #[test]
     fn what_nobody_uses_is_forgotten() {
         let cache = Cache::default();

@@ -1,4 +1,4 @@
-//! The same bodies on cells of twice the sides, and the fields of both.
+//! Bodies on cells of twice the sides, and the transfer of fields between both grids.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -14,12 +14,13 @@ use crate::influence::KernelCorrection;
 use crate::parallel::get_or_make;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Coarser grids of no more cells than this every rank solves by itself: messages would take longer.
+/// Largest number of cells of a coarser grid that every rank solves separately, because messages would take longer.
 const ALONE: usize = 1 << 16;
 
 impl HalfSpace {
-    /// The same bodies on cells of twice the sides, the grid as large or a fine cell larger; a grid that
-    /// repeats must be [even](Self::can_be_coarser), or be a single row or column, which stays as wide.
+    /// Returns the same bodies on cells of twice the sides. The coarser grid is as large as the grid or one fine cell
+    /// larger. A periodic grid must be [even](Self::can_be_coarser), or be a single row or column, whose width does not
+    /// change.
     pub(crate) fn coarser(&self) -> Result<&Self> {
         let Shared {
             grid,
@@ -52,7 +53,7 @@ impl HalfSpace {
         })
     }
 
-    /// Whether cells of twice the sides fit, and the bodies are known on them.
+    /// Returns whether cells of twice the sides fit and the bodies are defined on them.
     pub(crate) fn can_be_coarser(&self) -> bool {
         if self.kernel().user_operators().is_some() {
             return false;
@@ -62,24 +63,24 @@ impl HalfSpace {
         fits.all(|fits| fits)
     }
 
-    /// Along which axes the grid repeats after a single cell, so that nothing changes along them.
+    /// Returns the axes along which the grid is periodic with a single cell, so that nothing changes along them.
     pub(crate) fn lines(&self) -> [bool; 2] {
         let (size, repeats) = (self.size(), self.boundary().repeats());
         [0, 1].map(|axis| repeats[axis] && size[axis] == 1)
     }
 
-    /// How a coarser grid is dealt out, if it is.
+    /// Returns the distribution of a coarser grid over ranks, or `None` if it is not distributed.
     fn share_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<RowPartition>> {
         self.share([nx, ny]).filter(|_| nx * ny > ALONE)
     }
 
-    /// A field of the grid on the cells of [`Self::coarser`].
+    /// Restricts a field of the grid to the cells of [`Self::coarser`].
     pub(crate) fn coarsened_field(&self, coarser: &Self, field: &Field) -> Result<Field> {
         let samples = self.coarsened(coarser, self.size(), field.as_slice())?;
         Field::from_vec(coarser.grid(), samples)
     }
 
-    /// Samples of `[nx, ny]` cells on the cells of [`Self::coarser`].
+    /// Restricts samples of `[nx, ny]` cells to the cells of [`Self::coarser`].
     pub(crate) fn coarsened(
         &self,
         coarser: &Self,
@@ -101,7 +102,7 @@ impl HalfSpace {
         coarsened([nx, own.len()], &found)
     }
 
-    /// A field of the cells of [`Self::coarser`] on `[nx, ny]` cells, interpolated.
+    /// Prolongates a field of the cells of [`Self::coarser`] to `[nx, ny]` cells by interpolation.
     pub(crate) fn refined(
         &self,
         coarser: &Self,
@@ -111,7 +112,8 @@ impl HalfSpace {
         self.on_finer(coarser, size, field, refined)
     }
 
-    /// The same of a field that is positive in a zone and falls to zero like the root of the distance from its edge.
+    /// Prolongates a field that is positive in a zone and falls to zero like the square root of the distance from its
+    /// edge.
     pub(crate) fn refined_zone(
         &self,
         coarser: &Self,
@@ -121,7 +123,8 @@ impl HalfSpace {
         self.on_finer(coarser, size, field, refined_zone)
     }
 
-    /// The rows held here that a function makes of those of the coarser cells, the first of which it is told.
+    /// Creates the local rows from the coarser cells. The function `make` receives the first of the coarser rows as its
+    /// last argument.
     fn on_finer(
         &self,
         coarser: &Self,
@@ -133,7 +136,7 @@ impl HalfSpace {
             return make([nx, ny], 0..ny, field, 0);
         };
         let [width, height] = halved([nx, ny]);
-        // The coarse cells near those of the rows too.
+        // The coarse cells near the rows are needed too.
         let rows = |rank: usize| {
             let fine = fine.rows_of(rank);
             if fine.is_empty() {

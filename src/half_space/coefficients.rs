@@ -1,4 +1,4 @@
-//! The kernels that operators are made of.
+//! Kernels from which operators are created.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,16 +12,16 @@ use crate::grid::cell_value::CellValue;
 use crate::influence::{Kernel, KernelCorrection, Samples, Symbols};
 use crate::parallel::get_or_make;
 
-/// The kernels of bodies on cells of one size, each made at its first use.
+/// Kernels of bodies on cells of one size, each created at its first use.
 #[derive(Debug)]
 pub(super) struct Kernels {
     grid: Grid,
     bodies: kernel::Kernel,
     boundary: Boundary,
     cell_value: CellValue,
-    /// What they are made of; none where they repeat along both axes.
+    /// Samples behind the kernels; `None` on a grid that is periodic along both axes.
     samples: Option<Arc<Samples>>,
-    /// The part that coated bodies add to their outermost layers, or a kernel in their place.
+    /// Contribution of coated bodies in addition to their outermost layers, or a kernel that replaces the half-space.
     added: Option<Arc<KernelCorrection>>,
     made: [OnceLock<Kernel>; Component::ALL.len()],
 }
@@ -38,7 +38,7 @@ impl Kernels {
             grid,
             bodies: bodies.clone(),
             boundary,
-            // The symbols of waves have values at the centres.
+            // The symbols of waves correspond to values at the centres.
             cell_value: match boundary {
                 Boundary::Periodic => CellValue::Centre,
                 _ => cell_value,
@@ -49,7 +49,7 @@ impl Kernels {
         }
     }
 
-    /// The whole one.
+    /// Returns the whole grid.
     pub(super) fn grid(&self) -> Grid {
         self.grid
     }
@@ -78,7 +78,7 @@ impl Kernels {
         self.cell_value
     }
 
-    /// Those of these components.
+    /// Returns the kernels of these components.
     pub(super) fn of<const N: usize>(
         &self,
         components: [[Component; N]; N],

@@ -1,4 +1,4 @@
-//! The operators of bodies and the preconditioners that go with them: made once, shared by all who ask.
+//! Operators of bodies with their preconditioners, created once and shared.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,22 +17,22 @@ use crate::parallel;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::report::EigenvalueBound;
 
-/// An operator and the preconditioner that goes with it.
+/// Operator with its preconditioner.
 #[derive(Debug, Clone)]
 pub(crate) struct Compliance<const N: usize> {
     pub(crate) operator: ElasticOperator<N>,
     pub(crate) inverse: ElasticPreconditioner<N>,
 }
 
-/// A preconditioner for displacements that are known up to a uniform one.
+/// Preconditioner for displacements that are determined up to a uniform displacement.
 struct UpToMean<const N: usize>(ElasticPreconditioner<N>);
 
-/// An estimate from below of the eigenvalues of all rectangles of the cells.
+/// Conservative estimate of the smallest eigenvalue on all rectangles of the cells.
 struct LatticeEigenvalueBound(f64);
 
 impl HalfSpace {
-    /// Operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells cut out of the
-    /// grid, wherever it lies; along an axis that repeats it is not cut.
+    /// Returns operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells of the grid, for
+    /// any position of the rectangle. Along a periodic axis the rectangle contains all cells.
     pub(crate) fn compliance<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -41,7 +41,7 @@ impl HalfSpace {
         let components = tensor(directions);
         let operator = self.operator_of(components, size)?;
         self.joint(Ok(()))?;
-        // Without a bound nothing could be certified. A single cell that repeats has no wave to bound.
+        // Without a bound no error could be certified. A single periodic cell has no wave that needs a bound.
         let grid = self.grid();
         let (least, _) = operator.bound_without_mean();
         let is_unbounded = N < 3 && least <= 0.0 && grid.whole().cells() > 1;
@@ -62,9 +62,9 @@ impl HalfSpace {
         })
     }
 
-    /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are known up to a uniform one.
-    /// It does not depend on the datum of a grid that repeats along y. For user-defined operators it is the inverse of the
-    /// compliance.
+    /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are determined up to a
+    /// uniform displacement. It does not depend on the datum of a grid that is periodic along y. For user-defined
+    /// operators it is the inverse of the compliance.
     pub(crate) fn inverse_up_to_mean<const N: usize>(
         &self,
         Compliance { operator, inverse }: Compliance<N>,
@@ -82,8 +82,8 @@ impl HalfSpace {
         Ok(made.0.clone())
     }
 
-    /// `Ok` if tractions along these directions can be found: operators of a user have them all, and state a bound where
-    /// that is needed.
+    /// Checks that tractions along these directions can be solved for. User-defined operators must have all directions,
+    /// and must state a bound if `needs_bound` is set.
     pub(crate) fn check_directions<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -92,7 +92,7 @@ impl HalfSpace {
         self.check_components(tensor(directions), needs_bound)
     }
 
-    /// The same of components.
+    /// Like [`Self::check_directions`], for components.
     pub(crate) fn check_components<const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -108,8 +108,8 @@ impl HalfSpace {
         Ok(())
     }
 
-    /// The pool of a kind of things for these cells and components, as long as anyone has it; of no components where
-    /// any will do.
+    /// Returns the pool of buffers of a type for these cells and components, which exists as long as it has an owner.
+    /// Pools that do not depend on components are stored without any.
     pub(crate) fn pool<T: Send + 'static>(
         &self,
         components: &[Component],
@@ -120,7 +120,8 @@ impl HalfSpace {
         made.get_or_make(components, self.cut(size), false, empty)
     }
 
-    /// The pool of buffers of products: convolutions share them whatever their directions, operators of a user have their own.
+    /// Returns the pool of buffers of products. Convolutions share buffers for all directions; user-defined operators
+    /// have separate buffers.
     pub(crate) fn pool_of_products<T: Send + 'static, const N: usize>(
         &self,
         directions: [Direction; N],
@@ -132,7 +133,8 @@ impl HalfSpace {
         }
     }
 
-    /// What a rectangle of cells is worked on as: along some axes a grid is not cut.
+    /// Returns the size of the rectangle on which the operator of a window works: the whole grid along axes that are
+    /// not cut.
     fn cut(&self, size: [usize; 2]) -> [usize; 2] {
         let (whole, spanned) = (self.size(), self.spanned());
         std::array::from_fn(|axis| {
@@ -144,7 +146,7 @@ impl HalfSpace {
         })
     }
 
-    /// The operator alone, of any components.
+    /// Returns the operator without its preconditioner, for any components.
     pub(crate) fn operator_of<const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -159,13 +161,14 @@ impl HalfSpace {
             if N == 3 || !is_compliance || convolution.lower_bound() > 0.0 {
                 return Ok(convolution);
             }
-            // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid has not.
+            // The periodic continuation of a stiff layer on a soft body may have eigenvalues that the grid does not
+            // have.
             let (boundary, has_response) = (self.boundary(), self.kernel().has_response());
             if boundary == Boundary::NonPeriodic && has_response {
                 let least = self.least_of_lattice(components)?;
                 convolution = convolution.bounded(least.0, EigenvalueBound::Estimated);
             }
-            // The matrix of a window is a principal part of that of the grid.
+            // The matrix of a window is a principal submatrix of the matrix of the grid.
             if convolution.lower_bound() <= 0.0 && size != self.size() {
                 let whole = self.operator_of(components, self.size())?;
                 return Ok(match whole.as_convolution() {
@@ -183,8 +186,8 @@ impl HalfSpace {
         made.map(ElasticOperator::from)
     }
 
-    /// The operator of the whole grid, which repeats along y, with the bounds of tractions without a mean and of uniform
-    /// tractions.
+    /// Returns the operator of the whole grid, which is periodic along y, with the bounds for tractions without a mean
+    /// and for uniform tractions.
     fn bounded_along_y<const N: usize>(
         &self,
         mut convolution: Convolution<N>,
@@ -199,7 +202,8 @@ impl HalfSpace {
         if least <= 0.0 {
             return Ok(convolution);
         }
-        // Tractions that are uniform along y are those of a line of cells. They do not couple directions, nor the others.
+        // Tractions that are uniform along y correspond to a line of cells. They couple neither with other tractions
+        // nor between directions.
         let grid = self.grid().whole();
         let line = Grid::new(grid.nx(), 1, grid.dx(), grid.ny() as f64 * grid.dy())?;
         let line = Self::with_boundary(line, self.kernel(), self.boundary())?;
@@ -210,14 +214,14 @@ impl HalfSpace {
             let kernels = line.shared.kernels.of([[component]])?;
             let operator = Convolution::of_kernels(line.size(), None, kernels)?;
             let strength = component.of_response(long_waves, [1.0, 0.0]);
-            // A line load moves the surface by its strength over pi times the logarithm of the distance.
+            // A line load moves the surface by its strength divided by pi times the logarithm of the distance.
             let slope = strength * grid.nx() as f64 * grid.dx() / PI;
             UniformWave::new(&operator, least, [datum, slope])
         })?;
         Ok(convolution.with_uniform_waves(waves))
     }
 
-    /// The estimate on the infinite lattice, which all windows of the grid share.
+    /// Returns the estimate on the infinite lattice, which all windows of the grid share.
     fn least_of_lattice<const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -231,7 +235,7 @@ impl HalfSpace {
         })
     }
 
-    /// What `make` makes of the kernels of these components on a rectangle of cells, shared by all who ask.
+    /// Returns the shared result of `make` for the kernels of these components on a rectangle of cells.
     fn made<T: Send + Sync + 'static, const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -251,7 +255,7 @@ impl HalfSpace {
     }
 }
 
-/// The components of all pairs of directions: displacement, then traction.
+/// Returns the components of all pairs of directions: displacement, then traction.
 pub(super) fn tensor<const N: usize>(directions: [Direction; N]) -> [[Component; N]; N] {
     const { assert!(N > 0, "an operator has a direction") }
     directions.map(|displacement| directions.map(|traction| Component::of(displacement, traction)))
@@ -262,7 +266,7 @@ mod tests {
     use super::*;
     use crate::bodies::material::{ElasticPair, Material};
 
-    /// One window, one operator, as long as anyone has it; the whole grid's stays.
+    /// Equal windows share one operator as long as it has an owner; the operator of the whole grid is kept.
     #[test]
     fn equal_windows_share_what_they_need() {
         let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
@@ -293,7 +297,7 @@ mod tests {
         assert!(part.operator.is(&whole.operator));
     }
 
-    /// Kernels of a large grid are not kept; those of a window of it are those of a grid of that size.
+    /// Kernels of a large grid are not kept. The kernels of a window equal those of a grid of the same size.
     #[test]
     fn windows_of_large_grids_have_the_operators_of_small_grids() {
         let body = Material::new(1.0, 0.4).unwrap();

@@ -1,4 +1,4 @@
-//! Two elastic half-spaces meshed by one grid: the operators every problem on it shares.
+//! Two elastic half-spaces on a grid, with the operators that all problems on the grid share.
 
 mod cache;
 mod coarser;
@@ -31,18 +31,22 @@ use compliance::tensor;
 pub use operator::{ElasticOperator, ElasticPreconditioner};
 pub(crate) use region::Region;
 
-/// A pair of half-spaces on a grid, with the operators of the components in use.
+/// Pair of half-spaces on a grid, with the operators of the components in use.
 ///
-/// A component is sampled and transformed when a problem first asks for it, once; clones share it, and
-/// contacts on equal windows of the grid share what they need while any of them lives, and the buffers of their solves
-/// while they are not solved at once. The
-/// samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, those of `XY`, `XZ` and `YZ` 8 each, and serve
-/// the coarser grids of nested starts too (not where the grid repeats along y alone, whose coarser grids have samples of
-/// their own); on more than a million cells they are made anew for each operator instead of
-/// kept. Each operator takes 12 and its preconditioner one, the coarser ones a third
-/// more. An operator of two directions takes three times that, one of all three six times. With a periodic boundary
-/// there are no samples, and an operator takes three bytes per cell. `Send + Sync`: many solvers may run over one
-/// `HalfSpace` on many threads.
+/// Each component is sampled and transformed once, on first use by a problem, and shared by all clones. Contacts on
+/// windows of equal size share operators as long as any of these contacts exists. Contacts that are not solved
+/// concurrently share the buffers of a solve. The type is `Send + Sync`: many solvers may use one `HalfSpace` on many
+/// threads.
+///
+/// # Memory
+///
+/// The samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and the samples of `XY`, `XZ` and `YZ` take
+/// 8 bytes per cell each. The coarser grids of nested starts use the same samples, except on a grid that is periodic
+/// along y only, whose coarser grids have separate samples. On grids of more than a million cells the samples are
+/// recomputed for each operator and not kept. Each operator takes 12 bytes per cell and its preconditioner one byte per
+/// cell; the operators of coarser grids add a third. An operator of two directions takes three times as much, and an
+/// operator of all three directions six times as much. With a periodic boundary there are no samples, and an operator
+/// takes three bytes per cell.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Material};
@@ -61,22 +65,23 @@ shown!(HalfSpace: grid(), pair(), boundary(), cell_value());
 #[derive(Debug)]
 struct Shared {
     grid: Grid,
-    /// Those that are kept, of small grids.
+    /// Kernels that are kept, for small grids.
     kernels: Kernels,
-    /// The ranks that share the grid, or that all have the whole of it and do the same.
+    /// Ranks that share the grid, or that each store the whole grid and perform the same work.
     team: Option<Arc<RankGroup>>,
-    /// How the grid is dealt out to ranks, if it is.
+    /// Distribution of the grid over ranks, if any.
     share: Option<Arc<RowPartition>>,
-    /// Operators and preconditioners: those of the whole grid are kept, those of windows lent.
+    /// Operators and preconditioners: those of the whole grid are kept, those of windows are kept as long as they have
+    /// an owner.
     made: Cache,
-    /// The same bodies on cells twice as large.
+    /// Bodies on cells of twice the sides.
     coarser: OnceLock<HalfSpace>,
 }
 
-/// Cells of a grid whose kernels are kept for other operators.
+/// Largest number of cells of a grid whose kernels are kept for other operators.
 const KEPT_CELLS: usize = 1 << 20;
 
-/// What a normal contact of all cells takes at least: operators, buffers, answer.
+/// Least memory of a normal contact of all cells: operators, buffers and solution.
 const BYTES_PER_CELL: usize = 90;
 
 const _: () = {
@@ -85,29 +90,34 @@ const _: () = {
 };
 
 impl HalfSpace {
-    /// The bodies, an [`ElasticPair`] or a [`Kernel`](kernel::Kernel), meshed by `grid`, with [`Boundary::NonPeriodic`]
-    /// surroundings; nothing is computed yet.
+    /// Creates the bodies, an [`ElasticPair`] or a [`Kernel`](kernel::Kernel), on `grid` with the boundary
+    /// [`Boundary::NonPeriodic`]. No operator is computed yet.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if the sides of a cell are too far apart
-    /// to compare; [`Error::ExtremeNumber`] if the side of a cell over the contact modulus lies outside 1e-130 to 1e130;
-    /// [`Error::Memory`] if what a contact of all cells takes cannot be had; [`Error::BelowMinimum`] for a layer
-    /// thinner than 1e-25 of the diagonal of the grid. Of kernels [`Error::UnsupportedForCoatings`] on grids that they do not take;
-    /// [`Error::BelowMinimum`] for an isotropic one that is not near its half-space; [`Error::GridMismatch`] for a table of other
-    /// cells or of too few; [`Error::Length`] for operators of another number of cells, [`Error::UnsupportedByModel`] for those that
-    /// do not map constants to zero on a grid that repeats along both axes; [`Error::NotPositive`] and [`Error::NotFinite`]
-    /// for a response that is not positive at a wave of a grid that repeats; [`Error::IncompleteKernel`] of a pair that stands
-    /// for a kernel.
+    /// - [`Error::NotPositive`] if the ratio of the sides of a cell over- or underflows.
+    /// - [`Error::ExtremeNumber`] if the side of a cell divided by the contact modulus lies outside 1e-130 to 1e130.
+    /// - [`Error::Memory`] if the memory for a contact of all cells is not available.
+    /// - [`Error::BelowMinimum`] if a layer is thinner than 1e-25 of the diagonal of the grid.
+    /// - [`Error::IncompleteKernel`] if the pair represents a kernel.
+    ///
+    /// For a kernel, also:
+    /// - [`Error::UnsupportedForCoatings`] if the kernel does not support the grid.
+    /// - [`Error::BelowMinimum`] if an isotropic kernel does not agree with its half-space for short waves.
+    /// - [`Error::GridMismatch`] if a table has different cells or too few cells.
+    /// - [`Error::Length`] if operators have a different number of cells.
+    /// - [`Error::UnsupportedByModel`] if operators do not map constants to zero on a grid that is periodic along both axes.
+    /// - [`Error::NotPositive`] or [`Error::NotFinite`] if a response is not positive or not finite for a wave of a
+    ///   periodic grid.
     pub fn new(grid: Grid, bodies: impl Into<kernel::Kernel>) -> Result<Self> {
         Self::with_boundary(grid, bodies, Boundary::NonPeriodic)
     }
 
-    /// The pair meshed by `grid`, with the surroundings given; nothing is computed yet.
+    /// Creates the bodies on `grid` with the given boundary. No operator is computed yet.
     ///
     /// ```
     /// use std::f64::consts::TAU;
     /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
-    /// // A wavy surface pressed flat: the pressure p* = pi E* amplitude / wavelength just does it.
+    /// // A wavy surface pressed flat: the pressure p* = pi E* amplitude / wavelength is just sufficient.
     /// let grid = Grid::square(32, 1.0)?;
     /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
     /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
@@ -121,7 +131,8 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`HalfSpace::new`]; [`Error::BelowMinimum`] if the [datum](Boundary::PeriodicAlongY) is nearer than the grid is long.
+    /// - All errors of [`HalfSpace::new`].
+    /// - [`Error::BelowMinimum`] if the distance of the [datum](Boundary::PeriodicAlongY) is less than the length of the grid.
     pub fn with_boundary(
         grid: Grid,
         bodies: impl Into<kernel::Kernel>,
@@ -136,15 +147,19 @@ impl HalfSpace {
         Ok(Self::of_kernels(kernels, (None, None)))
     }
 
-    /// The same bodies with this meaning of the value of a cell (default: [`CellValue::Uniform`]); nothing is computed yet.
-    /// Ranks call it alike. On a grid with [`Boundary::Periodic`] values are those at the centres in any case: its symbols
-    /// are those of waves, which no cell smooths.
+    /// Sets the interpretation of cell values (default: [`CellValue::Uniform`]). No operator is computed yet. The call
+    /// is collective on ranks. On a grid with [`Boundary::Periodic`], values are always those at the centres, because
+    /// its symbols are those of waves, which no cell smooths.
     ///
-    /// With values at the centres and [`edges`](crate::edges), a sphere has its pressure, its traction at 40 % of the sliding
-    /// force and its areas to 1 % with 11 cells on a contact radius at a tolerance of 1e-3, to 0.1 % with 43. [Narrow slip
-    /// rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without edges need 21
-    /// to 43 for 1 %, and for 0.1 % they need 170 for the tractions and more for the areas. [A table](crate#accuracy-and-cost) has the times.
-    /// Kernels cost 4 % more time, solves as much as before or less.
+    /// With values at the centres and [`edges`](crate::edges), the pressure, the traction at 40 % of the sliding force
+    /// and the areas of a sphere are accurate to 1 % with 11 cells per contact radius at a tolerance of 1e-3, and to
+    /// 0.1 % with 43. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without edges
+    /// need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 for the tractions and more for the
+    /// areas. [A table](crate#accuracy-and-cost) lists the times.
+    ///
+    /// # Cost
+    ///
+    /// Kernels take 4 % more time. Solves take at most as much time as with uniform cells.
     ///
     /// ```
     /// use stickslip::*;
@@ -152,7 +167,7 @@ impl HalfSpace {
     /// let pair = ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?;
     /// let ball = surface::sphere(grid, 1.0)?;
     /// let hertz = analytical::HertzSphere::new(&pair, 1.0, 4.0 / 3.0)?; // of radius 1
-    /// // The error of a cell away from the edge.
+    /// // The error of a cell that is not at the edge.
     /// let error = |cell_value| -> Result<f64> {
     ///     let bodies = HalfSpace::new(grid, pair)?.with_cell_value(cell_value)?;
     ///     let load = NormalControl::Force(hertz.load());
@@ -166,7 +181,8 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotPositive`] and [`Error::Memory`] as [`HalfSpace::new`]; [`Error::Ranks`].
+    /// - [`Error::NotPositive`] and [`Error::Memory`] as for [`HalfSpace::new`].
+    /// - [`Error::Ranks`] if the ranks fail or their arguments differ.
     pub fn with_cell_value(self, cell_value: CellValue) -> Result<Self> {
         self.collective_result_checked(Ok(()), &[("cell value", &cell_value)])?;
         let boundary = self.boundary();
@@ -207,13 +223,13 @@ impl HalfSpace {
         }
     }
 
-    /// The grid; of [distributed](Self::distributed) bodies the slab that this rank holds.
+    /// Returns the grid; for [distributed](Self::distributed) bodies, the slab that this rank stores.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.shared.grid
     }
 
-    /// The two bodies; of a [`Kernel`](kernel::Kernel) the [pair](kernel::Kernel::pair) that stands for it.
+    /// Returns the two bodies; for a [`Kernel`](kernel::Kernel), the [pair](kernel::Kernel::pair) that represents it.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         self.shared.kernels.pair()
@@ -223,32 +239,33 @@ impl HalfSpace {
         self.shared.kernels.bodies()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Returns the boundary of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.shared.kernels.boundary()
     }
 
-    /// The meaning of the value of a cell; on a grid with [`Boundary::Periodic`] always [`CellValue::Centre`].
+    /// Returns the interpretation of cell values; on a grid with [`Boundary::Periodic`] always [`CellValue::Centre`].
     #[must_use]
     pub fn cell_value(&self) -> CellValue {
         self.shared.kernels.cell_value()
     }
 
-    /// The operator of one component on the whole grid, made at the first call.
+    /// Returns the operator of one component on the whole grid, which the first call creates.
     ///
     /// # Errors
-    /// As [`Table::sample`](crate::influence::Table::sample); of [distributed](Self::distributed) bodies [`Error::Ranks`];
-    /// [`Error::IncompleteKernel`] for directions that a table or the operators of a user have not.
+    /// - All errors of [`Table::sample`](crate::influence::Table::sample).
+    /// - [`Error::Ranks`] if the ranks of [distributed](Self::distributed) bodies fail.
+    /// - [`Error::IncompleteKernel`] if a table or user-defined operators do not have the directions.
     pub fn operator(&self, component: Component) -> Result<ElasticOperator> {
         self.operator_of([[component]], self.size())
     }
 
-    /// The circulant preconditioner of one component on the whole grid; `None` for the components
-    /// that are not a compliance of their own (all but `XX`, `YY` and `ZZ`).
+    /// Returns the circulant preconditioner of one component on the whole grid, or `None` for components that are not a
+    /// compliance (all components except `XX`, `YY` and `ZZ`).
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`].
+    /// Returns the errors of [`HalfSpace::operator`].
     pub fn preconditioner(&self, component: Component) -> Result<Option<ElasticPreconditioner>> {
         let direction = match component {
             Component::XX => Direction::X,
@@ -259,15 +276,15 @@ impl HalfSpace {
         self.tensor_preconditioner([direction]).map(Some)
     }
 
-    /// The operator of several directions on the whole grid, made at the first call: displacements along
-    /// all of them from tractions along all of them,
+    /// Returns the operator of several directions on the whole grid, which the first call creates. It maps tractions
+    /// along all of them to displacements along all of them,
     ///
     /// ```math
     /// u_i = \sum_j C_{ij} * t_j .
     /// ```
     ///
-    /// It is symmetric, by Betti's reciprocity: the odd coefficients obey $`C_{xz}(x) = C_{zx}(-x)`$. One
-    /// product costs N transforms each way; memory as in the page of the type.
+    /// The operator is symmetric, by Betti's reciprocity: the odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One
+    /// product costs N transforms each way; the page of the type states the memory.
     ///
     /// ```
     /// use stickslip::influence::Direction::{X, Y, Z};
@@ -276,7 +293,7 @@ impl HalfSpace {
     /// let bodies = HalfSpace::new(Grid::new(7, 5, 1.0, 1.0)?, pair)?;
     /// let compliance = bodies.tensor_operator([X, Y, Z])?;
     ///
-    /// // The displacement along z by a force along x equals that along x by a force along z.
+    /// // The displacement along z due to a force along x equals the displacement along x due to a force along z.
     /// let mut scratch = compliance.scratch()?;
     /// let mut moved = |cell: usize, pulled: usize, seen: usize, at: usize| {
     ///     let (mut t, mut u) = ([[0.0; 35]; 3], [[0.0; 35]; 3]);
@@ -291,7 +308,8 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// [`Error::RepeatedDirection`]; as [`HalfSpace::operator`].
+    /// - [`Error::RepeatedDirection`] if a direction occurs twice.
+    /// - All errors of [`HalfSpace::operator`].
     pub fn tensor_operator<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -300,10 +318,10 @@ impl HalfSpace {
         self.operator_of(tensor(directions), self.size())
     }
 
-    /// The circulant preconditioner of the [operator](Self::tensor_operator) of several directions.
+    /// Returns the circulant preconditioner of the [operator](Self::tensor_operator) of several directions.
     ///
     /// # Errors
-    /// As [`HalfSpace::tensor_operator`].
+    /// Returns the errors of [`HalfSpace::tensor_operator`].
     pub fn tensor_preconditioner<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -313,13 +331,13 @@ impl HalfSpace {
         Ok(inverse)
     }
 
-    /// Whether kernels stay once they are made: those of a large grid would take more than all that is made of them
-    /// once saves in time.
+    /// Returns whether kernels are kept. The kernels of a large grid would take too much memory for the time that they
+    /// save.
     fn keeps_kernels(&self) -> bool {
         self.shared.share.is_none() && self.grid().cells() <= KEPT_CELLS
     }
 
-    /// Makes something of the kernels of these components, on `size` cells; an error if that fails on any rank.
+    /// Applies `make` to the kernels of these components on `size` cells. Returns an error if this fails on any rank.
     fn with_kernels<T, const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -344,12 +362,12 @@ impl HalfSpace {
         })
     }
 
-    /// Returns about how far a unit pressure on a cell displaces the cell.
+    /// Returns the approximate displacement of a cell under a unit pressure on it.
     pub(crate) fn cell_compliance(&self) -> f64 {
         cell_compliance(self.grid(), self.pair())
     }
 
-    /// `Ok` if what has a meaning of the values of cells has that of these.
+    /// Checks that a quantity has the same interpretation of cell values as these bodies.
     pub(crate) fn check_values(&self, quantity: &'static str, cell_value: CellValue) -> Result<()> {
         if cell_value == self.cell_value() {
             Ok(())
@@ -358,7 +376,7 @@ impl HalfSpace {
         }
     }
 
-    /// `Ok` if what was made on a grid with a boundary was made for these.
+    /// Checks that a quantity belongs to the grid and boundary of these bodies.
     pub(crate) fn check_host(
         &self,
         quantity: &'static str,
@@ -373,8 +391,8 @@ impl HalfSpace {
         }
     }
 
-    /// Along which axes contacts are solved on the whole grid: those that repeat; under operators of a user, which know no
-    /// other cells, both.
+    /// Returns the axes along which contacts are solved on the whole grid: the periodic axes, or both axes for
+    /// user-defined operators, which are defined only on all cells.
     fn spanned(&self) -> [bool; 2] {
         match self.kernel().user_operators() {
             Some(_) => [true; 2],
@@ -382,12 +400,13 @@ impl HalfSpace {
         }
     }
 
-    /// The window, along an axis that is not cut the whole grid: where a contact in the window is solved.
+    /// Extends the window to the whole grid along axes that are not cut: the window in which its contact is solved.
     pub(crate) fn restrict_to_window(&self, window: Window) -> Window {
         window.spanning(self.grid(), self.spanned())
     }
 
-    /// Where a contact in the window is solved with looks at the whole grid: there, if the window saves too little.
+    /// Returns the window in which a contact is solved if checks on the whole grid follow. It is the whole grid if the
+    /// window saves too little.
     pub(crate) fn place(&self, window: Window) -> Window {
         let (window, whole) = (self.restrict_to_window(window), Window::whole(self.grid()));
         let saves_little = 5 * window.cells() > 4 * whole.cells();
@@ -399,12 +418,13 @@ impl HalfSpace {
     }
 }
 
-/// Returns about how far a unit pressure on a cell displaces the cell.
+/// Returns the approximate displacement of a cell under a unit pressure on it.
 fn cell_compliance(grid: Grid, pair: &ElasticPair) -> f64 {
     grid.cell_area().sqrt() / pair.contact_modulus()
 }
 
-/// `Ok` if a grid may have this boundary, and what a contact takes of so many of its cells can be had.
+/// Checks that a grid may have this boundary, and that the memory for a contact of the given number of cells is
+/// available.
 fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("contact of all cells", cells, BYTES_PER_CELL)?;
     let pair = kernel.pair();
@@ -430,7 +450,7 @@ fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize;
     kernel.check_on(grid, boundary)
 }
 
-/// `Ok` if no direction occurs twice.
+/// Checks that no direction occurs twice.
 fn check_distinct(directions: &[Direction]) -> Result<()> {
     let occurs_before = |k: usize| directions[..k].contains(&directions[k]);
     if (0..directions.len()).any(occurs_before) {
@@ -445,8 +465,8 @@ mod tests {
     use crate::bodies::material::Material;
     use crate::operator::Operator;
 
-    /// The products of both tractions are the sums of those of each alone, and the inverse inverts them
-    /// where nothing is cut.
+    /// The products of both tractions are the sums of the products of each traction alone. The inverse is exact if
+    /// nothing is cut.
     #[test]
     fn products_in_the_plane_are_sums_of_products_along_the_axes() {
         let body = Material::new(1.0, 0.4).unwrap();
@@ -484,7 +504,7 @@ mod tests {
                     assert!((exact[i] - expected).abs() <= 1e-14 * largest);
                     assert!((rough[i] - expected).abs() <= 2e-6 * largest);
                 }
-                // x'Cx is at least the bound times x'x, less its mean where that moves nothing.
+                // x'Cx is at least the bound times x'x, without the mean if a uniform traction causes no displacement.
                 let mean = |q: &[f64]| q.iter().sum::<f64>() / cells as f64;
                 let means = [mean(x), mean(y)];
                 let is_free = boundary == Boundary::NonPeriodic;

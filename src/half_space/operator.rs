@@ -1,4 +1,4 @@
-//! What bodies hand out: operators and preconditioners, however they are made.
+//! Public operators and preconditioners of bodies.
 
 use std::sync::Arc;
 
@@ -9,13 +9,13 @@ use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
-/// Displacements of the whole grid from tractions on it (lengths from pressures): N components of each.
-/// Obtained from [`HalfSpace::operator`](crate::HalfSpace::operator) and
-/// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator); a clone is another pointer to it.
+/// Operator that computes displacements of the whole grid from tractions on it (lengths from pressures), with N
+/// components of each. [`HalfSpace::operator`](crate::HalfSpace::operator) and
+/// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator) create it. Clones share the same operator.
 #[derive(Debug, Clone)]
 pub struct ElasticOperator<const N: usize = 1>(OperatorKind<N>);
 
-/// A convolution, or what a user gave.
+/// A convolution or a user-defined operator.
 #[derive(Debug, Clone)]
 enum OperatorKind<const N: usize> {
     Convolution(Arc<Convolution<N>>),
@@ -23,7 +23,7 @@ enum OperatorKind<const N: usize> {
 }
 
 impl<const N: usize> ElasticOperator<N> {
-    /// Whether both point to the same.
+    /// Returns whether both share the same operator.
     pub(crate) fn is(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (OperatorKind::Convolution(own), OperatorKind::Convolution(other)) => {
@@ -34,7 +34,7 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// The convolution; none of an operator of a user.
+    /// Returns the convolution, or `None` for a user-defined operator.
     pub(super) fn as_convolution(&self) -> Option<&Convolution<N>> {
         match &self.0 {
             OperatorKind::Convolution(convolution) => Some(convolution),
@@ -42,8 +42,8 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// The least eigenvalue of the periodic continuation, of whatever sign, without the mean on a grid that repeats; nothing of
-    /// an operator of a user.
+    /// Returns the smallest eigenvalue of the periodic continuation, of either sign, or `None` for a user-defined
+    /// operator. On a periodic grid the mean is excluded.
     pub(super) fn least_eigenvalue(&self) -> Option<f64> {
         match &self.0 {
             OperatorKind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
@@ -51,8 +51,8 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// A lower bound of the eigenvalues of tractions without a mean on a grid that repeats, of all tractions on another grid,
-    /// and how it is known.
+    /// Returns a lower bound of the eigenvalues, and its origin. On a periodic grid the bound is for tractions without
+    /// a mean, on other grids for all tractions.
     pub(crate) fn bound_without_mean(&self) -> (f64, EigenvalueBound) {
         match &self.0 {
             OperatorKind::Convolution(convolution) => {
@@ -62,11 +62,13 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// A lower bound of the eigenvalues of the tractions that a problem allows. A component has no mean if its sum is
-    /// prescribed (`None`). To others a uniform traction adds such a compliance: zero, or that of a spring.
+    /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. A component has no mean if its
+    /// sum is prescribed (`None`). For other components `added` contains the compliance that acts on a uniform
+    /// traction: zero, or the compliance of a spring.
     ///
     /// # Errors
-    /// [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not definite.
+    /// - [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance for these tractions is not positive
+    ///   definite.
     pub(crate) fn lower_bound_of(&self, added: [Option<f64>; N]) -> Result<LowerBound> {
         match &self.0 {
             OperatorKind::Convolution(convolution) => convolution.lower_bound_of(added),
@@ -78,7 +80,7 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// `Ok` if a bound of the least eigenvalue is known, or need not be stated.
+    /// Checks that a user-defined operator states a positive lower bound; other operators need no stated bound.
     pub(crate) fn check_bounded(&self) -> Result<()> {
         if let OperatorKind::User(part) = &self.0 {
             positive("lower bound of an operator of a user", part.lower_bound())?;
@@ -86,7 +88,7 @@ impl<const N: usize> ElasticOperator<N> {
         Ok(())
     }
 
-    /// A bound of the largest eigenvalue; infinity where none is known.
+    /// Returns an upper bound of the eigenvalues, or infinity if no bound is available.
     pub(crate) fn upper_bound(&self) -> f64 {
         match &self.0 {
             OperatorKind::Convolution(convolution) => convolution.upper_bound(),
@@ -96,8 +98,8 @@ impl<const N: usize> ElasticOperator<N> {
 }
 
 impl ElasticOperator<3> {
-    /// A bound of $`|p' B q| / (|p|\,|q|)`$, in the energy norms of the first component and of the other two, of what the
-    /// first causes along the others: one if none is known.
+    /// Returns a bound of $`|p' B q| / (|p|\,|q|)`$, or 1 if no bound is available. B couples the first component to
+    /// the other two, and the norms are the energy norms of the first component and of the other two.
     pub(crate) fn coupling(&self) -> f64 {
         match &self.0 {
             OperatorKind::Convolution(convolution) => convolution.coupling(),
@@ -176,15 +178,15 @@ impl<const N: usize> Operator<N> for ElasticOperator<N> {
     }
 }
 
-/// Approximate inverse of an [`ElasticOperator`], symmetric and positive definite. Obtained from
+/// Approximate inverse of an [`ElasticOperator`], symmetric and positive definite.
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner) and
-/// [`HalfSpace::tensor_preconditioner`](crate::HalfSpace::tensor_preconditioner); a clone is another
-/// pointer to it.
+/// [`HalfSpace::tensor_preconditioner`](crate::HalfSpace::tensor_preconditioner) create it. Clones share the same
+/// preconditioner.
 #[derive(Debug, Clone)]
 pub struct ElasticPreconditioner<const N: usize = 1>(pub(super) Arc<CirculantInverse<N>>);
 
 impl<const N: usize> ElasticPreconditioner<N> {
-    /// Whether both point to the same: other bodies, and other windows, have others.
+    /// Returns whether both share the same preconditioner, which differs between bodies and between window sizes.
     pub(crate) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

@@ -1,4 +1,4 @@
-//! How what lies on the grid, or on windows of it, is dealt out to ranks; without ranks all of it is here.
+//! Distribution of fields on the grid, or on windows of it, over ranks. Without ranks every field is local.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -18,14 +18,16 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::ranks::{CommunicationStats, Input, RankGroup, Ranks, WireFormat};
 
 impl HalfSpace {
-    /// The pair meshed by `grid`, whose rows are dealt out to ranks: every rank calls this alike, and holds a slab of the
-    /// rows. [`HalfSpace::grid`] is that slab; fields, problems and solutions are those of its cells, and all ranks solve
-    /// together what each poses for its own. The answers have the bits of those of one process. The page of
-    /// [`ranks`](crate::ranks) tells more.
+    /// Creates the bodies on `grid` with its rows distributed over ranks. The call is collective, with the same
+    /// arguments on every rank; each rank stores one slab of rows. [`HalfSpace::grid`] returns this slab. Fields,
+    /// problems and solutions contain its cells. Each rank states the problem for its slab, and all ranks solve it
+    /// together. Results are bitwise identical to those of one process. The page of [`ranks`](crate::ranks) has the
+    /// details.
     ///
     /// # Errors
-    /// As [`HalfSpace::with_boundary`]; [`Error::Ranks`](crate::Error::Ranks); [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for
-    /// operators of a user.
+    /// - All errors of [`HalfSpace::with_boundary`].
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks fail or their arguments differ.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for user-defined operators.
     pub fn distributed(
         grid: Grid,
         bodies: impl Into<Kernel>,
@@ -54,29 +56,29 @@ impl HalfSpace {
         Ok(Self::of_kernels(kernels, dealt))
     }
 
-    /// What this rank has sent to others, all solves together; nothing of bodies that are not
-    /// [distributed](Self::distributed).
+    /// Returns the amount of data that this rank has sent to other ranks, summed over all solves; zero for bodies that
+    /// are not [distributed](Self::distributed).
     #[must_use]
     pub fn traffic(&self) -> CommunicationStats {
         self.team().map(|team| team.traffic()).unwrap_or_default()
     }
 
-    /// The ranks that share the grid, or that all have the whole of it and do the same.
+    /// Returns the ranks that share the grid, or that each store the whole grid and perform the same work.
     pub(crate) fn team(&self) -> Option<&Arc<RankGroup>> {
         self.shared.team.as_ref()
     }
 
-    /// The ranks that share the grid, if any do.
+    /// Returns the ranks that share the grid, or `None` if the grid is not shared.
     pub(crate) fn sharing(&self) -> Option<&Arc<RankGroup>> {
         self.shared.share.as_ref().map(|share| share.team())
     }
 
-    /// Whether ranks share the grid.
+    /// Returns whether ranks share the grid.
     pub(crate) fn is_shared(&self) -> bool {
         self.shared.share.is_some()
     }
 
-    /// How `[nx, ny]` cells are dealt out, if they are.
+    /// Returns the distribution of `[nx, ny]` cells over ranks, or `None` if the grid is not shared.
     pub(crate) fn share(&self, size: [usize; 2]) -> Option<Arc<RowPartition>> {
         let whole = self.shared.share.as_ref()?;
         Some(if whole.size() == size {
@@ -86,7 +88,7 @@ impl HalfSpace {
         })
     }
 
-    /// How the cells of a rectangle of `[nx, ny]` lie.
+    /// Returns the layout of the cells of a rectangle of `[nx, ny]` cells.
     pub(crate) fn layout(&self, size: [usize; 2]) -> Layout {
         match self.share(size) {
             Some(share) => Layout::shared(share),
@@ -94,17 +96,18 @@ impl HalfSpace {
         }
     }
 
-    /// How the cells of the grid lie.
+    /// Returns the layout of the cells of the grid.
     pub(crate) fn grid_layout(&self) -> Layout {
         self.layout(self.size())
     }
 
-    /// The result of a step that every rank takes by itself; an error if it failed on any.
+    /// Returns the result of a step that every rank takes separately, or an error on all ranks if the step failed on
+    /// any rank. This call is collective.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         RankGroup::agreed_of(self.team().map(|team| &**team), result)
     }
 
-    /// The same of work that may agree on the way.
+    /// Like [`Self::collective_result`], for work that may contain collective calls.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match self.team() {
             Some(team) => team.run_collectively(work),
@@ -112,7 +115,8 @@ impl HalfSpace {
         }
     }
 
-    /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not.
+    /// Like [`Self::collective_result`], at the start of a call whose inputs must be equal on all ranks. Returns an error if an
+    /// input differs.
     pub(crate) fn collective_result_checked<T>(
         &self,
         result: Result<T>,
@@ -124,7 +128,7 @@ impl HalfSpace {
         }
     }
 
-    /// What the first rank says of going on, for all; an error if any has one.
+    /// Returns the decision of the first rank whether to continue, or an error if any rank has an error.
     pub(crate) fn decided(
         &self,
         ask: impl FnOnce() -> Result<ControlFlow<()>>,
@@ -142,7 +146,7 @@ impl HalfSpace {
         })
     }
 
-    /// The result of a step that all ranks take together: why they could not, if they have lost each other.
+    /// Returns the result of a collective step, or the failure of the ranks if they have lost their connection.
     pub(crate) fn joint<T>(&self, result: Result<T>) -> Result<T> {
         match self.team() {
             Some(team) => team.check().and(result),
@@ -150,12 +154,12 @@ impl HalfSpace {
         }
     }
 
-    /// The least sample of a field of the grid.
+    /// Returns the smallest sample of a field of the whole grid.
     pub(crate) fn least(&self, field: &Field) -> f64 {
         self.over_ranks(field.min(), f64::min)
     }
 
-    /// The largest.
+    /// Returns the largest sample of a field of the whole grid.
     pub(crate) fn largest(&self, field: &Field) -> f64 {
         self.over_ranks(field.max(), f64::max)
     }
@@ -164,32 +168,35 @@ impl HalfSpace {
         RankGroup::combined_of(self.sharing().map(|team| &**team), own, combine)
     }
 
-    /// Around all cells of the grid that are in a set, of the cells held here; `None` if none is.
+    /// Returns the smallest window around all cells of the whole grid in a set, or `None` if the set is empty. Each
+    /// rank tests its local cells.
     pub(crate) fn around(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<Window> {
         let own = Window::around(self.grid(), contains);
         self.over_ranks(own, Window::union_of)
     }
 
-    /// The integral of a field over the whole grid.
+    /// Returns the integral of a field over the whole grid.
     pub(crate) fn integral(&self, field: &Field) -> f64 {
         field.integral_over(&self.grid_layout())
     }
 
-    /// `Ok` for bodies that are not shared, of what ranks cannot do together.
+    /// Checks that no ranks share the bodies, for work that does not support ranks.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         RankGroup::check_alone(self.team().map(|team| &**team), quantity)
     }
 
-    /// Index in the whole grid of the first cell held here.
+    /// Returns the index in the whole grid of the first local cell.
     pub(crate) fn first_cell(&self) -> usize {
         self.grid().rows().start * self.grid().nx()
     }
 }
 
-/// Collective reductions of a field: each rank passes its slab, and all receive the same number, bitwise identical to that
-/// of one process. Without ranks they equal [`Field::max`], [`Field::min`], [`Field::integral`] and [`Field::mean`].
+/// Collective reductions of a field. Each rank passes its slab, and all ranks receive the same number, bitwise
+/// identical to the result of one process. Without ranks the results equal [`Field::max`], [`Field::min`],
+/// [`Field::integral`] and [`Field::mean`].
 impl HalfSpace {
-    /// Largest sample of a field of the whole grid, in its units; NaN samples are ignored. See [`Field::max`].
+    /// Returns the largest sample of a field of the whole grid, in the units of the field; NaN samples are ignored. See
+    /// [`Field::max`].
     ///
     /// ```
     /// use std::sync::Arc;
@@ -197,7 +204,7 @@ impl HalfSpace {
     /// use stickslip::ranks::Threads;
     /// use stickslip::surface::SelfAffine;
     /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material};
-    /// // Heights to a gap that just closes, on slabs.
+    /// // Conversion of heights to a gap that just closes, on slabs.
     /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
     /// let grid = Grid::new(64, 256, 0.5, 0.5)?;
     /// let statistics = Threads::run(3, Duration::from_secs(60), |rank| {
@@ -215,37 +222,41 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is not on the slab of this rank.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks fail.
     pub fn max_of(&self, field: &Field) -> Result<f64> {
         self.checked(field)?;
         let largest = self.largest(field);
         self.joint(Ok(largest))
     }
 
-    /// Smallest sample of a field of the whole grid, in its units; NaN samples are ignored. See [`Field::min`].
+    /// Returns the smallest sample of a field of the whole grid, in the units of the field; NaN samples are ignored.
+    /// See [`Field::min`].
     ///
     /// # Errors
-    /// As [`HalfSpace::max_of`].
+    /// Returns the errors of [`HalfSpace::max_of`].
     pub fn min_of(&self, field: &Field) -> Result<f64> {
         self.checked(field)?;
         let least = self.least(field);
         self.joint(Ok(least))
     }
 
-    /// Integral of a field over the whole grid, in its units times a length squared. See [`Field::integral`].
+    /// Returns the integral of a field over the whole grid, in the units of the field times a length squared. See
+    /// [`Field::integral`].
     ///
     /// # Errors
-    /// As [`HalfSpace::max_of`].
+    /// Returns the errors of [`HalfSpace::max_of`].
     pub fn integral_of(&self, field: &Field) -> Result<f64> {
         self.checked(field)?;
         let integral = self.integral(field);
         self.joint(Ok(integral))
     }
 
-    /// Mean of a field over the whole grid, in its units: its [integral](Self::integral_of) over the area.
+    /// Returns the mean of a field over the whole grid, in the units of the field: its [integral](Self::integral_of)
+    /// divided by the area.
     ///
     /// # Errors
-    /// As [`HalfSpace::max_of`].
+    /// Returns the errors of [`HalfSpace::max_of`].
     pub fn mean_of(&self, field: &Field) -> Result<f64> {
         let integral = self.integral_of(field)?;
         Ok(integral / self.grid().whole().area())

@@ -1,4 +1,4 @@
-//! A window of the grid, and what of it is held here.
+//! Window of the grid, with its local part.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -9,11 +9,11 @@ use crate::half_space::HalfSpace;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// A window of the grid, and the rows of it that are solved here: all, if no ranks share the grid. Fields of a region are
-/// those of its rows solved here.
+/// Window of the grid, with the rows that this rank solves: all rows if no ranks share the grid. A field of a region
+/// contains these rows.
 ///
-/// Ranks share the rows of a window evenly. Those that lie in their slabs of the grid, where states and solutions are, are
-/// others: its rows [held](Self::held) here.
+/// Ranks share the rows of a window evenly. The slabs of the grid, which store states and solutions, contain different
+/// rows of the window: the rows [stored](Self::held) on this rank.
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     window: Window,
@@ -23,15 +23,15 @@ pub(crate) struct Region {
     dealt: Option<Box<RegionPartition>>,
 }
 
-/// How grid and window are dealt out to ranks.
+/// Distribution of grid and window over ranks.
 #[derive(Debug, Clone)]
 struct RegionPartition {
     grid: Grid,
     outer: Arc<RowPartition>,
     inner: Arc<RowPartition>,
-    /// The rows of the window as the slabs of the grid have them.
+    /// Distribution of the window rows according to the slabs of the grid.
     held: Arc<RowPartition>,
-    /// Whether these are not the rows solved here.
+    /// Whether the stored rows differ from the rows solved on any rank.
     moves: bool,
 }
 
@@ -67,32 +67,33 @@ impl Region {
         }
     }
 
-    /// The whole window.
+    /// Returns the whole window.
     pub(crate) fn window(&self) -> Window {
         self.window
     }
 
-    /// Its rows that are solved here.
+    /// Returns the rows of the window that this rank solves.
     pub(crate) fn own(&self) -> Window {
         self.own
     }
 
-    /// Its rows that are held here, as a window of the slab.
+    /// Returns the rows of the window that this rank stores, relative to its slab.
     pub(crate) fn held(&self) -> Window {
         self.held
     }
 
-    /// Cells solved here.
+    /// Returns the number of cells that this rank solves.
     pub(crate) fn cells(&self) -> usize {
         self.layout.cells()
     }
 
-    /// How the cells lie.
+    /// Returns the layout of the cells that this rank solves.
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    /// How the cells held here lie: sums over them add up row by row, wherever a slab ends.
+    /// Returns the layout of the cells that this rank stores. Sums over them add up row by row, so they do not depend
+    /// on the slabs.
     pub(crate) fn held_layout(&self) -> Layout {
         match &self.dealt {
             Some(dealt) => Layout::shared(Arc::clone(&dealt.held)),
@@ -100,13 +101,13 @@ impl Region {
         }
     }
 
-    /// Whether ranks share it.
+    /// Returns whether ranks share the window.
     pub(crate) fn is_shared(&self) -> bool {
         self.dealt.is_some()
     }
 
-    /// Whether cells are held and solved by different ranks. A window of the whole grid has them where they are: nothing
-    /// need be copied then.
+    /// Returns whether some cells are stored and solved by different ranks. For a window of the whole grid they are
+    /// not, so fields need no copy.
     pub(crate) fn is_moved(&self) -> bool {
         self.moving().is_some()
     }
@@ -115,7 +116,7 @@ impl Region {
         self.dealt.as_deref().filter(|dealt| dealt.moves)
     }
 
-    /// Copies the region out of a field of the grid.
+    /// Copies the region from a field of the grid.
     pub(crate) fn gather(&self, whole: &[f64], part: &mut [f64]) {
         let Some(dealt) = self.moving() else {
             return self.held.gather(whole, part);
@@ -134,7 +135,7 @@ impl Region {
         part.copy_from_slice(&outer.fetch(whole, grid.nx(), wanted));
     }
 
-    /// The same of the values of a function of the cells of the grid held here.
+    /// Like [`Self::gather`], for a function of the local cells of the grid.
     pub(crate) fn collect(&self, of: impl Fn(usize) -> f64, part: &mut [f64]) {
         if self.is_moved() {
             let held: Vec<f64> = self.held.indices().map(of).collect();
@@ -150,12 +151,12 @@ impl Region {
         self.held.scatter(&self.given(part), whole);
     }
 
-    /// Copies a field of the rows held here into one of the region.
+    /// Copies a field of the stored rows into a field of the region.
     pub(crate) fn take(&self, held: &[f64], part: &mut [f64]) {
         part.copy_from_slice(&self.taken(held));
     }
 
-    /// A field of the rows held here, as one of the region.
+    /// Returns a field of the stored rows as a field of the region.
     pub(crate) fn taken<'a>(&self, held: &'a [f64]) -> Cow<'a, [f64]> {
         match self.moving() {
             Some(dealt) => Cow::Owned(self.moved(held, &dealt.held, &dealt.inner)),
@@ -163,7 +164,7 @@ impl Region {
         }
     }
 
-    /// A field of the region, as one of the rows held here.
+    /// Returns a field of the region as a field of the stored rows.
     pub(crate) fn given<'a>(&self, part: &'a [f64]) -> Cow<'a, [f64]> {
         match self.moving() {
             Some(dealt) => Cow::Owned(self.moved(part, &dealt.inner, &dealt.held)),
@@ -171,7 +172,7 @@ impl Region {
         }
     }
 
-    /// A field of the window that lies as in one share, as in the other.
+    /// Redistributes a field of the window.
     fn moved(&self, field: &[f64], from: &RowPartition, to: &RowPartition) -> Vec<f64> {
         let [columns, _] = self.window.size;
         from.fetch(field, columns, |rank| [0..columns, to.rows_of(rank)])

@@ -1,23 +1,25 @@
-//! Buffers whose size follows the cells: memory that cannot be had is an error here, where a `vec!` ends the program.
+//! Buffers whose size depends on the number of cells. If memory runs out, these functions return an error, whereas
+//! `vec!` aborts the program.
 
 use bytemuck::Zeroable;
 
 use crate::error::{Error, Result};
 
-/// So many copies of a value.
+/// Creates a vector of `len` copies of a value.
 pub(crate) fn filled<T: Clone>(value: T, len: usize) -> Result<Vec<T>> {
     let mut buffer = with_room(len)?;
     buffer.resize(len, value);
     Ok(buffer)
 }
 
-/// Zeros, in pages that the system provides when they are first written to, to the thread that writes.
+/// Creates a vector of zeros in pages that the operating system provides at the first write, near the thread that
+/// writes.
 pub(crate) fn zeros<T: Zeroable>(len: usize) -> Result<Vec<T>> {
     let zeros = bytemuck::allocation::try_zeroed_vec(len);
     zeros.map_err(|()| out_of_memory(len.saturating_mul(size_of::<T>())))
 }
 
-/// Zeros for each of N components.
+/// Creates zeros for each of N components.
 pub(crate) fn vector<const N: usize>(len: usize) -> Result<[Vec<f64>; N]> {
     try_each(|_| zeros(len))
 }
@@ -26,28 +28,28 @@ pub(crate) fn copied<T: Clone>(items: &[T]) -> Result<Vec<T>> {
     collected(items.len(), items.iter().cloned())
 }
 
-/// What an iterator gives, of so many items at most.
+/// Collects at most `most` items of an iterator.
 pub(crate) fn collected<T>(most: usize, items: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
     let mut buffer = with_room(most)?;
     buffer.extend(items.into_iter().take(most));
     Ok(buffer)
 }
 
-/// Nothing yet, with room for so many items.
+/// Creates an empty vector with capacity for the given number of items.
 pub(crate) fn with_room<T>(items: usize) -> Result<Vec<T>> {
     let mut buffer = Vec::new();
     make_room(&mut buffer, items)?;
     Ok(buffer)
 }
 
-/// Room for so many items in all; what is there stays.
+/// Reserves capacity for the given total number of items; existing items are kept.
 pub(crate) fn make_room<T>(buffer: &mut Vec<T>, items: usize) -> Result<()> {
     let more = items.saturating_sub(buffer.len());
     let outcome = buffer.try_reserve_exact(more);
     outcome.map_err(|_| out_of_memory(items.saturating_mul(size_of::<T>())))
 }
 
-/// The error of a buffer of so many bytes that cannot be had.
+/// Returns the error for a buffer of the given number of bytes that cannot be allocated.
 pub(crate) fn out_of_memory(bytes: usize) -> Error {
     Error::Memory {
         quantity: "a buffer of the cells",
@@ -55,7 +57,7 @@ pub(crate) fn out_of_memory(bytes: usize) -> Error {
     }
 }
 
-/// `Vec::push` with memory that may not be had; the buffer is then as it was.
+/// Like `Vec::push`, but returns an error if memory runs out; the buffer is then unchanged.
 pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
     let outcome = buffer.try_reserve(1);
     outcome.map_err(|_| out_of_memory((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
@@ -63,14 +65,14 @@ pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
     Ok(())
 }
 
-/// `Vec::resize` with memory that may not be had; the buffer is then as it was.
+/// Like `Vec::resize`, but returns an error if memory runs out; the buffer is then unchanged.
 pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     make_room(buffer, len)?;
     buffer.resize(len, value);
     Ok(())
 }
 
-/// [`resize`] with zeros; where there is nothing yet, with pages as those of [`zeros`].
+/// Like [`resize`] with zeros. An empty buffer receives pages like those of [`zeros`].
 pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
     buffer: &mut Vec<T>,
     len: usize,
@@ -82,7 +84,7 @@ pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
     Ok(())
 }
 
-/// An array of what may fail.
+/// Creates an array with a function that may fail.
 pub(crate) fn try_each<T, const N: usize>(
     mut make: impl FnMut(usize) -> Result<T>,
 ) -> Result<[T; N]> {
@@ -96,12 +98,12 @@ pub(crate) fn try_each<T, const N: usize>(
     });
     match failure {
         Some(error) => Err(error),
-        // Without a failure each was made.
+        // Without a failure every value was created.
         None => Ok(made.map(|value| value.expect("each was made"))),
     }
 }
 
-/// The value; without memory the end of the program, as where a `Vec` has none: for signatures that cannot fail.
+/// Returns the value, or aborts the program if memory ran out, as `Vec` does; for signatures that cannot fail.
 pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     outcome.unwrap_or_else(|error| {
         let bytes = match error {
@@ -113,7 +115,7 @@ pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     })
 }
 
-/// `Clone` where memory may run out: a clone that cannot be had is an error, where that of `Clone` ends the program.
+/// Like `Clone`, but returns an error if memory runs out, whereas `Clone` aborts the program.
 ///
 /// ```
 /// use stickslip::{Field, Grid, TryClone};
@@ -124,19 +126,19 @@ pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub trait TryClone: Clone {
-    /// A copy.
+    /// Returns a copy.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     fn try_clone(&self) -> Result<Self>;
 
-    /// Whether `clone_from` writes into the memory that is there.
+    /// Returns whether `clone_from` can reuse the existing allocations.
     fn has_room_for(&self, source: &Self) -> bool;
 
-    /// `clone_from`.
+    /// Like `clone_from`, but returns an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`]; all is then as it was.
+    /// - [`Error::Memory`] if memory runs out; the value is then unchanged.
     fn try_clone_from(&mut self, source: &Self) -> Result<()> {
         if self.has_room_for(source) {
             self.clone_from(source);
@@ -147,7 +149,7 @@ pub trait TryClone: Clone {
     }
 }
 
-/// [`TryClone`] of a struct: of what has buffers, and of what has none.
+/// Implements [`TryClone`] for a struct with the given fields: first the fields with buffers, then the fields without.
 macro_rules! try_clone {
     ($type:ident $(<const $n:ident: usize>)? { $($part:ident),* $(,)? } $({ $($plain:ident),* $(,)? })?) => {
         impl$(<const $n: usize>)? $crate::memory::fallible::TryClone for $type$(<$n>)? {

@@ -1,4 +1,4 @@
-//! Memory that may be refused, and memory that several users share.
+//! Fallible memory allocation, and memory that several users share.
 
 pub(crate) mod fallible;
 pub(crate) mod pool;

@@ -1,10 +1,10 @@
-//! Memory that its users have only while they work.
+//! Pool of buffers that are in use only during work.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::error::Result;
 
-/// Pieces of memory that are free: as many as were in use at once. What is in a piece does not matter to who takes it.
+/// Pool of free buffers: as many as were in use simultaneously. Users must not rely on the contents of a buffer.
 #[derive(Debug)]
 pub(crate) struct Pool<T> {
     free: Mutex<Vec<T>>,
@@ -17,7 +17,7 @@ impl<T> Pool<T> {
         }
     }
 
-    /// So many pieces.
+    /// Creates a pool of `pieces` buffers.
     pub(crate) fn of(pieces: usize, make: impl Fn() -> Result<T>) -> Result<Self> {
         (0..pieces)
             .map(|_| make())
@@ -25,7 +25,7 @@ impl<T> Pool<T> {
             .map(Self::new)
     }
 
-    /// Lends a piece of a pool that has some for this work; makes one if all are out.
+    /// Runs `work` with a buffer of a pool that has at least one buffer. Creates a buffer if none is free.
     pub(crate) fn lend<R>(
         &self,
         make: impl Fn() -> Result<T>,
@@ -35,7 +35,7 @@ impl<T> Pool<T> {
             if let Some(piece) = self.take().or_else(|| make().ok()) {
                 break piece;
             }
-            // There is no memory for another one. Who has a piece waits for nobody, and soon gives it back.
+            // There is no memory for a new buffer. A holder never waits for another buffer, so one is returned soon.
             std::thread::yield_now();
         };
         let result = work(&mut piece);
@@ -43,12 +43,12 @@ impl<T> Pool<T> {
         result
     }
 
-    /// A piece, if one is free.
+    /// Returns a free buffer, or `None` if all are in use.
     pub(crate) fn take(&self) -> Option<T> {
         self.free().pop()
     }
 
-    /// Takes a piece back; gives it up if there is no memory for a longer list.
+    /// Returns a buffer to the pool, or drops it if there is no memory for a longer list.
     pub(crate) fn give(&self, piece: T) {
         let mut free = self.free();
         if free.try_reserve(1).is_ok() {
@@ -57,7 +57,7 @@ impl<T> Pool<T> {
     }
 
     fn free(&self) -> MutexGuard<'_, Vec<T>> {
-        // What panics under the lock leaves a list of whole pieces.
+        // A panic under the lock leaves a list of complete buffers.
         self.free.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -68,7 +68,7 @@ impl<T: Clone> Clone for Pool<T> {
     }
 }
 
-/// A piece of a pool from its first use until it is given back.
+/// Buffer of a pool from its first use until its return.
 #[derive(Debug)]
 pub(crate) struct PooledBuffer<T> {
     pool: Arc<Pool<T>>,
@@ -80,7 +80,7 @@ impl<T> PooledBuffer<T> {
         Self { pool, piece: None }
     }
 
-    /// The piece; one is made if all are out.
+    /// Returns the buffer. Creates a buffer if none is free.
     pub(crate) fn take(&mut self, make: impl FnOnce() -> Result<T>) -> Result<&mut T> {
         match &mut self.piece {
             Some(piece) => Ok(piece),
@@ -91,7 +91,7 @@ impl<T> PooledBuffer<T> {
         }
     }
 
-    /// The piece, between first use and return.
+    /// Returns the buffer between first use and return, otherwise `None`.
     pub(crate) fn held(&self) -> Option<&T> {
         self.piece.as_ref()
     }
@@ -100,7 +100,7 @@ impl<T> PooledBuffer<T> {
         self.piece.as_mut()
     }
 
-    /// The piece, for good.
+    /// Returns the buffer and removes it from the pool permanently.
     pub(crate) fn into_piece(self) -> Option<T> {
         self.piece
     }
@@ -112,7 +112,7 @@ impl<T> PooledBuffer<T> {
     }
 }
 
-/// Another user of the same pool, without a piece.
+/// Creates a further user of the same pool, without a buffer.
 impl<T> Clone for PooledBuffer<T> {
     fn clone(&self) -> Self {
         Self::new(Arc::clone(&self.pool))

@@ -1,11 +1,11 @@
-//! Vectors of N components a cell, one slice a component.
+//! Vectors with N components per cell, stored as one slice per component.
 
 use std::ops::{Deref, DerefMut, Range};
 
 use crate::parallel::layout::Layout;
 use crate::parallel::{Blocks, CHUNK, blocks};
 
-/// The scalar product of two cells.
+/// Returns the scalar product of the components of two cells.
 #[inline]
 pub(crate) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     let mut sum = a[0] * b[0];
@@ -15,32 +15,32 @@ pub(crate) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     sum
 }
 
-/// Length of a vector; of two and more components infinite beyond 1e150, where squares overflow, and zero
-/// below 1e-160.
+/// Returns the length of a vector. With two or more components it is infinite above 1e150, where squares overflow, and
+/// zero below 1e-160.
 #[inline]
 pub(crate) fn norm<const N: usize>(v: [f64; N]) -> f64 {
     if N == 1 { v[0].abs() } else { dot(v, v).sqrt() }
 }
 
-/// `a + scale b`.
+/// Returns `a + scale b`.
 #[inline]
 pub(crate) fn plus<const N: usize>(a: [f64; N], scale: f64, b: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| a[c] + scale * b[c])
 }
 
-/// `a - b`.
+/// Returns `a - b`.
 #[inline]
 pub(crate) fn minus<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| a[c] - b[c])
 }
 
-/// The components of a cell.
+/// Returns the components of a cell.
 #[inline]
 pub(crate) fn at<const N: usize>(vector: &[&[f64]; N], cell: usize) -> [f64; N] {
     std::array::from_fn(|c| vector[c][cell])
 }
 
-/// Puts the components into a cell of the part of a vector that a task owns.
+/// Writes the components of a cell into the chunk of a vector that a task owns.
 #[inline]
 pub(crate) fn put<const N: usize>(parts: &mut [Blocks<'_, f64>; N], place: usize, value: [f64; N]) {
     for (part, value) in parts.iter_mut().zip(value) {
@@ -48,26 +48,26 @@ pub(crate) fn put<const N: usize>(parts: &mut [Blocks<'_, f64>; N], place: usize
     }
 }
 
-/// The components of a cell in the part of a vector that a task owns.
+/// Returns the components of a cell in the chunk of a vector that a task owns.
 #[inline]
 pub(crate) fn held<const N: usize>(parts: &[Blocks<'_, f64>; N], place: usize) -> [f64; N] {
     std::array::from_fn(|c| parts[c].items[place])
 }
 
-/// A vector to read.
+/// Returns the components as slices for reading.
 #[inline]
 pub(crate) fn slices<V: Deref<Target = [f64]>, const N: usize>(vector: &[V; N]) -> [&[f64]; N] {
     vector.each_ref().map(|part| &**part)
 }
 
-/// A vector to write to.
+/// Returns the components as slices for writing.
 pub(crate) fn slices_mut<V: DerefMut<Target = [f64]>, const N: usize>(
     vector: &mut [V; N],
 ) -> [&mut [f64]; N] {
     vector.each_mut().map(|part| &mut **part)
 }
 
-/// The cells of a range.
+/// Returns the components of a range of cells.
 #[inline]
 pub(crate) fn within<'a, const N: usize>(
     vector: &[&'a [f64]; N],
@@ -76,7 +76,7 @@ pub(crate) fn within<'a, const N: usize>(
     vector.map(|part| &part[range.clone()])
 }
 
-/// A vector to write to, chunk by chunk.
+/// Splits a vector into chunks for writing.
 pub(crate) fn chunks<'a, V: DerefMut<Target = [f64]>, const N: usize>(
     layout: &Layout,
     vector: &'a mut [V; N],
@@ -84,7 +84,7 @@ pub(crate) fn chunks<'a, V: DerefMut<Target = [f64]>, const N: usize>(
     vector.each_mut().map(|part| layout.blocks(part))
 }
 
-/// Replaces every cell by `f(cell, its components)`.
+/// Replaces the components of every cell by `f(cell, components)`.
 pub(crate) fn update_cells<V: DerefMut<Target = [f64]>, const N: usize>(
     vector: &mut [V; N],
     f: impl Fn(usize, [f64; N]) -> [f64; N] + Sync,

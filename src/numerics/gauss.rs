@@ -1,6 +1,6 @@
 //! Gauss-Legendre rules.
 
-/// Nodes and weights on [-1, 1].
+/// Quadrature rule: nodes and weights on [-1, 1].
 pub(crate) type QuadratureRule = &'static [[f64; 2]];
 
 pub(crate) const GAUSS_2: [[f64; 2]; 2] = [[-0.5773502691896257, 1.0], [0.5773502691896257, 1.0]];
@@ -84,7 +84,7 @@ pub(crate) const GAUSS_16: [[f64; 2]; 16] = [
 mod tests {
     use super::*;
 
-    /// With n nodes, to the degree 2 n - 1.
+    /// A rule with n nodes is exact up to the degree 2 n - 1.
     #[test]
     fn polynomials_are_integrated_exactly() {
         let rules: [QuadratureRule; 8] = [

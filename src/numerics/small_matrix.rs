@@ -1,18 +1,18 @@
-//! Matrices of as many rows as a cell has components.
+//! Matrices with one row per component of a cell.
 
 use crate::numerics::cell_vector::{dot, norm};
 
-/// A small symmetric matrix.
+/// Small symmetric matrix.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Small<const N: usize>(pub(crate) [[f64; N]; N]);
 
 impl<const N: usize> Small<N> {
-    /// Rows for columns.
+    /// Returns the transposed matrix.
     pub(crate) fn transposed(&self) -> Self {
         Self(std::array::from_fn(|a| self.0.map(|row| row[a])))
     }
 
-    /// Solves for the active unknowns, the others being zero, by elimination.
+    /// Solves for the active unknowns by elimination; all other unknowns are zero.
     pub(crate) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
         let (mut rows, mut x) = (self.0, right);
         let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
@@ -39,7 +39,8 @@ impl<const N: usize> Small<N> {
         x
     }
 
-    /// One over the trace of the inverse among the active unknowns: about the least eigenvalue; infinite without any.
+    /// Returns the reciprocal trace of the inverse for the active unknowns, an approximation of the smallest
+    /// eigenvalue; infinite if no unknown is active.
     pub(crate) fn least(&self, active: [bool; N]) -> f64 {
         if active == [false; N] {
             return f64::INFINITY;
@@ -52,13 +53,13 @@ impl<const N: usize> Small<N> {
         1.0 / inverse.fold(0.0, |sum, part| sum + part)
     }
 
-    /// A vector of length one among the active unknowns that the matrix, not negative, takes to the least: by two steps
-    /// of inverse iteration.
+    /// Returns a unit vector of the active unknowns that approximates the eigenvector of the smallest eigenvalue, by
+    /// two steps of inverse iteration. The matrix must be positive semi-definite.
     pub(crate) fn weakest(&self, active: [bool; N]) -> [f64; N] {
         let least = (0..N).filter(|&a| active[a]);
         let least = least.min_by(|&a, &b| self.0[a][a].total_cmp(&self.0[b][b]));
         let trace: f64 = (0..N).map(|a| self.0[a][a]).sum();
-        // No direction is weaker than another where nothing is resisted.
+        // If the matrix is zero, all directions are equivalent.
         let shift = if trace > 0.0 {
             f64::EPSILON * trace
         } else {
@@ -76,7 +77,7 @@ impl<const N: usize> Small<N> {
         direction
     }
 
-    /// `v' A v`.
+    /// Returns `v' A v`.
     pub(crate) fn square(&self, v: [f64; N]) -> f64 {
         dot(v, self.0.map(|row| dot(row, v)))
     }
@@ -86,7 +87,7 @@ impl<const N: usize> Small<N> {
 mod tests {
     use super::*;
 
-    /// What a projection onto the line across the unit vector `(cos, sin)` leaves, some times over.
+    /// Returns the unit vector `(cos, sin)` and `size` times the projection onto the line perpendicular to it.
     fn across(angle: f64, size: f64) -> ([f64; 2], Small<2>) {
         let [c, s] = [angle.cos(), angle.sin()];
         let matrix = [[s * s, -c * s], [-c * s, c * c]];
@@ -113,7 +114,7 @@ mod tests {
     #[test]
     fn it_is_found_among_the_active_unknowns_alone() {
         let (null, Small([[a, b], [_, d]])) = across(0.7, 3.0);
-        // The second unknown is the weakest of all, and not active.
+        // The second unknown has the smallest diagonal entry, but it is not active.
         let matrix = Small([[a, 0.0, b], [0.0, 1e-9, 0.0], [b, 0.0, d]]);
         let [x, y, z] = matrix.weakest([true, false, true]);
         assert!(y == 0.0 && (x * null[1] - z * null[0]).abs() < 1e-14);
@@ -127,7 +128,7 @@ mod tests {
         let found =
             Small([[640_000.36, -479_999.52], [-479_999.52, 360_000.64]]).weakest([true; 2]);
         assert!((found[0] * 0.8 - found[1] * 0.6).abs() < 1e-10, "{found:?}");
-        // Of none it is any.
+        // Any unit vector is correct for the zero matrix.
         let found = Small([[0.0; 2]; 2]).weakest([true; 2]);
         assert!((norm(found) - 1.0).abs() < 1e-15, "{found:?}");
     }
@@ -146,7 +147,7 @@ mod tests {
     #[test]
     fn least_is_about_the_least_eigenvalue() {
         let (_, Small([[a, b], [_, d]])) = across(0.7, 3.0);
-        // Eigenvalues 1 and 4: one over the trace of the inverse is 4/5.
+        // With the eigenvalues 1 and 4, the reciprocal trace of the inverse is 4/5.
         let matrix = Small([[a + 1.0, b], [b, d + 1.0]]);
         assert!((matrix.least([true; 2]) - 0.8).abs() < 1e-15);
         assert!((matrix.least([true, false]) - (a + 1.0)).abs() < 1e-15);

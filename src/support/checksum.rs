@@ -1,8 +1,8 @@
-//! Sums of 64 bits by which bytes and values are compared: FNV-1a, <https://datatracker.ietf.org/doc/html/rfc9923>.
+//! Checksums of 64 bits for comparing bytes and values: FNV-1a, <https://datatracker.ietf.org/doc/html/rfc9923>.
 
 use std::fmt::{Debug, Result, Write};
 
-/// That of bytes, one after another.
+/// Checksum of a sequence of bytes.
 #[derive(Debug, Clone, Copy)]
 struct Digest(u64);
 
@@ -22,13 +22,13 @@ impl Write for Digest {
     }
 }
 
-/// The sum of some bytes.
+/// Returns the checksum of bytes.
 pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
     Digest::START.with(bytes).0
 }
 
-/// The sum of a value as `Debug` shows it, with every bit of its numbers but for those of NaN: of a type that leaves out
-/// parts of itself there these are not compared.
+/// Returns the checksum of the `Debug` output of a value, which contains every bit of its numbers except those of NaN.
+/// Parts that the `Debug` output of a type omits are not compared.
 pub(crate) fn of_shown(value: &dyn Debug) -> u64 {
     let mut digest = Digest::START;
     // `Digest::write_str` returns no error, and derived `Debug` adds none.
@@ -42,7 +42,7 @@ mod tests {
 
     #[test]
     fn every_bit_of_a_number_is_in_it() {
-        // Of the page above.
+        // Test vector of RFC 9923.
         assert_eq!(of_bytes(b"foobar"), 0x8594_4171_f739_67e8);
         let numbers = [
             0.0,

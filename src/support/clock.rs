@@ -1,9 +1,9 @@
-//! The clock behind wall times and time limits.
+//! Clock for wall times and time limits.
 
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 pub(crate) use std::time::Instant;
 
-/// On a platform without a clock the time stands still: solves take no time, and no time limit above zero ends them.
+/// Replacement on a platform without a clock: solves take no time, and no time limit above zero ends them.
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Instant;

@@ -1,6 +1,7 @@
-//! `Debug` of what has a number in every cell: by a few numbers of the whole.
+//! `Debug` output of types with a number in every cell, by a few global numbers.
 
-/// `Debug` by some fields and methods of a type; all the numbers in its cells would be no help to who reads them.
+/// Implements `Debug` by selected fields and methods of a type. The numbers of all cells would make the output
+/// unreadable.
 macro_rules! shown {
     ($type:ident $(<const $n:ident: usize>)?: $($part:ident $(($($none:tt)?))?),+ $(,)?) => {
         impl $(<const $n: usize>)? std::fmt::Debug for $type $(<$n>)? {

@@ -1,4 +1,4 @@
-//! Helpers without physics: checksums, the clock, debug output and serialisation.
+//! Utilities without physics: checksums, the clock, debug output and serialisation.
 
 pub(crate) mod checksum;
 pub(crate) mod clock;

@@ -1,14 +1,15 @@
-//! Serialisation beyond the derived code: checks of the values read, and numbers that may be infinite or NaN.
+//! Serialisation in addition to the derived code: checks of deserialised values, and numbers that may be infinite or
+//! NaN.
 //!
-//! JSON has finite numbers only. In human-readable formats NaN and the infinities are therefore written as
-//! the words `NaN`, `Infinity` and `-Infinity`; in all other formats every number is written as a number.
+//! JSON supports finite numbers only. In human-readable formats NaN and the infinities are therefore written as the
+//! strings `NaN`, `Infinity` and `-Infinity`; in all other formats every number is written as a number.
 
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use serde::ser::{Serialize, Serializer};
 
-/// One number, `#[serde(with = "crate::support::serialise::number")]`.
+/// Serialisation of a number, for `#[serde(with = "crate::support::serialise::number")]`.
 pub(crate) mod number {
     use super::{Deserialize, Deserializer, Number, Serialize, Serializer};
 
@@ -25,7 +26,7 @@ pub(crate) mod number {
     }
 }
 
-/// A sequence of numbers, `#[serde(with = "crate::support::serialise::numbers")]`.
+/// Serialisation of a sequence of numbers, for `#[serde(with = "crate::support::serialise::numbers")]`.
 pub(crate) mod numbers {
     use super::{Deserialize, Deserializer, Number, Serializer};
 
@@ -44,7 +45,7 @@ pub(crate) mod numbers {
     }
 }
 
-/// An array of any length, `#[serde(with = "crate::support::serialise::array")]`.
+/// Serialisation of an array of any length, for `#[serde(with = "crate::support::serialise::array")]`.
 pub(crate) mod array {
     use super::{Deserializer, Error, Serializer, numbers};
 
@@ -64,7 +65,7 @@ pub(crate) mod array {
     }
 }
 
-/// The value read, if it passes the check.
+/// Returns the deserialised value if it passes the check.
 pub(crate) fn checked<T, E: Error, F: fmt::Display>(
     read: T,
     check: impl FnOnce(&T) -> Result<(), F>,
@@ -73,7 +74,7 @@ pub(crate) fn checked<T, E: Error, F: fmt::Display>(
     Ok(read)
 }
 
-/// A number in its written form.
+/// Number in its serialised form.
 struct Number(f64);
 
 const NAN: &str = "NaN";

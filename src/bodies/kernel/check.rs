@@ -1,20 +1,20 @@
-//! Whether responses are those of bodies that store energy.
+//! Checks that responses belong to bodies that store positive energy.
 
 use crate::bodies::kernel::ResponseTensor;
 use crate::bodies::layers::Response;
 use crate::error::{Result, at_least, finite, positive};
 use crate::grid::Grid;
 
-/// Difference of a tensor from its mirror image that round-off explains.
+/// Largest difference of a tensor from its mirror image that counts as round-off.
 const MIRRORED: f64 = 1e-10;
 
-/// The meaning of one in checks of the allowed over the found difference.
+/// Meaning of the value 1 in checks of the allowed difference divided by the actual difference.
 pub(super) const AS_ALLOWED: &str = "a difference as large as allowed";
 
-/// Least thickness of a layer over the diagonal of a grid: the tables of coated bodies reach no further.
+/// Least thickness of a layer divided by the diagonal of a grid: the range of the tables of coated bodies.
 const THINNEST: f64 = 1e-25;
 
-/// `Ok` if the tables of a layer of this thickness reach over the grid.
+/// Checks that the tables of a layer of this thickness cover the grid.
 pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
     let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let quantity = "thickness of a layer over the diagonal of the grid";
@@ -27,7 +27,8 @@ pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
     Ok(())
 }
 
-/// A coupling over the mean of the two compliances between which it is, in an order in which nothing overflows.
+/// Returns a coupling divided by the geometric mean of the two compliances that it couples. The order of the divisions
+/// prevents overflow.
 pub(super) fn ratio(coupling: f64, one: f64, other: f64) -> f64 {
     coupling / one.sqrt() / other.sqrt()
 }
@@ -77,7 +78,7 @@ pub(super) fn checked_tensor(found: ResponseTensor) -> Result<ResponseTensor> {
     Ok(found)
 }
 
-/// `Ok` if a tensor is that of the mirrored wave vector, along x or y.
+/// Checks that a tensor agrees with the tensor of the wave vector that is mirrored along x or y.
 pub(super) fn check_mirrored(
     found: &ResponseTensor,
     mirrored: &ResponseTensor,

@@ -1,27 +1,27 @@
-//! Bodies of a user: linear, described by their response to waves, by influence coefficients, or by operators.
+//! User-defined linear bodies, described by their response to waves, by influence coefficients, or by operators.
 //!
-//! A [`Kernel`] takes the place of an [`ElasticPair`] where a [`HalfSpace`](crate::HalfSpace) is made: pressure, traction,
-//! both at once, histories, wear, stiffness and, but for operators, rolling then work with it. It describes the relative
-//! displacement $`u_1 - u_2`$ of both bodies together, with the signs of the [`influence`](crate::influence) page, in one of
-//! four ways.
+//! A [`HalfSpace`](crate::HalfSpace) can be created from a [`Kernel`] instead of an [`ElasticPair`]. Pressure,
+//! traction, coupled problems, histories, wear and stiffness then work with it; rolling works with all kernels except
+//! operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies together, with the signs of the
+//! [`influence`](crate::influence) page, in one of four ways.
 //!
-//! | | given | grids |
+//! | constructor | input | grids |
 //! |---|---|---|
-//! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all that take coated bodies |
-//! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 of $`(k_x, k_y)`$: a [`ResponseTensor`] | that repeat along both axes |
-//! | [`Kernel::tabulated`] | a [`CoefficientTable`]: of a finite-element code, measured | that do not repeat |
-//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all of as many cells |
+//! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all grids that support coated bodies |
+//! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 matrix as a function of $`(k_x, k_y)`$: a [`ResponseTensor`] | periodic along both axes |
+//! | [`Kernel::tabulated`] | a [`CoefficientTable`], measured or from a finite-element code | not periodic |
+//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all grids with the same number of cells |
 //!
 //! ```
 //! use stickslip::layers::Response;
 //! use stickslip::*;
-//! // An incompressible half-space whose modulus of shear grows in proportion to the depth, G = m z, responds to pressure
-//! // as independent springs do: u_z = p / 2 m (Gibson 1967, https://doi.org/10.1680/geot.1967.17.1.58).
+//! // An incompressible half-space whose shear modulus increases in proportion to the depth, G = m z, responds to pressure
+//! // like independent springs: u_z = p / 2 m (Gibson 1967, https://doi.org/10.1680/geot.1967.17.1.58).
 //! let (m, grid) = (3.0, Grid::square(32, 1.0)?);
 //! let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
 //! let soil = Kernel::isotropic(near, 1.0, move |k| Response {
 //!     normal: 0.5 / m,
-//!     along: 1.0 / (m * k), // of no effect on pressures
+//!     along: 1.0 / (m * k), // without effect on pressures
 //!     across: 1.0 / (m * k),
 //!     coupling: 0.0,
 //! })?;
@@ -36,39 +36,43 @@
 //!
 //! # How a free grid is computed
 //!
-//! Isotropic kernels go the way of [coatings](crate::layers#from-waves-to-cells). With A of the half-space `near`,
-//! $`B = \lim k\,C(k)`$ for $`k \to 0`$ and H twice the `thickness`,
+//! Isotropic kernels are treated like [coatings](crate::layers#from-waves-to-cells). Let A be the constant value of
+//! $`k\,C(k)`$ for the half-space `near`, $`B = \lim k\,C(k)`$ for $`k \to 0`$, and H twice the `thickness`. Then
 //!
 //! ```math
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
 //! ```
 //!
-//! The rest R must be gone at $`kH = 40`$: it is looked at when bodies are made, and refused ([`Error::BelowMinimum`]) if
-//! $`k R`$ is more than 1e-10 of $`A_n`$ there. That of a layer is, if `thickness` is its thickness. A body that changes
-//! gradually from the surface on approaches A like $`1/k`$ only, and one that has no half-space as its limit, such as
-//! springs, not at all: take a grid that repeats along both axes, or a table.
+//! The remainder R must be negligible at $`kH = 40`$. This is checked when a `HalfSpace` is created, which returns
+//! [`Error::BelowMinimum`] if $`k R`$ exceeds 1e-10 of $`A_n`$ there. The remainder of a layer satisfies this if `thickness`
+//! is the thickness of the layer. The response of a body whose moduli vary gradually from the surface approaches A only
+//! like $`1/k`$. The response of a body without a half-space as its limit, such as springs, does not approach A at all.
+//! Such bodies require a grid that is periodic along both axes, or a table.
 //!
-//! A table is used as it is. On windows and coarser grids its coefficients are cut and averaged; beyond its last
-//! distance, where only the periodic continuation of the transform reaches, it is continued linearly.
+//! The coefficients of a table are used without change. For windows and coarser grids they are cropped and averaged.
+//! Beyond the last distance, which only the periodic continuation of the transform reaches, they are extrapolated
+//! linearly.
 //!
 //! # Certificate
 //!
-//! The least eigenvalue of a response or a table on the grid is found when an operator is planned. Where it is positive
-//! errors are certified as of any bodies. Where it is not, an estimate on the infinite lattice of the cells takes its place for
-//! isotropic kernels on free grids and on those that repeat along y, as for coated bodies ([`layers`](crate::layers#limits-of-the-model)). If that is not
-//! positive either, and for tables, a solve is refused ([`Error::NotDefinite`]). Where pressure and traction are found
-//! together, the eigenvalues of each alone decide this. Operators state their own bound; without one pressure and traction
-//! are found one after the other only, and stiffness is refused. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound)
-//! tells which of these a certificate rests on.
+//! The smallest eigenvalue of a response or a table on the grid is computed when an operator is planned. If it is
+//! positive, errors are certified as for other bodies. If it is not, isotropic kernels on free grids and on grids
+//! periodic along y use an estimate on the infinite lattice of the cells, as for coated bodies
+//! ([`layers`](crate::layers#limits-of-the-model)). A solve returns [`Error::NotDefinite`] if this estimate is not
+//! positive either, and for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
+//! eigenvalues of pressure and traction decide. Operators state their bound. Without a bound, pressure and traction can
+//! be solved only one after the other, and stiffnesses are rejected.
+//! [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the origin of the bound behind a certificate.
 //!
 //! # Moduli and identity
 //!
-//! The pair `near` lends what is one number: its hardness, the ratio of tangential to normal compliance in the law of
-//! entering cells, and its moduli. Closed forms, edges inside the cells and stresses below the surface
-//! [refuse](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest of their values are the
-//! same: of a closure those of 41 wave numbers in single precision, of a table all, of operators their directions and the
-//! works of two fields of tractions, in single precision too. States of histories keep it, so that a history continues with
-//! the same kernel only.
+//! The pair `near` supplies the scalar constants: its hardness, its moduli, and the ratio of tangential to normal
+//! compliance in the law for cells that come into contact in a step. Closed forms, edges inside the cells and stresses
+//! below the surface [reject](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest of
+//! their values are the same. The digest of a closure contains its values at 41 wave numbers in single precision, and
+//! the digest of a table contains all values. The digest of operators contains their directions and the work of two
+//! fields of tractions, also in single precision. States of histories store the digest, so that a history can continue
+//! only with the same kernel.
 
 mod check;
 mod operators;
@@ -93,11 +97,11 @@ use crate::support::checksum;
 pub(crate) use check::check_thickness;
 use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
 
-/// Two bodies by their response, or a pair of materials as it is; the page of [`kernel`](crate::kernel) tells more.
+/// Two bodies defined by their response, or an unmodified pair of materials; see the page of [`kernel`](crate::kernel).
 ///
 /// ```
 /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, layers::Layer};
-/// // A closure that is a coating, on cells of any size beside the layer.
+/// // A closure that describes a coating, on cells much wider than the layer.
 /// let rigid = Material::rigid();
 /// let coating = Material::new(1.0, 0.3)?.coated(&[Layer::new(4.0, 0.2, 0.5)?])?;
 /// let coated = ElasticPair::new(coating, rigid)?;
@@ -121,7 +125,7 @@ pub struct Kernel {
     given: Option<KernelSource>,
 }
 
-/// What a user gives of two bodies.
+/// Description of two bodies by the user.
 #[derive(Clone)]
 pub(crate) enum KernelSource {
     Isotropic(Isotropic),
@@ -130,39 +134,40 @@ pub(crate) enum KernelSource {
     Operators(Arc<Operators>),
 }
 
-/// A response that tends to that of a half-space for short waves.
+/// Response that tends to the response of a half-space for short waves.
 #[derive(Clone)]
 pub(crate) struct Isotropic {
     response: Arc<dyn Fn(f64) -> Response + Send + Sync>,
     pub(crate) thickness: f64,
-    /// k times the response for k to zero.
+    /// Limit of k times the response for k to zero.
     pub(crate) far: Response,
 }
 
-/// The displacements by a wave of traction of one wave vector, in lengths over pressures, of bodies that are mirror images of
-/// themselves along x and along y.
+/// Displacements due to a wave of traction with one wave vector, in lengths over pressures, for bodies that are mirror
+/// images of themselves along x and along y.
 ///
-/// The Hermitian matrix of a wave has these real parts and imaginary ones; the other entries follow, such as
-/// $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. Even in $`k_x`$ and $`k_y`$ but for `xy`, which is odd in both, `zx`, odd in
-/// $`k_x`$, and `zy`, odd in $`k_y`$. Of isotropic bodies they are those of the page of [`layers`](crate::layers).
+/// The fields are the real or imaginary parts of entries of the Hermitian matrix of a wave; the other entries follow,
+/// such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, except `xy`, which is
+/// odd in both, `zx`, which is odd in $`k_x`$, and `zy`, which is odd in $`k_y`$. For isotropic bodies they are the
+/// entries on the page of [`layers`](crate::layers).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResponseTensor {
-    /// Displacement along x by traction along x.
+    /// Displacement along x due to traction along x.
     pub xx: f64,
-    /// Displacement along y by traction along y.
+    /// Displacement along y due to traction along y.
     pub yy: f64,
-    /// Normal displacement by pressure.
+    /// Normal displacement due to pressure.
     pub zz: f64,
-    /// Displacement along x by traction along y.
+    /// Displacement along x due to traction along y.
     pub xy: f64,
-    /// Normal displacement by traction along x, over i.
+    /// Normal displacement due to traction along x, divided by i.
     pub zx: f64,
-    /// Normal displacement by traction along y, over i.
+    /// Normal displacement due to traction along y, divided by i.
     pub zy: f64,
 }
 
 impl ResponseTensor {
-    /// One of the nine, or its imaginary part.
+    /// Returns one of the nine entries, or its imaginary part.
     pub(crate) fn component(&self, component: Component) -> f64 {
         match component {
             Component::XX => self.xx,
@@ -181,28 +186,31 @@ impl ResponseTensor {
     }
 }
 
-/// The longest wave that is looked at, in thicknesses.
+/// Longest wave that is evaluated, in thicknesses.
 const LONGEST: f64 = 1e9;
-/// k times the thickness where a response must be that of its half-space, and how closely.
+/// Value of k times the thickness at which a response must agree with its half-space, and the required agreement.
 const NEAR: f64 = 20.0;
 const CLOSE: f64 = 1e-10;
-/// Most difference of the limit of long waves from that found.
+/// Largest permitted deviation of a stated long-wave limit from the extrapolated limit.
 const ALIKE: f64 = 1e-3;
 
 impl Kernel {
-    /// Bodies without a direction in their plane, by their response to waves of the wave number k > 0: that of
-    /// [`ElasticPair::response`] (not times k), of the relative displacement. It is called on many threads, which it must not
-    /// wait for, at any k from 5e-10 to 64 over the thickness, and on grids that repeat along both axes at those of their
-    /// waves; it must be finite and store energy there.
+    /// Creates a kernel for bodies that are isotropic in their plane, from their response to waves of the positive wave
+    /// number k. The response is defined as [`ElasticPair::response`] (not times k), for the relative displacement. The
+    /// closure is called on many threads and must not wait for them. It is called for k from 5e-10 to 64 divided by the
+    /// thickness, and for the wave numbers of grids that are periodic along both axes. For all of them the response
+    /// must be finite and store positive energy.
     ///
-    /// `near` is the pair of homogeneous half-spaces that waves much shorter than `thickness` (a length) see, to 1e-10 at
-    /// $`k = 20/\text{thickness}`$, beyond which it takes the place of the response: of a coating its outermost layer. Grids that repeat along both axes take the response
-    /// as it is.
+    /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than
+    /// `thickness` (a length); for a coating it is the outermost layer. The two responses must agree to 1e-10 at
+    /// $`k = 20/\text{thickness}`$, and `near` replaces the response beyond this wave number. Grids periodic along both
+    /// axes use the response without this replacement.
     ///
     /// # Errors
-    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::NotPositive`] for the thickness, and for a response that is
-    /// not positive, or whose coupling is too strong, at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the
-    /// thickness; [`Error::NotFinite`].
+    /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
+    /// - [`Error::NotPositive`] if the thickness is not positive, or if the response is not positive or its coupling is
+    ///   too strong at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the thickness.
+    /// - [`Error::NotFinite`] if a value is not finite.
     pub fn isotropic(
         near: ElasticPair,
         thickness: f64,
@@ -210,7 +218,7 @@ impl Kernel {
     ) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         positive("thickness of the kernel", thickness)?;
-        // Extrapolated from two long waves.
+        // The limit is extrapolated from two long waves.
         let times_k = |k: f64| response(k).map(|value| k * value);
         let k = 1.0 / (LONGEST * thickness);
         let far = times_k(0.5 * k).with(times_k(k), |longer, shorter| 2.0 * longer - shorter);
@@ -234,13 +242,14 @@ impl Kernel {
         ))
     }
 
-    /// The same with `base` as k times the response for k to zero (one over a pressure): zero on a rigid base, of elastic
-    /// bodies the constants of the half-space [below](crate::layers). By default it is extrapolated from the response at k of
-    /// 1e-9 over the thickness and at half of it, from which it may differ by 1e-3 of that of `near`. Of other kernels
-    /// without effect.
+    /// Sets the limit of k times the response for k to zero to `base` (one over a pressure). The limit is zero on a
+    /// rigid base; for elastic bodies it contains the constants of the half-space [below](crate::layers). By default it
+    /// is extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ from the
+    /// extrapolated limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::BelowMinimum`] for a base that is not that of the response.
+    /// - [`Error::NotFinite`] if `base` is not finite.
+    /// - [`Error::BelowMinimum`] if `base` is not the limit of the response.
     pub fn with_long_wave_limit(mut self, base: Response) -> Result<Self> {
         if let Some(KernelSource::Isotropic(isotropic)) = &mut self.given {
             let base = checked_far(base)?;
@@ -254,14 +263,14 @@ impl Kernel {
         Ok(self)
     }
 
-    /// Bodies whose elastic axes lie along the grid, by their response to waves of the wave vector $`(k_x, k_y)`$, not zero:
-    /// for grids that repeat along both axes. `near` lends hardness and moduli, `length` is about that on which the response
-    /// changes.
+    /// Creates a kernel for bodies whose elastic axes lie along the grid, from their response to waves of the nonzero
+    /// wave vector $`(k_x, k_y)`$, for grids that are periodic along both axes. `near` supplies hardness and moduli.
+    /// `length` is the approximate length scale on which the response changes.
     ///
     /// ```
     /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem};
     /// use stickslip::{Field, kernel::ResponseTensor};
-    /// // A pressure sinks waves along x four times as far as waves along y.
+    /// // Under a pressure, waves along x sink four times as far as waves along y.
     /// let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
     /// let fibres = Kernel::orthotropic(near, 1.0, |[x, y]| {
     ///     let c = 1.0 / (x * x / 16.0 + y * y).sqrt();
@@ -279,9 +288,11 @@ impl Kernel {
     /// ```
     ///
     /// # Errors
-    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::NotPositive`] for the length, and for a compliance of an axis
-    /// that is not positive at one of 41 wave numbers in three directions; [`Error::NotFinite`]; [`Error::BelowMinimum`] for a
-    /// tensor that is not its mirror image to 1e-10.
+    /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
+    /// - [`Error::NotPositive`] if the length is not positive, or if a compliance along an axis is not positive at one
+    ///   of 41 wave numbers in three directions.
+    /// - [`Error::NotFinite`] if a value is not finite.
+    /// - [`Error::BelowMinimum`] if a tensor differs from its mirror image by more than 1e-10.
     pub fn orthotropic(
         near: ElasticPair,
         length: f64,
@@ -309,12 +320,13 @@ impl Kernel {
         ))
     }
 
-    /// Bodies by their influence coefficients, for free grids of the cells of the table, as large as it or smaller. `near` lends
-    /// hardness and moduli.
+    /// Creates a kernel from influence coefficients, for free grids with the cells of the table that are at most as
+    /// large as the table. `near` supplies hardness and moduli.
     ///
     /// # Errors
-    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::Sample`] for a coefficient that is odd along an axis and not
-    /// zero at distance zero along it, to 1e-12 of the largest.
+    /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
+    /// - [`Error::Sample`] if a coefficient that is odd along an axis is not zero at distance zero along it, to 1e-12
+    ///   of the largest coefficient.
     pub fn tabulated(near: ElasticPair, table: CoefficientTable) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         table.check_odd()?;
@@ -322,25 +334,32 @@ impl Kernel {
         Ok(Self::new(&near, mark, KernelSource::Table(Arc::new(table))))
     }
 
-    /// Bodies by [operators](Operators) on the cells of a grid, of any boundary: whatever displacements they compute from
-    /// tractions. `near` is the pair of homogeneous half-spaces that they resemble for waves of a few cells: its inverse
-    /// preconditions the solves, which converge the faster the better it fits, to the same answer. It lends hardness and
-    /// moduli, whether pressure and traction are [coupled](ElasticPair::is_coupled), and how strongly: what
-    /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate) reckons with.
+    /// Creates a kernel from [operators](Operators) on the cells of a grid with any boundary. The operators may compute
+    /// any linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates them
+    /// for waves of a few cells. Its inverse preconditions the solves. A better approximation gives faster convergence
+    /// to the same solution. `near` also supplies hardness and moduli, whether pressure and traction are
+    /// [coupled](ElasticPair::is_coupled), and the strength of the coupling for
+    /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate).
     ///
-    /// A contact is solved on all cells of the grid: no window, no coarser grids. A [lower bound](crate::Operator::lower_bound)
-    /// of an operator makes its certificate; without one [`Report::duality_gap`](crate::Report::duality_gap) is the duality
-    /// gap, and does not decide when a solve ends; pressure and traction are then not found together, nor stiffness, nor cycles
-    /// of wear that a step may jump. Rolling, ranks, dense matrices, edges inside the cells and stresses refuse such bodies. On
-    /// a grid that repeats along both axes an operator must map constants to zero. A
-    /// [cell value](crate::HalfSpace::with_cell_value) changes nothing of an operator: it says which values it takes.
+    /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a
+    /// [lower bound](crate::Operator::lower_bound) of the operator. Without a bound,
+    /// [`Report::duality_gap`](crate::Report::duality_gap) is the duality gap, and it is not part of the convergence
+    /// test. Coupled problems, stiffnesses and jumps over cycles of wear are then not available. Rolling, ranks, dense
+    /// matrices, edges inside the cells and stresses reject such bodies. On a grid that is periodic along both axes an
+    /// operator must map constants to zero. A [cell value](crate::HalfSpace::with_cell_value) does not change an
+    /// operator; it states the interpretation of the values that the operator uses.
     ///
     /// # Errors
-    /// [`Error::UnsupportedForCoatings`] if `near` is not homogeneous; [`Error::IncompleteKernel`] without an operator;
-    /// [`Error::RepeatedDirection`]; [`Error::Length`] for operators of different numbers of cells; and, of two fields without
-    /// mean, [`Error::NotPositive`] for an energy, [`Error::NotFinite`], [`Error::UnsupportedByModel`] for works that differ by more
-    /// than 1e-9 of the energies or for a coupling that `near` has not, [`Error::BelowMinimum`] for an energy less than the lower
-    /// bound states; [`Error::Memory`].
+    /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
+    /// - [`Error::IncompleteKernel`] if there is no operator.
+    /// - [`Error::RepeatedDirection`] if an operator has the same direction twice.
+    /// - [`Error::Length`] if operators have different numbers of cells.
+    /// - [`Error::NotPositive`] if the energy of one of two test fields without mean is not positive.
+    /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
+    /// - [`Error::UnsupportedByModel`] if the work of each test field on the displacements of the other differs by more than
+    ///   1e-9 of the energies, or if an operator has a coupling and `near` has not.
+    /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound states.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         let shown = operators.examined(&near)?;
@@ -360,19 +379,19 @@ impl Kernel {
         }
     }
 
-    /// The pair that lends hardness and moduli, marked as that of this kernel: [`HalfSpace::pair`](crate::HalfSpace::pair). By
-    /// itself it makes no bodies ([`Error::IncompleteKernel`]).
+    /// Returns the pair that supplies hardness and moduli, marked as the pair of this kernel:
+    /// [`HalfSpace::pair`](crate::HalfSpace::pair). The pair alone does not define bodies ([`Error::IncompleteKernel`]).
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// What a user gives; nothing of a pair of materials.
+    /// Returns the description by the user, or `None` for a pair of materials.
     pub(crate) fn given(&self) -> Option<&KernelSource> {
         self.given.as_ref()
     }
 
-    /// Operators of a user, if they are all there is.
+    /// Returns the user-defined operators, or `None` if the kernel is described in a different way.
     pub(crate) fn user_operators(&self) -> Option<&Operators> {
         match &self.given {
             Some(KernelSource::Operators(operators)) => Some(operators),
@@ -380,7 +399,7 @@ impl Kernel {
         }
     }
 
-    /// `Ok` where it is known how bodies respond at any place.
+    /// Checks that the response of the bodies is available at any position, which it is not for operators.
     pub(crate) fn check_no_operators(&self, quantity: &'static str) -> Result<()> {
         match self.user_operators() {
             None => Ok(()),
@@ -392,7 +411,7 @@ impl Kernel {
         }
     }
 
-    /// The wave number k > 0 times the response to waves of it, of bodies without a direction.
+    /// Returns the wave number k > 0 times the response to waves of this wave number, for isotropic bodies.
     pub(crate) fn times_k(&self, k: f64) -> Response {
         match &self.given {
             Some(KernelSource::Isotropic(of)) => (of.response)(k).map(|value| k * value),
@@ -400,7 +419,7 @@ impl Kernel {
         }
     }
 
-    /// The same with the half-space that short waves see in place of the response to them.
+    /// Like [`Self::times_k`], but with the response of the half-space `near` for short waves.
     pub(crate) fn short_times_k(&self, k: f64) -> Response {
         match &self.given {
             Some(KernelSource::Isotropic(of)) if k * of.thickness > NEAR => self.pair.times_k(k),
@@ -408,7 +427,7 @@ impl Kernel {
         }
     }
 
-    /// The limit of the wave number times the response for long waves.
+    /// Returns the limit of the wave number times the response for long waves.
     pub(crate) fn long_times_k(&self) -> Response {
         match &self.given {
             Some(KernelSource::Isotropic(of)) => of.far,
@@ -416,7 +435,7 @@ impl Kernel {
         }
     }
 
-    /// Whether it is a response to waves that is not that of homogeneous half-spaces.
+    /// Returns whether the kernel is an isotropic response to waves that differs from homogeneous half-spaces.
     pub(crate) fn has_response(&self) -> bool {
         match &self.given {
             None => self.pair.is_coated(),
@@ -424,7 +443,7 @@ impl Kernel {
         }
     }
 
-    /// `Ok` if bodies on the grid can be made of it.
+    /// Checks that bodies on the grid can be created from the kernel.
     pub(crate) fn check_on(&self, grid: Grid, boundary: Boundary) -> Result<()> {
         const REPEATING: &str =
             "take a grid that repeats along both axes, or a table of coefficients";
@@ -481,12 +500,12 @@ impl Isotropic {
 const NEAR_IS: &str = "the half-space near of a kernel";
 const NEAR_REMEDY: &str = "give a pair of homogeneous bodies";
 
-/// The wave numbers at which a kernel is looked at.
+/// Returns the wave numbers at which a kernel is checked.
 fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
     (-28..=12).map(move |n| (0.5 * f64::from(n)).exp2() / thickness)
 }
 
-/// Half octaves from the longest wave of a grid to the shortest.
+/// Iterates over half octaves from the longest wave of a grid to the shortest.
 fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     let pi = std::f64::consts::PI;
     let longest = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
@@ -496,8 +515,9 @@ fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(2.0 * pi / longest), next)
 }
 
-/// Of a length and of values times k, in single precision: what differs between machines by the last digits is the same. In
-/// the units of the pair, so that no unit is too small or too large.
+/// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off
+/// differences between machines do not change the digest. They are in the units of the pair, so that they cannot over-
+/// or underflow in any system of units.
 fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
     let unit = near.compliances().normal;
     let numbers = values.iter().map(|value| value / unit);
@@ -507,7 +527,7 @@ fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
     checksum::of_bytes(&bytes.collect::<Vec<_>>())
 }
 
-/// To single precision.
+/// Rounds a value to single precision.
 fn rounded(value: f64) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "to be rounded")]
     let single = value as f32;

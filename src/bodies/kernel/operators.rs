@@ -1,4 +1,4 @@
-//! Operators of a user, by the directions that they couple.
+//! User-defined operators with the directions that they couple.
 
 use std::fmt;
 
@@ -9,20 +9,21 @@ use crate::error::{Error, Result, at_least, finite, length, positive};
 use crate::memory::fallible::zeros;
 use crate::operator::Operator;
 
-/// The compliance of two bodies as operators on the cells of one grid: what [`Kernel::operators`](crate::Kernel::operators)
-/// takes.
+/// Compliance of two bodies as operators on the cells of one grid: the argument of
+/// [`Kernel::operators`](crate::Kernel::operators).
 ///
-/// An operator has a component for each of its directions, in this order. A problem takes the first that has all directions
-/// it asks for and the fewest others: [`NormalProblem`](crate::NormalProblem) asks for Z,
-/// [`TangentialProblem`](crate::TangentialProblem) for X, Y or both, and all three are found together where `near` is
-/// [coupled](crate::ElasticPair::is_coupled). A problem that asks for fewer than an operator has pays for all. Where several
-/// have a direction they must agree on it; this is not looked at.
+/// An operator has a component for each of its directions, in this order. A problem uses the first operator that has
+/// all required directions and the fewest others. [`NormalProblem`](crate::NormalProblem) requires Z and
+/// [`TangentialProblem`](crate::TangentialProblem) requires X, Y or both. Coupled problems require all three directions
+/// if `near` is [coupled](crate::ElasticPair::is_coupled). A problem that requires fewer directions than an operator
+/// has still pays for all of them. If several operators have the same direction, they must agree on it; this is not
+/// checked.
 ///
 /// ```
 /// use stickslip::influence::Direction::{X, Y, Z};
 /// use stickslip::kernel::Operators;
 /// use stickslip::*;
-/// /// A bed of springs: each cell yields by so much under a unit of pressure or traction.
+/// /// A bed of springs: each cell sinks by the given compliance under a unit of pressure or traction.
 /// struct Bed(usize, f64);
 /// impl<const N: usize> Operator<N> for Bed {
 ///     fn cells(&self) -> usize { self.0 }
@@ -44,10 +45,10 @@ use crate::operator::Operator;
 /// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
 /// assert!((contact.force() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
 ///
-/// // A shift within the friction of the springs in the middle: these stick, those at the edge slip.
+/// // A shift below the friction limit of the springs in the middle: these stick, those at the edge slip.
 /// let (friction, shift) = (Friction::coulomb(0.5)?, TangentialLoad::shift([0.01, 0.0]));
 /// let shear = TangentialProblem::builder(&bodies, &contact, friction, shift).build()?.solve()?;
-/// // Springs stick where mu p > s / c, that is within r^2 < 2 R (d - s / mu).
+/// // Springs stick if mu p > s / c, which holds within r^2 < 2 R (d - s / mu).
 /// let stick = 2.0 * (depth - 0.01 / 0.5) / (2.0 * depth);
 /// assert!((shear.stick_ratio() - stick).abs() < 0.03);
 /// # Ok::<(), Error>(())
@@ -57,18 +58,19 @@ pub struct Operators {
     given: Vec<UserOperator>,
 }
 
-/// Difference of two products from symmetry that round-off explains, and energy by coupling that means none.
+/// Largest asymmetry of two products, and largest coupling, that count as round-off.
 const ROUNDED: f64 = 1e-9;
 
 impl Operators {
-    /// None yet.
+    /// Creates an empty set of operators.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// With an operator of these directions (lengths from pressures), symmetric: of displacement and traction along each,
-    /// with the signs of the [`influence`](crate::influence) page. It is applied on many threads.
+    /// Adds a symmetric operator for these directions (lengths from pressures), which maps the tractions along them to
+    /// the displacements along them. The signs are those of the [`influence`](crate::influence) page. The operator is
+    /// applied on many threads.
     #[must_use]
     pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
     where
@@ -79,8 +81,9 @@ impl Operators {
         self
     }
 
-    /// Numbers that tell them from others, in the units of `near`, if they are what they must be: of as many cells, symmetric, positive, with the
-    /// bounds that they state, and coupled only if they may be.
+    /// Checks the operators and returns numbers that identify them, in the units of `near`. The operators must have
+    /// equal numbers of cells, be symmetric and positive, and satisfy their stated bounds. They may couple pressure and
+    /// traction only if `near` does.
     pub(super) fn examined(&self, near: &ElasticPair) -> Result<Vec<f64>> {
         let unit = near.compliances().normal;
         let [first, ..] = &self.given[..] else {
@@ -108,7 +111,7 @@ impl Operators {
         Ok(shown)
     }
 
-    /// `Ok` for a grid of so many cells, which repeats along both axes or does not.
+    /// Checks the operators for a grid of this number of cells that is periodic along both axes or along neither.
     pub(super) fn check_on(&self, cells: usize, repeats: bool) -> Result<()> {
         let mut given = self.given.iter();
         given.try_for_each(|given| {
@@ -117,7 +120,7 @@ impl Operators {
         })
     }
 
-    /// These components (displacement, then traction) on `size` cells.
+    /// Returns the operator of these components (displacement, then traction) on `size` cells.
     pub(crate) fn part<const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -134,11 +137,11 @@ impl Operators {
     }
 }
 
-/// The model that operators must obey, as errors name it.
+/// Name of the conditions for operators in error messages.
 const MODEL: &str = "the model of user-defined operators";
 
-/// Numbers of the products of two fields without mean, if they are those of a compliance: both energies, and what each does
-/// on the displacements of the other, over their mean.
+/// Checks the products of two fields without mean and returns numbers that identify the operator. The numbers are both
+/// energies, and the work of one field on the displacements of the other divided by the geometric mean of the energies.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {
@@ -176,7 +179,7 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     Ok([xx, yy, xy / mean])
 }
 
-/// `Ok` if pressure displaces nothing tangentially.
+/// Checks that pressure causes no tangential displacement.
 fn check_uncoupled(given: &UserOperator) -> Result<()> {
     let Some(normal) = given.component(Direction::Z) else {
         return Ok(());
@@ -200,8 +203,8 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     Ok(())
 }
 
-/// `Ok` if a uniform traction along each direction displaces nothing: on a grid that repeats along both axes there is no
-/// other datum.
+/// Checks that a uniform traction along each direction causes no displacement, which is the only possible datum on a
+/// grid that is periodic along both axes.
 fn check_means(given: &UserOperator) -> Result<()> {
     let (x, mut uniform) = (probe(given, STEPS[0])?, zeros(given.unknowns()?)?);
     let (u, cells) = (given.product(&x)?, given.cells());
@@ -223,10 +226,10 @@ fn check_means(given: &UserOperator) -> Result<()> {
     Ok(())
 }
 
-/// Steps of two sequences that never repeat.
+/// Steps of two sequences that never repeat a value.
 const STEPS: [f64; 2] = [0.618_033_988_749_895, 0.414_213_562_373_095];
 
-/// Numbers of which each component has mean zero.
+/// Creates a field of test tractions. Each component has mean zero.
 fn probe(given: &UserOperator, step: f64) -> Result<Vec<f64>> {
     let (cells, mut x) = (given.cells(), zeros(given.unknowns()?)?);
     for (i, x) in x.iter_mut().enumerate() {
@@ -234,7 +237,7 @@ fn probe(given: &UserOperator, step: f64) -> Result<Vec<f64>> {
     }
     for part in x.chunks_mut(cells) {
         let mean = part.iter().sum::<f64>() / cells as f64;
-        // A single cell has no other field.
+        // On a single cell, a field without mean would be zero.
         if cells > 1 {
             for x in part {
                 *x -= mean;

@@ -1,4 +1,4 @@
-//! Influence coefficients by the distance of two cells.
+//! Influence coefficients as functions of the distance between two cells.
 
 use crate::bodies::component::Component;
 use crate::error::{Error, Result, all_finite, length, memory, positive};
@@ -6,19 +6,19 @@ use crate::grid::Grid;
 use crate::support::checksum;
 use crate::support::debug::shown;
 
-/// Influence coefficients $`C_{ij}`$ of two bodies at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`: the
-/// displacement at the centre of a cell by a unit traction on the one at distance zero, as the
-/// [`influence`](crate::influence) page has them (lengths over pressures). Distances of the other sign follow from the
-/// [parity](Component::is_odd) of bodies that are mirror images of themselves along x and y.
+/// Influence coefficients $`C_{ij}`$ of two bodies at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
+/// A coefficient is the displacement at the centre of a cell due to a unit traction on the cell at distance zero, as
+/// defined on the [`influence`](crate::influence) page (lengths over pressures). Coefficients at negative distances
+/// follow from the [parity](Component::is_odd) of bodies that are mirror images of themselves along x and y.
 ///
-/// Of the nine, `XX`, `YY` or `ZZ` are needed for what displaces along them; `XY`, `ZX` and `ZY` are zero where they are
-/// not given, and `YX`, `XZ` and `YZ` are theirs, by reciprocity.
+/// `XX`, `YY` or `ZZ` are required for displacements along these directions. `XY`, `ZX` and `ZY` are zero if they are
+/// not given. `YX`, `XZ` and `YZ` follow from them by reciprocity.
 ///
 /// ```
 /// use stickslip::influence::{Component, Table};
 /// use stickslip::kernel::CoefficientTable;
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem, surface};
-/// // A bed of springs beside the half-space: what each cell sinks by its own pressure is added to its coefficient.
+/// // A half-space in series with a bed of springs: the coefficient of a cell's own pressure includes its spring.
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let grid = Grid::square(32, 3.0)?;
 /// let half_space = Table::sample(grid, &pair, Component::ZZ)?;
@@ -39,13 +39,13 @@ use crate::support::debug::shown;
 pub struct CoefficientTable {
     sides: [f64; 2],
     size: [usize; 2],
-    /// Of the six that are independent, those given, row by row.
+    /// Values of the six independent components, row by row; `None` for a component that is not given.
     values: [Option<Vec<f64>>; 6],
 }
 
 shown!(CoefficientTable: sides, size);
 
-/// The six, in the order of their values.
+/// The six independent components, in the order of their values.
 const SIX: [Component; 6] = [
     Component::XX,
     Component::YY,
@@ -55,16 +55,16 @@ const SIX: [Component; 6] = [
     Component::ZY,
 ];
 
-/// Size beside the largest value of a table that is nothing.
+/// Size relative to the largest value of a table that counts as round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Whether a component is zero at a distance for its parity.
+/// Returns whether the parity of a component makes it zero at a distance.
 fn vanishes(component: Component, distance: [usize; 2]) -> bool {
     let odd = component.is_odd();
     (0..2).any(|axis| odd[axis] && distance[axis] == 0)
 }
 
-/// The place of a component among the six, and whether its values are the others' negatives.
+/// Returns the index of a component among the six, and whether its values are the negatives of the stored values.
 fn place(component: Component) -> (usize, bool) {
     match component {
         Component::XX => (0, false),
@@ -81,10 +81,13 @@ fn place(component: Component) -> (usize, bool) {
 const QUANTITY: &str = "table of coefficients";
 
 impl CoefficientTable {
-    /// A table of `size` distances along x and along y, of cells of the sides `[dx, dy]` (lengths), without coefficients.
+    /// Creates a table without coefficients for `size` distances along x and along y, of cells of the sides `[dx, dy]`
+    /// (lengths).
     ///
     /// # Errors
-    /// [`Error::NotPositive`]; [`Error::Length`] without a distance; [`Error::Memory`].
+    /// - [`Error::NotPositive`] if a side is not positive.
+    /// - [`Error::Length`] if there is no distance along an axis.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn new(sides: [f64; 2], size: [usize; 2]) -> Result<Self> {
         for side in sides {
             positive("side of a cell of the table", side)?;
@@ -100,10 +103,12 @@ impl CoefficientTable {
         })
     }
 
-    /// The same with a component: `nx` values for each distance along y, of distances along x from zero on.
+    /// Sets the values of a component: `nx` values for each distance along y, for increasing distances along x from
+    /// zero.
     ///
     /// # Errors
-    /// [`Error::Length`]; [`Error::Sample`] for values that are not finite.
+    /// - [`Error::Length`] if the number of values is not `nx * ny`.
+    /// - [`Error::Sample`] if a value is not finite.
     pub fn with(mut self, component: Component, mut values: Vec<f64>) -> Result<Self> {
         let [nx, ny] = self.size;
         length(QUANTITY, nx * ny, values.len())?;
@@ -118,19 +123,19 @@ impl CoefficientTable {
         Ok(self)
     }
 
-    /// Sides of a cell (lengths).
+    /// Returns the sides of a cell (lengths).
     #[must_use]
     pub fn sides(&self) -> [f64; 2] {
         self.sides
     }
 
-    /// Distances along x and along y.
+    /// Returns the numbers of distances along x and along y.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// The values of a component as [`Self::with`] takes them, if they are given.
+    /// Returns the values of a component in the order of [`Self::with`], or `None` if they are not given.
     #[must_use]
     pub fn get(&self, component: Component) -> Option<Vec<f64>> {
         let (place, is_negative) = place(component);
@@ -139,7 +144,7 @@ impl CoefficientTable {
         Some(values.iter().map(|value| sign * value).collect())
     }
 
-    /// `Ok` if what is odd along an axis is zero at distance zero along it, to round-off.
+    /// Checks that components that are odd along an axis are zero at distance zero along it, to round-off.
     pub(super) fn check_odd(&self) -> Result<()> {
         let [nx, ny] = self.size;
         let values = self.values.iter().flatten().flatten();
@@ -161,7 +166,7 @@ impl CoefficientTable {
         Ok(())
     }
 
-    /// `Ok` if a displacement can be had; those across the traction are zero if they are not given.
+    /// Checks that a displacement can be computed. Displacements across the traction are zero if they are not given.
     pub(crate) fn check_has(&self, component: Component) -> Result<()> {
         let (place, _) = place(component);
         if place < 3 && self.values[place].is_none() {
@@ -172,7 +177,7 @@ impl CoefficientTable {
         Ok(())
     }
 
-    /// `Ok` if the table is that of a grid, or of a larger one of its cells.
+    /// Checks that the table has the cells of the grid and at least as many distances.
     pub(crate) fn check_on(&self, grid: Grid) -> Result<()> {
         let [nx, ny] = self.size;
         let reaches = nx >= grid.nx() && ny >= grid.ny();
@@ -181,7 +186,7 @@ impl CoefficientTable {
         grid.expect(QUANTITY, Grid::new(nx, ny, dx, dy)?)
     }
 
-    /// The coefficient at a distance, continued linearly beyond the last one.
+    /// Returns the coefficient at a distance, extrapolated linearly beyond the last distance.
     pub(crate) fn at(&self, component: Component, distance: [usize; 2]) -> f64 {
         let (place, is_negative) = place(component);
         let Some(values) = &self.values[place] else {
@@ -196,7 +201,8 @@ impl CoefficientTable {
         if is_negative { -value } else { value }
     }
 
-    /// That of cells of twice the sides: the mean displacement of four cells by a traction on four.
+    /// Returns the table for cells of twice the sides: the mean displacement of four cells due to a traction on four
+    /// cells.
     pub(crate) fn coarser(&self) -> Self {
         let size = self.size.map(|n| n.div_ceil(2));
         let mean = |component: Component, index: usize| {
@@ -205,7 +211,7 @@ impl CoefficientTable {
             for (b, weight_y) in [(-1, 0.5), (0, 1.0), (1, 0.5)] {
                 for (a, weight_x) in [(-1, 0.5), (0, 1.0), (1, 0.5)] {
                     let steps = [x.checked_add_signed(a), y.checked_add_signed(b)];
-                    // Only distance zero has another sign before it.
+                    // Only distance zero has a neighbour of the opposite sign.
                     let odd = component.is_odd();
                     let is_negative = (0..2).filter(|&axis| odd[axis] && steps[axis].is_none());
                     let sign = if is_negative.count() == 1 { -1.0 } else { 1.0 };
@@ -228,7 +234,7 @@ impl CoefficientTable {
         }
     }
 
-    /// Of all values.
+    /// Returns a digest of all values.
     pub(super) fn digest(&self) -> u64 {
         let size = self.size.map(|n| n as f64);
         let given = self
@@ -241,7 +247,8 @@ impl CoefficientTable {
         checksum::of_bytes(&bytes)
     }
 
-    /// The largest coefficient of a normal displacement by a traction over that by the cell's own pressure.
+    /// Returns the largest coefficient of the coupling between normal displacement and traction, divided by the normal
+    /// coefficient at distance zero.
     pub(super) fn coupling(&self) -> f64 {
         let own = self.at(Component::ZZ, [0, 0]);
         let coupled = self.values[4..].iter().flatten().flatten();
@@ -254,7 +261,7 @@ impl CoefficientTable {
     }
 }
 
-/// A function of `n` distances at one of them, or linearly beyond the last.
+/// Returns the value of a function of `n` distances at one of them, or its linear extrapolation beyond the last.
 fn continued(distance: usize, n: usize, at: impl Fn(usize) -> f64) -> f64 {
     let last = n - 1;
     if distance <= last {

@@ -1,4 +1,4 @@
-//! A user-defined operator of any type.
+//! Type-erased user-defined operators.
 
 use std::fmt;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
-/// An operator without its type: as many slices as it has components.
+/// Type-erased operator, whose products take a slice of component fields.
 trait DynOperator: Send + Sync {
     fn cells(&self) -> usize;
     fn scratch(&self) -> Result<Scratch>;
@@ -60,7 +60,7 @@ impl<T: Operator<N> + Send, const N: usize> DynOperator for DynOperatorImpl<T, N
     }
 }
 
-/// An operator of a user, and the directions of its components.
+/// User-defined operator and the directions of its components.
 #[derive(Clone)]
 pub(crate) struct UserOperator {
     directions: Arc<[Direction]>,
@@ -94,7 +94,7 @@ impl UserOperator {
         self.operator.is_symmetric()
     }
 
-    /// A product of all components, one behind the other.
+    /// Returns the product of all components, stored one after another.
     pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
         let (cells, mut out) = (self.cells(), zeros(x.len())?);
         let mut scratch = self.operator.scratch()?;
@@ -104,7 +104,7 @@ impl UserOperator {
         Ok(out)
     }
 
-    /// Of all components together.
+    /// Returns the number of unknowns of all components.
     pub(super) fn unknowns(&self) -> Result<usize> {
         let (cells, directions) = (self.cells(), self.directions.len());
         memory(
@@ -115,12 +115,13 @@ impl UserOperator {
         Ok(cells * directions)
     }
 
-    /// The component of a direction.
+    /// Returns the index of the component of a direction.
     pub(super) fn component(&self, direction: Direction) -> Option<usize> {
         self.directions.iter().position(|own| *own == direction)
     }
 
-    /// These components (displacement, then traction) on `size` cells; `None` if one of their directions is missing.
+    /// Returns the operator of these components (displacement, then traction) on `size` cells, or `None` if one of
+    /// their directions is missing.
     pub(super) fn part<const N: usize>(
         &self,
         components: [[Component; N]; N],
@@ -148,7 +149,7 @@ impl fmt::Debug for UserOperator {
     }
 }
 
-/// Rows and columns of an operator of a user.
+/// Selected rows and columns of a user-defined operator.
 #[derive(Debug, Clone)]
 pub(crate) struct SubOperator<const N: usize> {
     given: UserOperator,
@@ -158,7 +159,7 @@ pub(crate) struct SubOperator<const N: usize> {
 }
 
 impl<const N: usize> SubOperator<N> {
-    /// Whether both are the same part of the same operator.
+    /// Returns whether both are the same part of the same operator.
     pub(crate) fn is(&self, other: &Self) -> bool {
         let is_of_one = Arc::ptr_eq(&self.given.operator, &other.given.operator);
         is_of_one && (self.rows, self.columns) == (other.rows, other.columns)
@@ -188,10 +189,11 @@ impl<const N: usize> SubOperator<N> {
     }
 }
 
-/// Directions that an operator has at most.
+/// Largest number of directions of an operator.
 const DIRECTIONS: usize = 3;
 
-/// Buffers of products: the scratch of the user, and those of the components that are not needed.
+/// Buffers of products: the scratch of the user-defined operator, and fields for the components that the part does not
+/// contain.
 #[derive(Clone)]
 struct PartScratch {
     own: Scratch,
@@ -225,7 +227,7 @@ impl<const N: usize> Operator<N> for SubOperator<N> {
         self.product(true, x, out, scratch);
     }
 
-    /// That of all directions bounds those of some.
+    /// Returns the bound of the whole operator, which is also a bound for a part with the same rows and columns.
     fn lower_bound(&self) -> f64 {
         if self.rows == self.columns {
             self.given.lower_bound()

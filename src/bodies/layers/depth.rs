@@ -1,11 +1,12 @@
-//! What waves of traction on the surface of a layered body cause at a depth.
+//! Displacements and stresses at a depth caused by waves of traction on the surface of a layered body.
 
 use crate::bodies::layers::Layer;
 use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 
-/// At a depth, of a wave with the wave vector k and a unit amplitude on the surface. By pressure and by traction along k, up
-/// to i where the other parity in x is: k times the displacements normal and along, the pressure and the traction that the
-/// plane passes on, the normal stresses along and across.
+/// Fields at a depth due to a wave with the wave vector k and a unit amplitude on the surface, for pressure and for
+/// traction along k. Entries with the other parity in x are defined up to a factor i. The six entries are k times the
+/// displacements normal and along k, the pressure and the traction that the plane transmits, and the normal stresses
+/// along and across k.
 ///
 /// With $`U = G k u, W = G k w`$ and $`\zeta = kz`$ they obey
 ///
@@ -14,16 +15,16 @@ use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 /// q' = \sigma_l = -\frac{2}{1 - \nu} U - \frac{\nu}{1 - \nu} p, \quad \sigma_t = \nu (\sigma_l - p) .
 /// ```
 ///
-/// No growing wave is carried. What lies below a depth has a surface compliance C, by the minors that the
-/// [page](crate::layers) tells of, and moves by C times what it carries. What the top of a layer carries is X times what its
-/// bottom carries, so that the bottom's is adj X / det X times the top's; det X is the ratio of the first minors, a sum of
-/// positive terms, and grows as exp(2kh), X as exp(kh).
+/// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on
+/// the [page](crate::layers), and their surface moves by C times the load that it carries. The load at the top of a
+/// layer is X times the load at its bottom, so the load at the bottom is adj X / det X times the load at the top. det X
+/// is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],
     pub(crate) by_traction: [f64; 6],
-    /// By traction across: k times the displacement across, the traction passed on, and the shear stress in the plane, up
-    /// to i.
+    /// Fields due to traction across k: k times the displacement across, the transmitted traction, and the shear stress
+    /// in the plane, up to a factor i.
     pub(crate) across: [f64; 3],
 }
 
@@ -41,8 +42,8 @@ impl SubsurfaceResponse {
 }
 
 impl LayerWaves<'_> {
-    /// The layer at a depth, by its number, and how far below its top; at an interface the outer one. None where the depth
-    /// is in the base, with the distance from its top.
+    /// Returns the index of the layer at a depth, and the distance from its top. At an interface it is the outer layer.
+    /// The index is `None` in the base, with the distance from the top of the base.
     pub(crate) fn place(&self, depth: f64) -> (Option<usize>, f64) {
         let mut top = 0.0;
         for (number, layer) in self.layers.iter().enumerate() {
@@ -55,7 +56,7 @@ impl LayerWaves<'_> {
         (None, depth - top)
     }
 
-    /// Poisson's ratio at a depth.
+    /// Returns Poisson's ratio at a depth.
     pub(crate) fn poisson_ratio_at(&self, depth: f64) -> f64 {
         match (self.place(depth).0, self.base) {
             (Some(number), _) => self.layers[number].poisson_ratio(),
@@ -64,7 +65,7 @@ impl LayerWaves<'_> {
         }
     }
 
-    /// What waves of the wave number k > 0 cause at a depth; in a rigid base nothing.
+    /// Returns the fields at a depth due to waves of the wave number k > 0; they are zero in a rigid base.
     pub(crate) fn at_depth(&self, k: f64, depth: f64) -> SubsurfaceResponse {
         let (number, from_top) = self.place(depth);
         let number_of = number.unwrap_or(self.layers.len());
@@ -76,7 +77,8 @@ impl LayerWaves<'_> {
         };
         let part = |thickness: f64| host.of_thickness(thickness.max(0.0));
 
-        // What lies below the depth, then what lies below each of the layers above it.
+        // The surface compliance is computed from the base upwards: for the bodies below the depth, then for each layer
+        // above it.
         let mut surface = Surface::of(self.base);
         for layer in below.iter().skip(1).rev() {
             surface = surface.under(layer, k);
@@ -98,7 +100,8 @@ impl LayerWaves<'_> {
     }
 }
 
-/// What a plane carries of what acts on the surface: pressure and traction along, by each of the two; traction across.
+/// Load that a plane carries due to a unit load on the surface: pressure and traction along k, due to each of the two,
+/// and traction across k.
 #[derive(Debug, Clone, Copy)]
 struct TransferRatio {
     along: [[f64; 2]; 2],
@@ -111,14 +114,14 @@ impl TransferRatio {
         across: 1.0,
     };
 
-    /// That of a plane further down, as of the surface of a layer above what carried it: `self` times what the bottom of the
-    /// layer has of its top.
+    /// Converts the load of a plane relative to the load at the bottom of a layer above it into the load relative to the
+    /// top of the layer: `self` times the ratio of bottom to top load.
     fn through(self, below: &Surface, top: &Surface, layer: &Layer, k: f64) -> Self {
         let nu = layer.poisson_ratio();
         let a = k * layer.thickness();
         let delta = 0.5 / (1.0 - nu);
         let t = (-2.0 * a).exp();
-        // All times exp(-a): cosh, sinh, a sinh, a cosh - sinh.
+        // All values contain the factor exp(-a): cosh, sinh, a sinh, a cosh - sinh.
         let (cosh, sinh) = (0.5 * (1.0 + t), -0.5 * (-2.0 * a).exp_m1());
         let by_sinh = if a < 700.0 { a * sinh } else { 350.0 };
         let rest = if a < 1.0 {
@@ -158,7 +161,7 @@ impl TransferRatio {
 }
 
 impl Surface {
-    /// Motion and stress of the surface under what it carries.
+    /// Returns motion and stress of the surface under the load that it carries.
     fn moved_by(&self, carried: TransferRatio, nu: f64) -> SubsurfaceResponse {
         let [s, n, l, c, _] = self.minors;
         let [n, l, c] = [n / s, l / s, c / s];
@@ -184,7 +187,7 @@ impl Surface {
     }
 }
 
-/// `a cosh a - sinh a`, for a below one.
+/// Returns `a cosh a - sinh a` for a below 1.
 fn rest_of_sinh(a: f64) -> f64 {
     let square = a * a;
     let mut term = a;

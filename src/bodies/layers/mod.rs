@@ -1,14 +1,14 @@
 //! Coated bodies: elastic layers bonded to each other and to a substrate.
 //!
-//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of such
-//! bodies is solved like any other: pressure, traction, both at once, histories, stiffness, rolling, on free grids, on
-//! grids that repeat and on lines of cells. Homogeneous bodies are computed as if there were no coatings, at the same
-//! cost.
+//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of
+//! such bodies is solved like any other pair: pressure, traction, coupled problems, histories, stiffness and rolling,
+//! on free grids, on periodic grids and on lines of cells. For homogeneous bodies neither the results nor the cost
+//! change.
 //!
 //! ```
 //! use stickslip::layers::Layer;
 //! use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem};
-//! // A bed of rubber on a rigid base carries what its oedometric modulus says where it is thin.
+//! // A thin bed of rubber on a rigid base has the stiffness of its oedometric modulus.
 //! let bed = Layer::new(1.0, 0.3, 0.02)?;
 //! let pair = ElasticPair::new(Material::rigid().coated(&[bed])?, Material::rigid())?;
 //! let grid = Grid::square(64, 3.0)?;
@@ -23,9 +23,9 @@
 //!
 //! # Frequency responses
 //!
-//! A wave of traction with the wave vector k moves the surface of a layered body by four functions of its length,
-//! [`Response`]: $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and across k) and
-//! $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
+//! The surface of a layered body responds to a wave of traction with the wave vector k by four functions of the
+//! wavelength, [`Response`]: $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and
+//! across k) and $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
 //!
 //! ```math
 //! \hat C_{zz} = C_n, \quad \hat C_{xx} = C_l c^2 + C_t s^2, \quad \hat C_{yy} = C_l s^2 + C_t c^2, \quad
@@ -33,59 +33,63 @@
 //! \hat C_{zy} = -\hat C_{yz} = -\mathrm{i}\,C_c\,s .
 //! ```
 //!
-//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. Through a layer of thickness
-//! h the five minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) are carried by a
-//! linear map whose entries, but for those of c, are sums of positive terms: nothing cancels at any contrast of moduli
-//! and any k h, and Poisson's ratio 1/2 is no exception. Across k, $`G k C_t`$ goes from x to
-//! $`(x + \tanh kh)/(1 + x \tanh kh)`$. For one layer of modulus $`G_1`$ on a base of $`G_2`$, $`m = G_1/G_2`$,
-//! $`a = kh`$, $`t = e^{-2a}`$, $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$,
-//! $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, it is
+//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. A layer of thickness h maps
+//! the five minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) linearly. The
+//! entries of this map, except those for c, are sums of positive terms. There is no cancellation for any contrast of
+//! moduli, any k h and any Poisson's ratio, including 1/2. Across k, the layer changes $`G k C_t`$ from x to
+//! $`(x + \tanh kh)/(1 + x \tanh kh)`$. For one layer of modulus $`G_1`$ on a base of $`G_2`$, with $`m = G_1/G_2`$,
+//! $`a = kh`$, $`t = e^{-2a}`$, $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$ and
+//! $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, the normal response is
 //!
 //! ```math
 //! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
 //! ```
 //!
-//! Limits: the substrate for $`k \to 0`$, the outermost layer for $`k \to \infty`$; on a rigid base
-//! $`C_n \to h (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ of an
+//! The limits are the substrate for $`k \to 0`$ and the outermost layer for $`k \to \infty`$. On a rigid base
+//! $`C_n \to h (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ for an
 //! incompressible layer. The matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k
 //! (energy), as is $`C_t`$.
 //!
 //! # From waves to cells
 //!
-//! With A of the outermost layer and B of the base, both as half-spaces, and H twice the thickness of that layer,
+//! Let A and B be the constant values of $`k\,C(k)`$ for half-spaces of the outermost layer and of the base, and H
+//! twice the thickness of that layer. Then
 //!
 //! ```math
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
 //! ```
 //!
 //! The first part is the closed form of the [influence](crate::influence) page with the constants of the outermost
-//! layer. The second belongs to a force at the depth H, and the rest is smooth and gone by $`kH = 40`$: Hankel
-//! integrals by Gauss-Legendre panels, tabulated once for a pair in the distance r (Chebyshev, two pieces up to H, then
-//! one an octave). Its integral over a cell is by Gauss rules, over parts of the cell where that is wider than the
-//! layer. Nothing is sampled on a padded grid in k: there is no aliasing, and no pole at k = 0. A grid that repeats
-//! takes the response itself.
+//! layer. The second part belongs to a force at the depth H. The remainder is smooth and negligible above $`kH = 40`$.
+//! Its Hankel integrals are computed with Gauss-Legendre panels and tabulated once per pair as a function of the
+//! distance r (Chebyshev polynomials, two pieces up to H, then one piece per octave). Gauss rules integrate the
+//! remainder over a cell, which is subdivided if it is wider than the layer. The response is not sampled on a padded
+//! grid in k, so there is no aliasing and no pole at k = 0. Periodic grids use the response itself.
 //!
 //! # Limits of the model
 //!
-//! - Layers are bonded, their surfaces plane, and [`LIMIT`] in number at most.
-//! - On a [grid that repeats along y alone](crate::Boundary::PeriodicAlongY) the displacement far from the load is that of
-//!   the substrate with the datum given, and goes to zero on a rigid base. There the error of a solve is certified by the
-//!   least eigenvalue of tractions without a mean, and by the energy of a flat punch where a sum is not prescribed. A datum
-//!   that is too near for a prescribed approach, shift or spring returns [`Error::DatumTooNear`].
-//! - The error of a solve on a free grid is certified by the least eigenvalue of a periodic continuation of the kernel.
-//!   For layers stiffer than what is below, on grids many thicknesses long, that need not be positive though the
-//!   operator is: an incompressible layer of ten times the modulus that is sheared on cells as wide as two thicknesses,
-//!   or one of 1000 times that is pressed over sixty thicknesses. An estimate, on the safe side, of the least eigenvalue of
-//!   the infinite lattice of the same cells then takes its place, by sums over the aliases of waves of some phases. Where pressure and traction are found together
-//!   on such a grid, the halves have their bounds and the whole has [none](crate::Report), but an estimate.
-//! - On a grid that repeats along both axes a mean traction moves nothing, also on a rigid base, where
-//!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure might be added to the approach.
-//! - The law of cells that enter a growing or rolling contact takes the ratio of tangential to normal compliance from
-//!   the waves of two cells a period, $`k = \pi/h_{max}`$.
-//! - Moduli of a pair that are one number ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
-//!   Dundurs' beta) are those of the outermost layers: what waves much shorter than a layer is thick see. Closed forms,
-//!   which have no other, [refuse](crate::Error::UnsupportedForCoatings) coated bodies, as do stresses [at
-//!   points](crate::subsurface::at_points); [planes](crate::subsurface::Planes) have them.
+//! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
+//! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load is that of
+//!   the substrate with the given datum, and tends to zero on a rigid base. There the error of a solve is certified by
+//!   the smallest eigenvalue for tractions without a mean, and by the energy of a flat punch if no sum is prescribed. A
+//!   datum that is too near for a prescribed approach, shift or spring returns [`Error::DatumTooNear`].
+//! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
+//!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
+//!   although the operator is positive. Examples are an incompressible layer of ten times the modulus that is sheared
+//!   on cells as wide as two thicknesses, and a layer of 1000 times the modulus that is pressed over sixty thicknesses.
+//!   A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then replaces it; it
+//!   is computed from sums over the aliases of waves with selected phases. For coupled problems on such a grid, the
+//!   separate problems of pressure and traction have bounds, and the coupled problem has only an estimate and [no
+//!   bound](crate::Report).
+//! - On a grid that is periodic along both axes a mean traction causes no displacement. This includes a rigid base,
+//!   where $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure could be added to the approach.
+//! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
+//!   waves with a period of two cells, $`k = \pi/h_{max}`$.
+//! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are
+//!   those of the outermost layers, which determine the response to waves much shorter than the layer thickness. Closed
+//!   forms, which depend on these moduli only, [reject](crate::Error::UnsupportedForCoatings) coated bodies, as do stresses [at
+//!   points](crate::subsurface::at_points). Stresses on [planes](crate::subsurface::Planes) are available for coated
+//!   bodies.
 //!
 //! Sources: J. W. Dunkin, Bull. Seismol. Soc. Am. 55 (1965) 335 (minors); T. C. O'Sullivan and R. B. King, J. Tribology
 //! 110 (1988) 235, <https://doi.org/10.1115/1.3261591> (one layer); T. Nogi and T. Kato, J. Tribology 119 (1997) 493,
@@ -102,10 +106,10 @@ use std::fmt;
 
 use crate::error::{Error, Result, poisson_ratio as checked_ratio, positive};
 
-/// Most layers of a coating.
+/// Largest number of layers of a coating.
 pub const LIMIT: usize = 8;
 
-/// An elastic, isotropic layer bonded to what lies below it.
+/// Elastic, isotropic layer bonded to the layer or substrate below it.
 ///
 /// ```
 /// use stickslip::{Material, layers::Layer};
@@ -126,7 +130,7 @@ pub struct Layer {
     thickness: f64,
 }
 
-/// The values read, before they are checked.
+/// Deserialised values before their check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawLayer {
@@ -145,11 +149,12 @@ impl TryFrom<RawLayer> for Layer {
 }
 
 impl Layer {
-    /// A layer of Young's modulus `youngs_modulus` (a pressure), Poisson's ratio `poisson_ratio` and `thickness` (a
-    /// length).
+    /// Creates a layer of Young's modulus `youngs_modulus` (a pressure), Poisson's ratio `poisson_ratio` and
+    /// `thickness` (a length).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for modulus and thickness, [`Error::PoissonRatio`] for the ratio.
+    /// - [`Error::NotPositive`] if the modulus or the thickness is not positive.
+    /// - [`Error::PoissonRatio`] if the ratio is out of range.
     pub fn new(youngs_modulus: f64, poisson_ratio: f64, thickness: f64) -> Result<Self> {
         positive("Young's modulus of the layer", youngs_modulus)?;
         checked_ratio(poisson_ratio)?;
@@ -168,7 +173,7 @@ impl Layer {
         })
     }
 
-    /// Of a part of a body, also one without thickness.
+    /// Creates a part of a body, whose thickness may be zero.
     fn of_shear(modulus: f64, poisson_ratio: f64, thickness: f64) -> Self {
         Self {
             youngs_modulus: 2.0 * (1.0 + poisson_ratio) * modulus,
@@ -181,32 +186,32 @@ impl Layer {
         Self { thickness, ..self }
     }
 
-    /// Young's modulus (a pressure).
+    /// Returns Young's modulus (a pressure).
     #[must_use]
     pub fn youngs_modulus(&self) -> f64 {
         self.youngs_modulus
     }
 
-    /// Poisson's ratio.
+    /// Returns Poisson's ratio.
     #[must_use]
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
     }
 
-    /// Thickness (a length).
+    /// Returns the thickness (a length).
     #[must_use]
     pub fn thickness(&self) -> f64 {
         self.thickness
     }
 
-    /// Shear modulus (a pressure).
+    /// Returns the shear modulus (a pressure).
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         self.youngs_modulus / (2.0 * (1.0 + self.poisson_ratio))
     }
 }
 
-/// The layers of a body, the outermost first; none of a homogeneous one.
+/// Layers of a body, the outermost first; a homogeneous body has no layers.
 #[derive(Clone, Copy)]
 pub(crate) struct Coating {
     layers: [Layer; LIMIT],
@@ -223,7 +228,7 @@ impl Coating {
         count: 0,
     };
 
-    /// With layers over those that are there.
+    /// Adds layers above the existing layers.
     pub(crate) fn under(self, layers: &[Layer]) -> Result<Self> {
         let found = layers.len() + self.count;
         if found > LIMIT {

@@ -1,24 +1,25 @@
-//! The four functions by which waves of traction move the surface of a layered body.
+//! Surface response of a layered body to waves of traction, in four functions.
 
 use crate::bodies::layers::Layer;
 
-/// The effect of a wave of traction on a surface, in lengths over pressures; the page of [`layers`](crate::layers) tells
-/// the directions and signs.
+/// Response of a surface to a wave of traction, in lengths over pressures; the page of [`layers`](crate::layers)
+/// defines the directions and signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Response {
-    /// Normal displacement by pressure.
+    /// Normal displacement due to pressure.
     pub normal: f64,
-    /// Tangential displacement along the wave vector by traction along it.
+    /// Tangential displacement along the wave vector due to traction along it.
     pub along: f64,
-    /// Tangential displacement across the wave vector by traction across it.
+    /// Tangential displacement across the wave vector due to traction across it.
     pub across: f64,
-    /// Normal displacement by traction along the wave vector, and displacement along it by pressure, up to i.
+    /// Normal displacement due to traction along the wave vector, and displacement along it due to pressure, up to a
+    /// factor i.
     pub coupling: f64,
 }
 
 impl Response {
-    /// Each function combined with that of another response.
+    /// Combines each function with the function of a different response.
     pub(crate) fn with(self, other: Self, combine: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             normal: combine(self.normal, other.normal),
@@ -32,7 +33,8 @@ impl Response {
         self.with(self, |value, _| f(value))
     }
 
-    /// Of two bodies in contact: all add up but the coupling, which is that of body 1 less that of body 2.
+    /// Returns the response of two bodies in contact: the sum of the functions, except for the coupling, which is the
+    /// value of body 1 minus the value of body 2.
     pub(crate) fn and_second(self, other: Self) -> Self {
         Self {
             coupling: self.coupling - other.coupling,
@@ -41,33 +43,33 @@ impl Response {
     }
 }
 
-/// The base below all layers: a half-space by its modulus of shear and Poisson's ratio, or nothing that deforms.
+/// Base below all layers: a rigid body, or a half-space with its shear modulus and Poisson's ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Base {
     Rigid,
     Elastic([f64; 2]),
 }
 
-/// Layers, the outermost first, on a base.
+/// Layers on a base, the outermost first.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LayerWaves<'a> {
     pub(crate) layers: &'a [Layer],
     pub(crate) base: Base,
 }
 
-/// The minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across, in
-/// the unit `1/(G k)` of a modulus.
+/// Minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across, in the
+/// unit `1/(G k)` of a modulus.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface {
     pub(super) unit: f64,
     pub(super) minors: [f64; 5],
     pub(super) across: f64,
-    /// The first minor over that of what the outermost layer lies on, times exp(-2kh) of that layer.
+    /// First minor divided by the first minor of the bodies below the outermost layer, times exp(-2kh) of that layer.
     pub(super) determinant: f64,
 }
 
 impl LayerWaves<'_> {
-    /// The wave number k > 0 times the response to waves of it.
+    /// Returns the wave number k > 0 times the response to waves of this wave number.
     pub(crate) fn times_k(&self, k: f64) -> Response {
         let mut surface = Surface::of(self.base);
         for layer in self.layers.iter().rev() {
@@ -108,17 +110,17 @@ impl Surface {
         }
     }
 
-    /// That of a layer on it.
+    /// Returns the surface of a layer on top of this surface.
     pub(super) fn under(self, layer: &Layer, k: f64) -> Self {
         let (modulus, nu) = (layer.shear_modulus(), layer.poisson_ratio());
         let ratio = modulus / self.unit;
         let [s, n, l, c, d] = self.minors;
         let [n, l, c, d] = [n * ratio, l * ratio, c * ratio, d * ratio * ratio];
 
-        // Beyond, the layer is as a half-space, and squares would overflow.
+        // Beyond this limit the layer acts as a half-space, and squares would overflow.
         let a = (k * layer.thickness()).min(1e3);
         let (g, e, f) = (1.0 - nu, 1.0 - 2.0 * nu, 3.0 - 4.0 * nu);
-        // All times t = exp(-2a): sinh^2, sinh cosh, and these less a^2 and less a.
+        // All values contain the factor t = exp(-2a): sinh^2, sinh cosh, and these minus a^2 and minus a.
         let t = (-2.0 * a).exp();
         let (at, aat, less) = (a * t, a * a * t, -(-2.0 * a).exp_m1());
         let (s2, sc) = (0.25 * less * less, 0.25 * less * (1.0 + t));
@@ -160,7 +162,7 @@ impl Surface {
     }
 }
 
-/// The series of `cosh 2a` (even) or `sinh 2a` (odd) from a power on, for a below one.
+/// Returns the series of `cosh 2a` (even) or `sinh 2a` (odd) from the given power, for a below 1.
 fn tail(a: f64, first: i32) -> f64 {
     let x = 2.0 * a;
     let mut sum = 0.0;
