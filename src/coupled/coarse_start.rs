@@ -1,4 +1,4 @@
-//! Starts from coarser cells.
+//! Start from the solution on coarser cells.
 
 use crate::cgm::UNLIMITED;
 use crate::contact::{SolveContext, interrupted_status, is_worth_coarsening};
@@ -9,7 +9,8 @@ use crate::normal::Hardness;
 use crate::tangential::{RigidMotion, prolongated_traction, reserve};
 
 impl CoupledIncrement {
-    /// Takes the answer on cells twice as large, itself found so, as the start; says whether there is one.
+    /// Solves on cells twice as large, recursively, and uses the result as the start. Returns whether there is such a
+    /// start.
     pub(super) fn start_from_coarser(
         &mut self,
         demand: CoupledTarget<'_>,
@@ -56,7 +57,7 @@ impl CoupledIncrement {
         Ok(true)
     }
 
-    /// Interpolates the coarse answer.
+    /// Interpolates the coarse solution.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledTarget<'_>) -> Result<()> {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);

@@ -1,25 +1,26 @@
-//! The growth of a contact in one step.
+//! Growth of a contact in one step.
 
 use crate::cgm::reduce;
 use crate::parallel::layout::Layout;
 
-/// Largest part of the contact that comes into contact in a step without a warning. In steps of equal growth of the
-/// radius, 20 steps meet it.
+/// Largest fraction of the contact that may come into contact in a step without a warning. About 20 steps of equal
+/// growth of the radius satisfy it.
 const LARGEST_GROWTH: f64 = 0.1;
 
-/// A contact whose pressure has changed in one step.
+/// Contact whose pressure has changed in one step.
 pub(crate) struct SensitivityInput<'a> {
-    /// The gap before loading.
+    /// Gap before loading.
     pub(crate) gap: &'a [f64],
-    /// The pressure before the step; `None` of bodies apart.
+    /// Pressure before the step; `None` for separated bodies.
     pub(crate) before: Option<&'a [f64]>,
     pub(crate) pressure: &'a [f64],
     pub(crate) traction: [&'a [f64]; 2],
 }
 
 impl SensitivityInput<'_> {
-    /// Returns whether friction has held a contact that a growing load brings into contact cell after cell, but that came
-    /// in this step. Cells of the least gap of the contact come at once under a growing load too.
+    /// Returns whether a contact with friction came into contact largely in this step, although a growing load would
+    /// close it cell by cell. Cells with the least gap of the contact do not count, since they also close
+    /// simultaneously under a growing load.
     pub(crate) fn is_at_once(&self, layout: &Layout) -> bool {
         let Self { gap, pressure, .. } = *self;
         let [qx, qy] = self.traction;

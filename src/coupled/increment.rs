@@ -1,4 +1,4 @@
-//! One step of a coupled contact, of a problem from rest or of a history.
+//! One step of a coupled contact, in a problem from rest or in a history.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{CellCompliance, Total, reduce};
@@ -19,50 +19,50 @@ use crate::tangential::{
     TangentialVector, centre, zeros,
 };
 
-/// Cells by which a contact may grow in a step without a second look.
+/// Growth of the contact in a step, in cells, for which the window has room.
 const GROWTH: usize = 2;
 
-/// Pressure and traction on the grid, what the cells remember, and the engine that solves a step.
+/// Pressure and traction on the grid, the memory of the cells, and the solver of a step.
 ///
-/// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2, with the slip
-/// $`s = u_t - S - \delta_t`$ of the step. The offset $`S`$ is what $`u_t - \delta_t`$ is in a cell while it sticks, zero
-/// from rest. A history sets it.
+/// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2; the slip of the step
+/// is $`s = u_t - S - \delta_t`$. The offset $`S`$ is the value of $`u_t - \delta_t`$ in a cell while it sticks, zero
+/// from rest. A history sets the offset.
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
     windows: Windows<CoupledEngine>,
-    /// Pressure and tractions of the whole grid: the start of the next step, and the answer of the last.
+    /// Pressure and tractions of the whole grid: start of the next step and solution of the last step.
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
     pub(crate) pressed: PressureOnWindow,
     pub(super) offset: TangentialVector,
     pub(super) linear: [Vec<f64>; N],
-    /// $`\kappa g`$ of the cells that would enter the contact in this step, if they are to lag.
+    /// $`\kappa g`$ of the cells that would come into contact in this step, if they lag behind the motion.
     pub(super) closing: Vec<f64>,
-    /// Deviation of $`\kappa g`$ from its mean over the directions, if the bodies roll; otherwise empty.
+    /// Deviator of $`\kappa g`$ over the directions, if the bodies roll; otherwise empty.
     pub(super) closing_deviator: Vec<[f64; 2]>,
     pub(super) enters: bool,
     motion: RigidMotion,
-    /// Shift of the state that the start is from.
+    /// Shift of the state from which the step starts.
     last_shift: [f64; 2],
     approach: f64,
     report: CoupledReport,
 }
 
-/// What a step of a coupled contact is asked for.
+/// Load and input of a coupled step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CoupledTarget<'a> {
-    /// The gap before loading.
+    /// Gap before loading.
     pub(crate) gap: &'a Field,
     pub(crate) friction: &'a Friction,
-    /// What limits the pressure, if anything does.
+    /// Limit of the pressure, if any.
     pub(crate) hardness: Option<&'a Hardness>,
-    /// Force or approach.
+    /// Prescribed force or approach.
     pub(crate) normal: NormalControl,
     pub(crate) tangential: TangentialTarget,
 }
 
-/// `Ok` if pressure and tractions can be found together.
+/// Returns an error if the bodies lack an operator for a coupled solve.
 pub(crate) fn check_joint(bodies: &HalfSpace) -> Result<()> {
     let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
     bodies.check_directions([z, x, y], false)?;
@@ -71,7 +71,8 @@ pub(crate) fn check_joint(bodies: &HalfSpace) -> Result<()> {
 }
 
 impl CoupledTarget<'_> {
-    /// Whether friction may turn out not to hold the force: where its sum depends on how the pressure is distributed.
+    /// Returns whether the force may exceed the friction capacity, because the sum of the limits depends on the
+    /// distribution of the pressure.
     fn is_doubtful(&self) -> bool {
         let [x, y] = self.tangential.force();
         let is_known =
@@ -81,10 +82,10 @@ impl CoupledTarget<'_> {
 }
 
 impl CoupledIncrement {
-    /// Without traction.
+    /// Creates a step without traction.
     pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
         let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
-        // Coefficients that cannot be computed are better known now.
+        // Reports coefficients that cannot be computed here rather than in the first solve.
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
         let zeros_of_all = || fallible::vector(grid.cells());
         Ok(Self {
@@ -105,7 +106,7 @@ impl CoupledIncrement {
         })
     }
 
-    /// How the last step was solved.
+    /// Returns the report of the last step.
     pub(crate) fn report(&self) -> &Report {
         &self.report.work
     }
@@ -114,7 +115,7 @@ impl CoupledIncrement {
         &mut self.report.work
     }
 
-    /// The same, with what its halves certify.
+    /// Returns the report of the last step with the certificates of its halves.
     pub(super) fn full_report(&self) -> &CoupledReport {
         &self.report
     }
@@ -123,22 +124,22 @@ impl CoupledIncrement {
         self.approach
     }
 
-    /// Displacements of the last answer along z, x and y.
+    /// Returns the displacements of the last solution along z, x and y.
     pub(super) fn displacement(&self) -> [&[f64]; N] {
         self.displacement.each_ref().map(Vec::as_slice)
     }
 
-    /// Where the engine works; `None` before the first contact.
+    /// Returns the window of the solver; `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
         self.windows.window()
     }
 
-    /// Goes on as after a step that ended with this window.
+    /// Restores the solver after a step that ended on this window.
     pub(crate) fn resume(&mut self, window: Option<Window>) -> Result<()> {
         self.windows.resume(&self.bodies, window)
     }
 
-    /// Takes pressure and tractions as the start of the next step, with the approach and the shift they belong to.
+    /// Sets pressure and tractions as the start of the next step, with their approach and shift.
     pub(crate) fn set_start(
         &mut self,
         pressure: &Field,
@@ -153,19 +154,19 @@ impl CoupledIncrement {
         }
     }
 
-    /// Takes approach and shift as those of the start.
+    /// Sets approach and shift of the start.
     pub(super) fn set_known(&mut self, approach: f64, shift: [f64; 2]) {
         (self.approach, self.last_shift) = (approach, shift);
     }
 
-    /// Takes pressure and traction of a cell as the start of the next step.
+    /// Sets pressure and traction of a cell as the start of the next step.
     pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
         for (x, value) in self.tractions.iter_mut().zip(tractions) {
             x[cell] = value;
         }
     }
 
-    /// What the last step has found.
+    /// Returns the solution of the last step.
     pub(crate) fn answer(&self) -> StepSolution<'_> {
         let [_, ux, uy] = self.displacement();
         let traction: [&[f64]; 2] = [&self.tractions[1], &self.tractions[2]];
@@ -173,7 +174,7 @@ impl CoupledIncrement {
         StepSolution::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
-    /// Writes the normal half of the last step, of this gap before loading and this hardness.
+    /// Writes the normal part of the last step for this gap before loading and this hardness.
     pub(crate) fn write(
         &self,
         initial: &Field,
@@ -193,7 +194,7 @@ impl CoupledIncrement {
         normal.set_yielded_cells(hardness.map_or(0, reached));
     }
 
-    /// Starts the next step from nothing.
+    /// Discards the solution, so that the next step starts from scratch.
     pub(super) fn forget(&mut self) {
         for part in &mut self.tractions {
             part.fill(0.0);
@@ -201,11 +202,11 @@ impl CoupledIncrement {
         self.set_known(0.0, [0.0; 2]);
     }
 
-    /// Finds pressure and tractions at the end of a step, and the motion of body 2 there, which was `before` at its
-    /// beginning.
+    /// Computes pressure, tractions and the motion of body 2 at the end of a step; `before` is the motion at its start.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the last iterate and its motion; what is wrong with the demand before any work.
+    /// - [`Error::NotConverged`] if a limit is reached; the last iterate and its motion remain available.
+    /// - Errors of the load, before any work.
     pub(crate) fn solve(
         &mut self,
         demand: CoupledTarget<'_>,
@@ -273,13 +274,13 @@ impl CoupledIncrement {
         outcome
     }
 
-    /// The window of the pressure.
+    /// Returns the window around the pressure.
     fn contact(&self) -> Option<Window> {
         self.bodies.around(|i| self.tractions[0][i] > 0.0)
     }
 
-    /// Solves on the window of the contact and looks at the whole grid; where bodies overlap beyond the window it was
-    /// too small, and the work continues in a larger one.
+    /// Solves on the window of the contact and checks the whole grid. If bodies overlap outside the window, the solve
+    /// continues on a larger window.
     pub(super) fn solve_on_window(
         &mut self,
         mut task: CoupledRequest<'_>,
@@ -288,7 +289,7 @@ impl CoupledIncrement {
     ) -> Result<()> {
         let grid = self.bodies.grid();
         let contact = self.contact().unwrap_or(Window::whole(grid));
-        // What grows a little is better given room than solved twice.
+        // A margin for a little growth is cheaper than a second solve.
         let grown = contact.with_margins(grid, [GROWTH; 2]);
         let (bodies, total) = (&self.bodies, task.totals[0]);
         let holds = |window: Window| {
@@ -321,7 +322,7 @@ impl CoupledIncrement {
         })
     }
 
-    /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
+    /// Converts the load to totals of the tractions and sets the motion from which they are measured.
     fn compute_totals(
         &mut self,
         demand: &CoupledTarget<'_>,
@@ -336,7 +337,7 @@ impl CoupledIncrement {
         tangential.compute_totals(Axis::BOTH, Some(sums), measured, &mut self.motion)
     }
 
-    /// Asks every cell to close its gap and to follow the motion, from its offset.
+    /// Sets the linear term so that every cell closes its gap and follows the motion from its offset.
     pub(super) fn set_linear(&mut self, gap: &Field, datum: f64) {
         let grid = self.bodies.grid();
         let [z, x, y] = &mut self.linear;
@@ -349,7 +350,7 @@ impl CoupledIncrement {
     }
 }
 
-/// Refuses a force that friction cannot hold whatever the pressure becomes.
+/// Returns an error if friction cannot carry the force for any distribution of the pressure.
 fn check_force(demand: &CoupledTarget<'_>, limit: f64) -> Result<()> {
     let [x, y] = demand.tangential.force();
     let force = x.hypot(y);

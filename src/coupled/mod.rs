@@ -1,14 +1,14 @@
-//! Bodies of different materials: pressure and traction found together.
+//! Bodies of different materials, for which pressure and traction are coupled.
 //!
-//! Where Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them
-//! normally (K and the signs as in [`influence`](crate::influence)):
+//! If Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them normally
+//! (K and the signs as in [`influence`](crate::influence)):
 //!
 //! ```math
 //! u_z = C_{zz}\,p + B\,q, \qquad u_t = B^{T} p + C_{tt}\,q, \qquad B = (C_{zx}, C_{zy}) .
 //! ```
 //!
-//! A [`CoupledProblem`] presses and shears from rest, in one step; a [`History`](crate::History) of such bodies does so step
-//! by step. They find p and q under
+//! A [`CoupledProblem`] presses and shears from rest in one step; a [`History`](crate::History) of such bodies does so
+//! in many steps. Both solve for p and q under
 //!
 //! ```math
 //! g = h + u_z - \delta \ge 0,\; p \ge 0,\; p\,g = 0, \qquad
@@ -16,40 +16,45 @@
 //! s = 0 \text{ where } |q| < m,\; s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! # When it matters
+//! # Influence of the coupling
 //!
 //! Between aluminium and steel ($`\beta = 0.12`$) the neglect of the coupling changes the peak pressure of a sphere by
-//! 1.2 %, at $`\beta = 0.29`$ by 8 %, at 0.5 by 20 to 30 %; the approach by at most 3.4 %. Steel on rubber is nearly
-//! uncoupled (0.02), hard on compressible is not.
+//! 1.2 %, at $`\beta = 0.29`$ by 8 %, and at 0.5 by 20 to 30 %. The approach changes by at most 3.4 %. Steel on rubber
+//! is nearly uncoupled (0.02), but a hard body on a compressible one is not.
 //!
 //! # Load steps
 //!
-//! Friction remembers, in pressing too: cells at the rim of a growing contact slip while those inside stick. One step
-//! from rest finds the stick radius of a pressed sphere at less than half of what many steps find (0.23 for 0.50 at
-//! $`\beta = 0.5`$, $`\mu = 0.3`$); its approach is right to 4e-4 and its peak pressure to 9e-3. For a flat punch, whose
-//! contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps as a tolerance
-//! needs.
+//! Friction makes pressing depend on the load history: cells at the rim of a growing contact slip while cells inside
+//! stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of two (0.23
+//! instead of 0.50 at $`\beta = 0.5`$, $`\mu = 0.3`$). Its approach is accurate to 4e-4 and its peak pressure to 9e-3.
+//! For a flat punch, whose contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as
+//! many steps as a tolerance requires.
 //!
-//! # Forces that slide
+//! # Sliding forces
 //!
-//! With one coefficient of friction and a prescribed normal force W, friction holds less than $`\mu W`$ however the
-//! pressure is distributed: any greater force is refused at once, one of $`(1 - 10^{-8}) \mu W`$ is answered. Under a
-//! prescribed approach, or with a coefficient of each cell or a shear cap, the sum of the limits follows from the pressure
-//! that is sought. A solve that stalls is then compared with bodies that slide steadily in the direction of the force:
-//! [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) names the force that this takes. Equilibria that
-//! exist a little beyond it are returned if they are found.
+//! For a uniform coefficient of friction and a prescribed normal force W, friction carries less than $`\mu W`$ for any
+//! distribution of the pressure. A greater force is rejected immediately, and a force of $`(1 - 10^{-8}) \mu W`$ is
+//! solved.
 //!
-//! # What is certified
+//! Under a prescribed approach, or with a coefficient per cell or a shear cap, the sum of the limits depends on the
+//! unknown pressure. A solve that stalls is then compared with bodies that slide steadily in the direction of the
+//! force, and [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) states the force that sliding
+//! takes. Equilibria under slightly larger forces are returned if the solver finds them.
 //!
-//! Friction whose limit follows an unknown pressure is not the condition of a minimum of any energy, and solutions are known
-//! to be unique for weak friction alone. The report gives the
-//! residual of both laws and a rigorous bound for each half, the other being as it is: see [`CoupledReport`]. Where friction
-//! is weak enough for the grid and no tangential force is prescribed, the halves bound the whole
-//! ([`CoupledReport::error_bounds`]): between aluminium and steel up to $`\mu = 0.29`$ on 64 x 64 cells, with a body of
-//! $`\nu = 0.3`$ on a rigid one up to 0.09, at $`\beta = 0.5`$ up to 0.026; these limits fall with the root of the cells along
-//! a side. Elsewhere there is an [`ErrorEstimate`], which is no bound.
+//! # Certificates
 //!
-//! The example `dissimilar` draws:
+//! A friction limit that depends on the unknown pressure is not the optimality condition of any energy, and the
+//! solution is known to be unique for weak friction only. The report gives the residual of both laws. It also gives a
+//! rigorous bound for each half (the normal or the tangential problem), for the present solution of the other half; see
+//! [`CoupledReport`].
+//!
+//! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
+//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells this holds up to $`\mu = 0.29`$ for aluminium on steel, up
+//! to 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and up to 0.026 at $`\beta = 0.5`$. These limits decrease with
+//! the square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which is
+//! not a bound.
+//!
+//! The example `dissimilar` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]
 
 mod coarse_start;
@@ -71,5 +76,5 @@ pub use report::{CoupledReport, ErrorEstimate};
 pub use solution::CoupledSolution;
 pub use solver::CoupledSolver;
 
-/// Components of a vector: along z, x and y.
+/// Number of components of a vector, along z, x and y.
 const N: usize = 3;

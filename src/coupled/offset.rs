@@ -1,4 +1,4 @@
-//! The offsets of a step: what tangential displacement less motion is in a cell while it sticks.
+//! Offsets of a step: tangential displacement minus motion of each cell while it sticks.
 
 use crate::coupled::CoupledIncrement;
 use crate::error::Result;
@@ -12,7 +12,8 @@ impl CoupledIncrement {
         [&self.offset[0], &self.offset[1]]
     }
 
-    /// Lets the cells that would enter the contact from a gap lag behind their motion; none without one.
+    /// Sets the gap that cells close when they come into contact; such cells lag behind the motion. `None` disables the
+    /// lag.
     pub(crate) fn enter(&mut self, gap: Option<impl Fn(usize) -> f64>) -> Result<()> {
         self.enters = gap.is_some();
         self.closing_deviator.clear();
@@ -26,8 +27,8 @@ impl CoupledIncrement {
         Ok(())
     }
 
-    /// Lets cells that would enter the contact by rolling lag behind their motion, by $`\kappa g`$ of each cell of the grid.
-    /// `None` switches the lag off.
+    /// Sets $`\kappa g`$ of each cell of the grid for rolling; cells that come into contact lag behind the motion
+    /// accordingly. `None` disables the lag.
     pub(crate) fn set_rolling_entry_compliance(
         &mut self,
         closing: Option<impl Fn(usize) -> EntryCompliance>,
@@ -47,7 +48,7 @@ impl CoupledIncrement {
         Ok(())
     }
 
-    /// Carries the offsets to where the particles of rolling bodies are, and adds how far they have turned.
+    /// Moves the offsets with the particles of rolling bodies and adds their rotation.
     pub(crate) fn carry_offset(&mut self, carry: impl Fn(&mut [f64]), turned: [f64; 2]) {
         for (part, turned) in self.offset.iter_mut().zip(turned) {
             carry(part);
@@ -57,7 +58,7 @@ impl CoupledIncrement {
         }
     }
 
-    /// Moves the offsets of the cells that entered back by what they have not followed of the motion.
+    /// Subtracts the part of the motion that cells did not follow from the offsets of the cells that came into contact.
     pub(super) fn subtract_entry_lag(&mut self) {
         if !self.enters {
             return;
@@ -80,8 +81,8 @@ impl CoupledIncrement {
         }
     }
 
-    /// Writes the compliance that the cells have had of their own in the last step; of no cells where none entered.
-    /// Returns whether any may have.
+    /// Writes the entry compliance of the cells in the last step; `entered` is empty if the lag is disabled. Returns
+    /// whether any cell may have come into contact.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.enters {
@@ -91,7 +92,7 @@ impl CoupledIncrement {
         self.enters
     }
 
-    /// Moves the offsets back by the change of a relative displacement along each axis.
+    /// Subtracts the change of a relative displacement along each axis from the offsets.
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         for (axis, offset) in self.offset.iter_mut().enumerate() {
             for (cell, offset) in offset.iter_mut().enumerate() {
@@ -100,7 +101,7 @@ impl CoupledIncrement {
         }
     }
 
-    /// Takes the offsets of a step.
+    /// Sets the offsets of a step.
     pub(crate) fn set_offset(&mut self, offset: &TangentialVector) {
         for (target, offset) in self.offset.iter_mut().zip(offset) {
             target.copy_from_slice(offset);

@@ -1,4 +1,4 @@
-//! The scene of a coupled contact, checked once.
+//! Input of a coupled contact, checked when it is built.
 
 use std::sync::Arc;
 
@@ -12,14 +12,14 @@ use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::{Hardness, NormalControl};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
-/// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together, in one step from rest.
+/// Bodies, gap, friction and loads of a contact with coupled pressure and tractions, in one step from rest.
 ///
-/// One step is what pressing gradually leads to where the contact has its size from the first load on (a flat punch), where
-/// the bodies have no coupling, and without friction. Where the contact of dissimilar bodies grows, cells that come into
-/// contact later slip less: a ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, pressed in 32
-/// steps on 0.50 ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
+/// One step equals gradual pressing if the contact has its full size from the first load (a flat punch), if the bodies
+/// are not coupled, or without friction. In a growing contact of dissimilar bodies, cells that come into contact later
+/// slip less. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, but on 0.50 of it if
+/// pressed in 32 steps ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
 /// [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes as many steps as a
-/// tolerance needs.
+/// tolerance requires.
 ///
 /// ```
 /// use stickslip::*;
@@ -31,10 +31,10 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// let still = TangentialLoad::shift([0.0, 0.0]);
 /// let contact = CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.solve()?;
 ///
-/// // The ball comes into contact at once: its stick zone is not that of a load that grows.
+/// // The ball is pressed in one step, so its stick zone differs from that of a growing load.
 /// assert!(contact.warnings().contains(&Warning::SingleLoadStep));
 ///
-/// // Shear held inwards by friction makes the contact stiffer than without.
+/// // Inward shear, which friction holds, makes the contact stiffer than a frictionless one.
 /// let smooth = NormalProblem::builder(&bodies, &ball, press).build()?.solve()?;
 /// let (stuck, free) = (contact.normal(), &smooth);
 /// assert!(stuck.approach() < free.approach() && stuck.pressure().max() > free.pressure().max());
@@ -69,11 +69,11 @@ pub struct CoupledProblemBuilder<'a> {
 }
 
 impl CoupledProblem {
-    /// Starts from what is required: bodies, initial gap (lengths, on the grid of the bodies), friction, normal and
-    /// tangential load. The gap is copied from a reference; given by value, or in an [`Arc`], it is not.
+    /// Starts a builder from the required input: bodies, initial gap (lengths, on the grid of the bodies), friction,
+    /// normal and tangential load. A gap passed by reference is copied; a gap passed by value or in an [`Arc`] is not.
     ///
-    /// A tangential load of no force and one of no shift differ: the tractions of pressing alone add up to zero by
-    /// symmetry only.
+    /// A tangential load of zero force differs from a load of zero shift. The tractions of pressing alone sum to zero
+    /// only if the contact is symmetric.
     #[doc(alias = "dissimilar")]
     pub fn builder(
         bodies: &HalfSpace,
@@ -94,12 +94,13 @@ impl CoupledProblem {
         }
     }
 
-    /// Solves from rest, in one step.
+    /// Solves the contact from rest in one step.
     ///
     /// # Errors
-    /// [`Error::NotConverged`](crate::Error::NotConverged) with the report, use [`CoupledSolver::solve_into`] to keep the last
-    /// iterate; [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact; as
-    /// [`HalfSpace::operator`].
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) with the report if a limit is reached. Use
+    ///   [`CoupledSolver::solve_into`] to keep the last iterate.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact.
+    /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
         let mut solver = CoupledSolver::new(self.try_clone()?)?;
         let mut solution = solver.try_new_solution()?;
@@ -107,10 +108,10 @@ impl CoupledProblem {
         Ok(solution)
     }
 
-    /// The reusable form: a solver that owns its buffers and lets gap, friction and loads change.
+    /// Creates a reusable solver, which owns its buffers and lets gap, friction and loads change.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`].
+    /// Errors of [`HalfSpace::operator`].
     pub fn into_solver(self) -> Result<CoupledSolver> {
         CoupledSolver::new(self)
     }
@@ -119,14 +120,14 @@ impl CoupledProblem {
 impl CoupledProblemBuilder<'_> {
     settings_methods!();
 
-    /// A displacement of body 1 relative to body 2 that the contact does not cause (default: none).
+    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none).
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
         self.relative = Some(relative);
         self
     }
 
-    /// The largest pressure the cells carry (default: no limit). A force beyond what all cells carry together is refused;
-    /// an approach may bring them all to their limit.
+    /// Sets the largest pressure that the cells can carry (default: no limit). A force beyond the capacity of all cells
+    /// is an error. An approach may bring all cells to their limit.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};
@@ -137,7 +138,7 @@ impl CoupledProblemBuilder<'_> {
     /// let soft = CoupledProblem::builder(&bodies, ball, friction, press, drag).hardness(Hardness::uniform(0.05)?);
     /// let contact = soft.build()?.solve()?;
     /// assert!(contact.normal().pressure().max() == 0.05 && contact.normal().yielded_cells() > 0);
-    /// // What yields carries traction up to the friction of its pressure.
+    /// // Yielded cells carry traction up to the friction limit of their pressure.
     /// assert!(contact.tangential().traction()[0].max() <= 0.3 * 0.05 * (1.0 + 1e-12));
     /// # Ok::<(), Error>(())
     /// ```
@@ -146,14 +147,22 @@ impl CoupledProblemBuilder<'_> {
         self
     }
 
-    /// Checks everything.
+    /// Checks the input and creates the problem.
     ///
     /// # Errors
-    /// [`GridMismatch`](crate::Error::GridMismatch) if gap, friction, hardness or relative displacement live on another grid, [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along an axis on which the grid repeats;
-    /// [`NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`NotFinite`](crate::Error::NotFinite), [`NotPositive`](crate::Error::NotPositive), [`NoPressureToHold`](crate::Error::NoPressureToHold) or
-    /// [`UnsupportedByModel`](crate::Error::UnsupportedByModel) for the loads; [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid;
-    /// [`BeyondHardness`](crate::Error::BeyondHardness); [`Method`](crate::Error::Method) for
-    /// [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer); [`Tolerance`](crate::Error::Tolerance), [`IterationLimit`](crate::Error::IterationLimit); [`Ranks`](crate::Error::Ranks).
+    /// - [`GridMismatch`](crate::Error::GridMismatch) if the grid of the gap, friction, hardness or relative
+    ///   displacement differs.
+    /// - [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
+    /// - [`NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`NotFinite`](crate::Error::NotFinite),
+    ///   [`NotPositive`](crate::Error::NotPositive), [`NoPressureToHold`](crate::Error::NoPressureToHold) or
+    ///   [`UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is invalid or not supported.
+    /// - [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid if the approach is not less
+    ///   than the mean gap.
+    /// - [`BeyondHardness`](crate::Error::BeyondHardness) if the force exceeds the capacity of the cells.
+    /// - [`Method`](crate::Error::Method) for [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer).
+    /// - [`Tolerance`](crate::Error::Tolerance) or [`IterationLimit`](crate::Error::IterationLimit) if a setting is out
+    ///   of range.
+    /// - [`Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     pub fn build(self) -> Result<CoupledProblem> {
         self.bodies.collective_result_checked(
             self.check(),
@@ -180,7 +189,7 @@ impl CoupledProblemBuilder<'_> {
         })
     }
 
-    /// `Ok` if everything is right that a rank sees by itself.
+    /// Returns an error if the input is invalid, as far as a rank can check without the others.
     fn check(&self) -> Result<()> {
         check_joint(self.bodies)?;
         let grid = self.bodies.grid();

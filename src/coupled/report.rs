@@ -1,55 +1,59 @@
-//! How a coupled solve ended, and how large its error can be.
+//! Report of a coupled solve: status, cost and error bounds.
 
 use crate::cgm::cone::ConeMeasures;
 use crate::error::{Error, Result};
 use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
 
-/// How a coupled solve ended, what it cost, and what its halves certify.
+/// Report of a coupled solve: status, cost, and certificates of its normal and tangential halves.
 ///
-/// The equations of a coupled contact are not those of a minimum of any energy, and no bound of its whole error is known
-/// beyond weak friction.
-/// What is certified are the halves, from one product: how far the pressure is from the one that belongs to the
-/// tractions as they are, and how far the tractions are from those that belong to the pressure as it is. Where friction is
-/// weak, they bound the whole.
+/// The equations of a coupled contact are not the optimality conditions of any energy, and no bound of the whole error
+/// is known except for weak friction. One product certifies the two halves instead. The normal half is the distance of
+/// the pressure from the exact pressure under the computed tractions. The tangential half is the distance of the
+/// tractions from the exact tractions under the computed pressure. If friction is weak, they also bound the whole
+/// error.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CoupledReport {
-    /// Of the cells of the finest window: why the iteration ended, steps of GMRES, products with the tensor of all
-    /// coefficients, residual, load error and time. Its duality gap is infinite: nothing is certified of the whole; its eigenvalue bound is
-    /// that on which the bounds of the halves rest, the weaker of both.
+    /// Report of the coupled solve on the cells of the finest window: status, GMRES steps, products with the tensor of
+    /// all coefficients, residual, load error and time. The duality gap is infinite because the whole error is not
+    /// certified. The eigenvalue bound is the weaker of the two bounds used for the halves.
     pub work: Report,
-    /// Steps and products, with the normal part alone, of the sweeps of halves.
+    /// Steps and products with the normal operator in the alternating sweeps.
     pub normal: Report,
-    /// The same with the tangential part.
+    /// Steps and products with the tangential operator in the alternating sweeps.
     pub tangential: Report,
-    /// Bound of the error of the pressure in the energy norm, at tractions as they are, over the root of `x' C x`.
+    /// Bound of the error of the pressure in the energy norm, for the computed tractions, relative to the square root
+    /// of `x' C x`.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_error_bound: f64,
-    /// Bound of the error of the tractions in the energy norm, at the pressure as it is, over the same.
+    /// Bound of the error of the tractions in the energy norm, for the computed pressure, relative to the square root
+    /// of `x' C x`.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
-    /// Bounds of the errors of pressure and of traction as a whole, each in its energy norm over the same: rigorous, where
-    /// friction is weak enough for the grid and no tangential force is prescribed. `None` elsewhere, and on grids that
-    /// repeat: nothing is certified there but the halves.
+    /// Rigorous bounds of the whole errors of pressure and of traction, each in its energy norm relative to the square
+    /// root of `x' C x`. They exist if friction is weak enough for the grid and no tangential force is prescribed.
+    /// Otherwise, and on periodic grids, they are `None`, and only the halves are certified.
     pub error_bounds: Option<[f64; 2]>,
-    /// What the errors of the whole are likely to be, of every contact but those of the strongest friction.
+    /// Estimated errors of the whole solution; `None` for the strongest friction.
     pub error_estimate: Option<ErrorEstimate>,
 }
 
-/// Estimated errors of a coupled contact as a whole, each in its energy norm over the root of `x' C x`: not bounds.
+/// Estimated errors of a whole coupled solution, each in its energy norm relative to the square root of `x' C x`. They
+/// are not bounds.
 ///
-/// As [`CoupledReport::error_bounds`], but by how pressure and traction depended on one another in measured contacts: a
-/// change of the traction changed the pressure by at most $`0.7\,|\beta|`$, one of the pressure the traction by at most
-/// $`0.7\,|\beta| + \mu`$. `None` where the product of these is not below one: at $`\beta = 1/2`$ beyond $`\mu = 2.5`$.
+/// The estimate has the form of [`CoupledReport::error_bounds`] but uses the sensitivities observed in measured
+/// contacts. A change of the traction changed the pressure by at most $`0.7\,|\beta|`$, and a change of the pressure
+/// changed the traction by at most $`0.7\,|\beta| + \mu`$. The estimate is `None` if the product of the two is not
+/// below one, which happens at $`\beta = 1/2`$ for $`\mu > 2.5`$.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct ErrorEstimate {
-    /// Of the pressure.
+    /// Estimated error of the pressure.
     pub pressure: f64,
-    /// Of the traction.
+    /// Estimated error of the traction.
     pub traction: f64,
 }
 
@@ -76,7 +80,7 @@ impl CoupledReport {
         }
     }
 
-    /// Before a solve, with the memory there is.
+    /// Resets the report before a solve and keeps its memory.
     pub(super) fn clear(&mut self) {
         for report in [&mut self.work, &mut self.normal, &mut self.tangential] {
             report.clear();
@@ -85,7 +89,7 @@ impl CoupledReport {
         (self.error_bounds, self.error_estimate) = (None, None);
     }
 
-    /// Of bodies that do not touch: nothing was to be found, and nothing is wrong.
+    /// Sets the report of separated bodies: converged, with zero errors.
     pub(super) fn apart(&mut self) {
         self.clear();
         self.work.status = Status::Converged;
@@ -100,7 +104,7 @@ impl CoupledReport {
         [self.pressure_error_bound, self.traction_error_bound] = findings.bounds;
     }
 
-    /// Ends with a status: an error unless it has converged.
+    /// Sets the final status; returns an error unless the solve has converged.
     pub(super) fn end(&mut self, status: Status) -> Result<()> {
         self.work.status = status;
         self.work.duality_gap = f64::INFINITY;
@@ -111,7 +115,7 @@ impl CoupledReport {
         }
     }
 
-    /// Whether the tolerance was reached.
+    /// Returns whether the tolerance was reached.
     #[must_use]
     pub fn is_converged(&self) -> bool {
         self.work.is_converged()

@@ -1,4 +1,4 @@
-//! Forces that slide the bodies, where what friction holds is known only with the pressure.
+//! Sliding under a prescribed force if the friction capacity depends on the unknown pressure.
 
 use crate::cgm::{Total, reduce};
 use crate::contact::SolveContext;
@@ -8,18 +8,19 @@ use crate::error::{Error, Result, SLIDE};
 use crate::memory::fallible::TryClone;
 use crate::report::Status;
 
-/// Shift at which the bodies slide, over the largest displacement: the slip of the cells differs in direction by one over
-/// it.
+/// Shift of the sliding solve over the largest displacement. The directions of slip of the cells differ by the inverse
+/// of this ratio.
 const FAR: f64 = 1e6;
-/// Least tolerance of that: the slip of the cells is what displacements leave of the shift.
+/// Least tolerance of the sliding solve, since the slip of a cell is a small difference between shift and displacement.
 const LEAST_TOLERANCE: f64 = 1e-8;
 
 impl CoupledIncrement {
-    /// Solves for a force that may be beyond friction. Where that stalls, the force at which the bodies slide in its
-    /// direction decides.
+    /// Solves for a force that may exceed the friction capacity. If the solve stalls, the force at which the bodies
+    /// slide in the direction of the load decides whether this is an error.
     ///
     /// # Errors
-    /// [`Error::BeyondFrictionCapacity`]; as [`Self::solve_on_window`].
+    /// - [`Error::BeyondFrictionCapacity`] if the bodies slide under the force.
+    /// - Errors of [`Self::solve_on_window`].
     pub(super) fn solve_or_slide(
         &mut self,
         task: CoupledRequest<'_>,
@@ -56,7 +57,7 @@ impl CoupledIncrement {
         self.solve_on_window(patient, CoupledStart::Halves, conditions)
     }
 
-    /// The tractions of bodies that slide in a direction.
+    /// Solves for the tractions of bodies that slide in a direction.
     fn slide(
         &mut self,
         task: CoupledRequest<'_>,
@@ -65,7 +66,8 @@ impl CoupledIncrement {
     ) -> Result<()> {
         let layout = self.bodies.grid_layout();
         let ([normal, ..], [demand, ..]) = (self.displacement(), &self.linear);
-        // The iterate of a prescribed approach may be anything; its overlap is the largest displacement.
+        // Under a prescribed approach the iterate may be arbitrary; the overlap of the bodies then bounds the largest
+        // displacement.
         let largest = reduce::max(&layout, |i| match task.totals[0] {
             Total::Free => -demand[i],
             Total::Sum(_) | Total::Spring { .. } => normal[i].abs(),

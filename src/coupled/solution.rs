@@ -1,4 +1,4 @@
-//! The answer to a coupled contact.
+//! Solution of a coupled contact.
 
 use crate::cgm::reduce;
 use crate::coupled::increment::CoupledIncrement;
@@ -15,8 +15,8 @@ use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 
-/// Both halves of a coupled contact, with the displacements that they cause together. Two are equal if their answers are,
-/// however they were found.
+/// Normal and tangential part of a coupled contact, with the displacements that they cause together. Equality compares
+/// the results and ignores the report.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
@@ -24,7 +24,7 @@ pub struct CoupledSolution {
     tangential: TangentialSolution,
     displacement: [Field; N],
     report: CoupledReport,
-    /// Of a slab, the elastic energy of the whole grid.
+    /// Elastic energy of the whole grid, if the fields are a slab.
     #[cfg_attr(feature = "serde", serde(skip))]
     whole_energy: Option<f64>,
 }
@@ -49,7 +49,7 @@ impl PartialEq for CoupledSolution {
     }
 }
 
-/// What is read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "CoupledSolution")]
@@ -75,7 +75,7 @@ impl<'de> serde::Deserialize<'de> for CoupledSolution {
 }
 
 impl CoupledSolution {
-    /// No contact yet.
+    /// Creates a solution without contact.
     pub(super) fn empty(bodies: &HalfSpace, gap: &Field) -> Result<Self> {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
         Ok(Self {
@@ -112,34 +112,37 @@ impl CoupledSolution {
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
-    /// The normal half: pressure, gap under load, approach, contact area. Its report is that of the whole.
+    /// Returns the normal part: pressure, gap under load, approach, contact area. Its report belongs to the whole
+    /// solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// The tangential half: tractions along both axes, slip, zones, shift. Its report is that of the whole.
+    /// Returns the tangential part: tractions along both axes, slip, zones, shift. Its report belongs to the whole
+    /// solve.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential
     }
 
-    /// Displacements of all cells along x, y and z by pressure and traction together, body 1 minus body 2 along x and y,
-    /// the sum of both bodies along z (lengths). Those that the halves compute are by the pressure or the tractions alone.
+    /// Returns the displacements of all cells along x, y and z by pressure and traction together (lengths). They are
+    /// body 1 minus body 2 along x and y, and the sum of both bodies along z. The `displacement` functions of the two
+    /// parts compute displacements by the pressure or the tractions alone.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;
         [x, y, z]
     }
 
-    /// Elastic energy of both bodies, $`\tfrac A2 \sum (p\,u_z + q \cdot u_t)`$ (force times length).
+    /// Returns the elastic energy of both bodies, $`\tfrac A2 \sum (p\,u_z + q \cdot u_t)`$ (force times length).
     #[must_use]
     pub fn elastic_energy(&self) -> f64 {
         let of_own = || self.energy_over(&self.normal.grid().layout());
         self.whole_energy.unwrap_or_else(of_own)
     }
 
-    /// Of cells that lie so.
+    /// Computes the elastic energy over the cells of a layout.
     fn energy_over(&self, layout: &Layout) -> f64 {
         let [z, x, y] = self.displacement.each_ref().map(Field::as_slice);
         let [qx, qy] = self.tangential.traction().map(Field::as_slice);
@@ -148,22 +151,22 @@ impl CoupledSolution {
         0.5 * self.normal.grid().cell_area() * sum
     }
 
-    /// How the solve ended, what it cost, and what is certified.
+    /// Returns the report of the solve: status, cost and certificates.
     #[must_use]
     pub fn report(&self) -> &CoupledReport {
         &self.report
     }
 
-    /// Remarks on the contact that a result may mislead; see [`Warning`].
+    /// Returns warnings that the result may be misleading; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())
     }
 
-    /// [`Self::warnings`] where memory may run out.
+    /// Returns the same warnings as [`Self::warnings`], or an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.normal.try_warnings()?;
         let tangential = &self.tangential;

@@ -1,4 +1,4 @@
-//! The reusable solver of a coupled contact.
+//! Reusable solver of a coupled contact.
 
 use crate::cgm::solver_settings;
 use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
@@ -12,10 +12,10 @@ use crate::observer::Observer;
 use crate::support::debug::shown;
 use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialModel};
 
-/// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+/// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
 ///
-/// It does not remember slip: that is the part of a [`History`](crate::History). Gap, friction and loads may change between
-/// calls; a solve within the window of the last contact allocates nothing.
+/// The solver has no memory of slip, which is the purpose of a [`History`](crate::History). Gap, friction and loads may
+/// change between calls. A solve on the window of the last contact does not allocate.
 ///
 /// ```
 /// use stickslip::*;
@@ -55,7 +55,8 @@ impl CoupledSolver {
     /// Changes the normal and the tangential load of the next solve.
     ///
     /// # Errors
-    /// As [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) for the loads, which are then as they were.
+    /// Errors of [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) that concern the loads. The
+    /// loads are unchanged after an error.
     pub fn set_load(&mut self, normal: NormalControl, tangential: TangentialLoad) -> Result<()> {
         let CoupledProblem {
             bodies,
@@ -75,8 +76,12 @@ impl CoupledSolver {
     /// Changes the gap before loading of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] where a prescribed approach is too
-    /// much for it; [`Error::Ranks`]; the gap is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::ApproachBeyondMeanGap`] if the prescribed approach is not less than the mean gap on a periodic grid.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.collective_result(gap.check("gap", bodies.grid()))?;
@@ -87,7 +92,10 @@ impl CoupledSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the friction is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Ranks`] if ranks fail or pass different friction.
+    ///
+    /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.problem.bodies)?;
         self.problem.friction.try_clone_from(friction)?;
@@ -98,17 +106,17 @@ impl CoupledSolver {
         TangentialModel::Vector.check(settings)
     });
 
-    /// Forgets the last answer: the next solve starts as the first did.
+    /// Discards the last solution. The next solve starts as the first did.
     pub fn reset(&mut self) {
         self.increment.forget();
     }
 
     solver_methods!(CoupledSolution.normal(), problem.bodies);
 
-    /// [`Self::new_solution`] where memory may run out.
+    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_new_solution(&self) -> Result<CoupledSolution> {
         CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
     }
@@ -137,7 +145,7 @@ impl CoupledSolver {
         if has_iterate(&outcome) {
             solution.fill(problem, &self.increment);
         }
-        // Do not start from NaN, or from what lacked memory on the way.
+        // The next solve must not start from NaN, or from a state that a lack of memory interrupted.
         let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
         if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
             self.increment.forget();

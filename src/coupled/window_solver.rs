@@ -1,4 +1,5 @@
-//! The engine of a coupled contact: Newton's method on all tractions, with alternating halves as start and as safeguard.
+//! Solver of a coupled contact on a window: Newton's method for pressure and tractions together, with alternating
+//! normal and tangential solves (halves) as start and safeguard.
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::{self, Cone, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace};
@@ -26,23 +27,23 @@ use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 use crate::tangential::{FrictionWithin, entry_compliance};
 
-/// Relative accuracy of the halves that a solve starts from.
+/// Relative tolerance of the alternating solves at the start.
 const START: f64 = 1e-2;
-/// Residual of a start beside which a sweep of halves is cheaper than Newton's method.
+/// Residual of the start above which a sweep of alternating solves is cheaper than Newton's method.
 const POOR: f64 = 0.1;
-/// Times that the sets may cycle, each followed by more sweeps of halves.
+/// Number of rounds after which cycling active sets end the solve; each round takes more sweeps than the round before.
 const ROUNDS: usize = 12;
-/// Part of the tangential force that friction holds at most in a half, whose pressure is not final.
+/// Largest fraction of the friction capacity that a tangential half may use, since its pressure is not final.
 const HELD: f64 = 0.999;
 
-/// How a solve begins.
+/// Start of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum CoupledStart {
-    /// From a sweep of halves.
+    /// Starts with a sweep of alternating solves.
     Halves,
-    /// From the present tractions, interpolated from coarser cells.
+    /// Starts from the present tractions, which were interpolated from coarser cells.
     Coarse,
-    /// From the present tractions, unless they are far from the answer.
+    /// Starts from the present tractions, unless they are far from the solution.
     Present,
 }
 
@@ -56,42 +57,42 @@ impl Cone for &FrictionWithin<'_> {
     }
 }
 
-/// What is asked of a solve.
+/// Input of a coupled solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CoupledRequest<'a> {
     pub(super) demand: CoupledTarget<'a>,
-    /// What the gap is measured from.
+    /// Datum of the gap.
     pub(super) datum: f64,
-    /// What is prescribed of the sums.
+    /// Prescribed totals of pressure and tractions.
     pub(super) totals: [Total; N],
-    /// Approach and shift beyond what is prescribed, as far as they are known before.
+    /// Initial values of approach and shift relative to the prescribed values.
     pub(super) multiplier: [f64; N],
-    /// The largest coefficient of the whole grid.
+    /// Largest coefficient of friction of the whole grid.
     pub(super) largest_coefficient: f64,
-    /// Whether a force that friction does not hold at the pressure found so far ends the solve as stalled at once.
+    /// Whether the solve ends as stalled as soon as the force exceeds the friction capacity of the present pressure.
     pub(super) is_doubtful: bool,
 }
 
 impl CoupledRequest<'_> {
-    /// Whether no tangential force or spring moves the bodies.
+    /// Returns whether neither a tangential force nor a spring acts.
     fn is_driven_by_shift(&self) -> bool {
         self.totals[1..].iter().all(|total| *total == Total::Free)
     }
 
-    /// The size of the prescribed sum of the tractions.
+    /// Returns the magnitude of the prescribed total of the tractions.
     fn force(&self) -> f64 {
         let [x, y] = [1, 2].map(|c| self.totals[c].sum().unwrap_or(0.0));
         x.hypot(y)
     }
 }
 
-/// Pressure and tractions of a window, and what finds them.
+/// Pressure and tractions of a window, with the solvers that compute them.
 #[derive(Debug, Clone)]
 pub(super) struct CoupledEngine {
-    /// Where it works.
+    /// Window in the local part of the grid.
     region: Region,
     layout: Layout,
-    /// What it takes to see the rest of the grid, if there is a rest.
+    /// Operator and buffer for the whole grid; `None` if the window is the grid.
     whole: Option<GridOperator>,
     compliance: Compliance<N>,
     workspace: ConeWorkspace,
@@ -100,35 +101,36 @@ pub(super) struct CoupledEngine {
     /// Operators of the whole grid, along z and in the plane, for the bounds of their eigenvalues.
     normal_operator: ElasticOperator<1>,
     plane_operator: ElasticOperator<2>,
-    /// Of the tangential part.
+    /// Self-influence coefficient of the tangential operator.
     self_compliance: f64,
     contraction: Contraction,
-    /// Whether the bounds of the halves may bound the whole: the mean on a grid that repeats along both axes has no norm.
+    /// Whether the bounds of the halves can bound the whole error. On a grid that is periodic along both axes the mean
+    /// has no norm.
     is_bounded: bool,
-    /// Pressure and tractions: the start, and the answer.
+    /// Pressure and tractions, the start and the solution.
     x: [Vec<f64>; N],
-    /// What is asked of the cells of the window.
+    /// Linear term in the cells of the window.
     asked: [Vec<f64>; N],
-    /// The tractions that halves have come to; of no cells before there are any.
+    /// Tractions after the last alternating solves; empty before the first.
     kept: [Vec<f64>; N],
-    /// What a half adds to what the other asks.
+    /// Linear term of a half, including the displacements by the other half.
     linear: [Vec<f64>; N],
-    /// `kappa g` of the cells that would enter the contact, if any would: the mean of all directions, and the rest where
-    /// the bodies roll.
+    /// `kappa g` of the cells that would come into contact; empty if no cell lags. `closing` is the mean over all
+    /// directions, and `closing_deviator` the deviator for rolling bodies.
     closing: Vec<f64>,
     closing_deviator: Vec<[f64; 2]>,
     enters: bool,
-    /// `kappa g / p` of the pressure of a half; of no cells where none enters.
+    /// Entry compliance `kappa g / p` for the pressure of a half; empty if no cell comes into contact.
     own: Vec<f64>,
     own_deviator: Vec<[f64; 2]>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
-    /// The largest pressure of all cells, or of each in what follows.
+    /// Largest pressure if it is uniform; otherwise `hardness_of_cells` has the value of each cell.
     hardness: PerCell<()>,
     hardness_of_cells: Vec<f64>,
 }
 
-/// The products of the whole grid.
+/// Operator and buffer for products on the whole grid.
 #[derive(Debug, Clone)]
 struct GridOperator {
     operator: ElasticOperator<N>,
@@ -141,7 +143,7 @@ impl WindowEngine for CoupledEngine {
         let (size, region) = (window.size, Region::new(bodies, window));
         let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
         let compliance = bodies.compliance([z, x, y], size)?;
-        // What is certified of the window is to hold for the grid.
+        // The certificate must be valid for the whole grid, not only for the window.
         let tensor = bodies.compliance([z, x, y], whole.size)?.operator;
         let normal = bodies.compliance([z], whole.size)?.operator;
         let plane = bodies.compliance([x, y], whole.size)?.operator;
@@ -199,14 +201,14 @@ impl WindowEngine for CoupledEngine {
 }
 
 impl CoupledEngine {
-    /// Takes tractions of the whole grid as the start.
+    /// Sets the start from tractions of the whole grid.
     pub(super) fn take(&mut self, tractions: &[Vec<f64>; N]) {
         for (x, whole) in self.x.iter_mut().zip(tractions) {
             self.region.gather(whole, x);
         }
     }
 
-    /// Writes the tractions of the answer, and the displacements of the whole grid.
+    /// Writes the tractions of the solution and the displacements of the whole grid.
     pub(super) fn write(
         &mut self,
         tractions: &mut [Vec<f64>; N],
@@ -228,12 +230,12 @@ impl CoupledEngine {
         }
     }
 
-    /// Approach and shift beyond what is prescribed.
+    /// Returns approach and shift relative to the prescribed values.
     pub(super) fn multiplier(&self) -> [f64; N] {
         self.workspace.multiplier()
     }
 
-    /// Solves into the tractions, from the gap and the demands of every cell; says how it ended in the report.
+    /// Solves in place from the gap and the linear term of every cell, and writes the outcome to the report.
     pub(super) fn solve(
         &mut self,
         (linear, closing): ([&[f64]; N], Option<CellCompliance<'_>>),
@@ -253,7 +255,7 @@ impl CoupledEngine {
             self.region.gather(mean, &mut self.closing);
             self.closing_deviator.clear();
             if !deviator.is_empty() {
-                // Ranks do not share bodies that roll.
+                // Bodies that roll are not distributed, so that the cells have their global numbers.
                 let cells = self.region.own().indices().map(|i| deviator[i]);
                 fallible::make_room(&mut self.closing_deviator, self.region.cells())?;
                 self.closing_deviator.extend(cells);
@@ -289,8 +291,8 @@ impl CoupledEngine {
                     break;
                 }
             }
-            // A half that was stopped left the tractions beyond the limits of its pressure: all at once they are brought
-            // back and measured, and stopped too.
+            // A half that was stopped leaves tractions beyond the limits of its pressure. The Newton solver projects
+            // and measures them, and then stops as well.
             let multiplier = self.workspace.multiplier();
             let has_halves = sweeps > 0;
             if has_halves {
@@ -319,7 +321,7 @@ impl CoupledEngine {
                 break;
             }
             if has_halves && round < ROUNDS {
-                // Where the sets have cycled nothing is better than what the halves came to.
+                // After cycling of the active sets, the result of the alternating solves is the better start.
                 std::mem::swap(&mut self.x, &mut self.kept);
                 self.workspace.set_multiplier(multiplier);
             }
@@ -329,7 +331,7 @@ impl CoupledEngine {
         report.end(Status::Stalled)
     }
 
-    /// Keeps the tractions that the halves have come to.
+    /// Stores the tractions after the alternating solves.
     fn keep_halves(&mut self) -> Result<()> {
         for (kept, x) in self.kept.iter_mut().zip(&self.x) {
             fallible::resize(kept, x.len(), 0.0)?;
@@ -338,7 +340,7 @@ impl CoupledEngine {
         Ok(())
     }
 
-    /// All at once.
+    /// Solves for pressure and tractions together by semismooth Newton steps.
     fn newton(
         &mut self,
         (task, friction): (CoupledRequest<'_>, &FrictionWithin<'_>),
@@ -377,8 +379,8 @@ impl CoupledEngine {
         ended
     }
 
-    /// The pressure for the tractions as they are, then the tractions for that pressure. Returns a status if observer or
-    /// clock ended it.
+    /// Solves for the pressure under the present tractions, then for the tractions under that pressure. Returns a
+    /// status if the observer or the time limit ended the sweep.
     fn sweep(
         &mut self,
         task: CoupledRequest<'_>,
@@ -465,7 +467,7 @@ impl CoupledEngine {
         ended
     }
 
-    /// The compliance that the cells have of their own at the present pressure.
+    /// Computes the entry compliances at the present pressure.
     fn set_own(&mut self) -> Result<()> {
         self.own.clear();
         self.own_deviator.clear();
@@ -492,7 +494,7 @@ impl CoupledEngine {
         Ok(())
     }
 
-    /// The friction limits of the present pressure; returns their sum.
+    /// Computes the friction limits at the present pressure and returns their sum.
     fn set_limits(&mut self, friction: &FrictionWithin<'_>) -> f64 {
         for (i, limit) in self.limits.iter_mut().enumerate() {
             *limit = friction.limit(i, self.x[0][i]);
@@ -500,7 +502,7 @@ impl CoupledEngine {
         reduce::total(&self.layout, &self.limits)
     }
 
-    /// What is asked of the cells, with the displacements that these components of the tractions cause.
+    /// Computes the linear term including the displacements by these components of the tractions.
     fn add_displacements_of(&mut self, components: &[usize]) {
         for c in 0..N {
             if components.contains(&c) {
@@ -520,7 +522,8 @@ impl CoupledEngine {
     }
 }
 
-/// Solves a half; returns the status of one that observer or clock ended. An unfinished half serves too.
+/// Solves a half; returns the status if the observer or the time limit ended it. The result of an unfinished half is
+/// used, too.
 fn half(
     tolerance: f64,
     conditions: &mut SolveContext<'_, '_>,

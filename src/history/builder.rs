@@ -1,4 +1,4 @@
-//! What a history starts from, checked once.
+//! Input of a history, checked when it is built.
 
 use std::sync::Arc;
 
@@ -53,14 +53,15 @@ impl<'a> HistoryBuilder<'a> {
 impl HistoryBuilder<'_> {
     settings_methods!();
 
-    /// The axis of tangential load and tractions (default [`Axis::X`]); the vector model has none.
+    /// Sets the axis of tangential load and tractions in the scalar model (default [`Axis::X`]). The vector model
+    /// ignores it.
     pub fn axis(mut self, axis: Axis) -> Self {
         self.axis = axis;
         self
     }
 
-    /// Which tractions are found (default [`TangentialModel::Scalar`]). With [`TangentialModel::Vector`] a history
-    /// takes loads of any direction and twist.
+    /// Sets the model of the tractions (default [`TangentialModel::Scalar`]). A history with
+    /// [`TangentialModel::Vector`] accepts twists and loads in any direction.
     ///
     /// ```
     /// use stickslip::*;
@@ -73,7 +74,7 @@ impl HistoryBuilder<'_> {
     /// let mut history = builder.build()?;
     /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
     ///
-    /// // A force along x, a shift along y, then a turn under both.
+    /// // A force along x, then a shift along y, then a twist under both.
     /// let shear = LoadStep::hold()
     ///     .tangential(Axis::X, TangentialControl::Force(20.0))
     ///     .tangential(Axis::Y, TangentialControl::Shift(0.4e-6));
@@ -88,30 +89,29 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// How much is modelled of the coupling between pressure and traction in bodies of different materials (default
-    /// [`Coupling::Full`]: they are found together, with both tractions whatever the model). One-way coupling in the scalar
-    /// model is that along its axis.
+    /// Sets the model of the coupling between pressure and traction for bodies of different materials (default
+    /// [`Coupling::Full`]: a coupled solve with both components of the traction in either model). One-way coupling in
+    /// the scalar model acts along its axis.
     pub fn coupling(mut self, coupling: Coupling) -> Self {
         self.coupling = coupling;
         self
     }
 
-    /// How far a cell that comes into contact within a step follows its motion (default
-    /// [`EntryRule::SinceTouch`]).
+    /// Sets the rule for the motion of cells that come into contact within a step (default [`EntryRule::SinceTouch`]).
     pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
         self.entry_rule = entry_rule;
         self
     }
 
-    /// A displacement of body 1 relative to body 2 that the contact does not cause, which steps reach to
-    /// [an amount](crate::LoadStep::relative_displacement) (default: none).
+    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). Steps apply
+    /// [an amount](crate::LoadStep::relative_displacement) of it.
     ///
-    /// Its work on the tractions is part of the [balance](crate::history::EnergyBalance). A cell that comes into contact
-    /// within a step follows all of its change.
+    /// Its work on the tractions is part of the [balance](crate::history::EnergyBalance). A cell that comes into
+    /// contact within a step follows the whole change of the displacement.
     ///
     /// ```
     /// use stickslip::{*, tangential::RelativeDisplacement};
-    /// // A roller on a flat specimen, body 1, whose bulk stress then rises to 100 MPa.
+    /// // A roller on a flat specimen (body 1), under a bulk stress that then rises to 100 MPa.
     /// let titanium = Material::new(115e3, 0.32)?;
     /// let pair = ElasticPair::new(titanium, titanium)?;
     /// let grid = Grid::line(128, 0.01)?;
@@ -124,7 +124,8 @@ impl HistoryBuilder<'_> {
     /// history.step(&LoadStep::hold().normal(NormalControl::Force(200.0)))?;
     /// let stretched = LoadStep::force([0.0, 0.0]).relative_displacement(100.0);
     /// history.step(&stretched)?;
-    /// // The roller holds the specimen back: traction inwards on both sides, slip at both ends.
+    /// // The roller resists the stretch of the specimen: the traction points inwards on both sides, and both ends
+    /// // slip.
     /// let traction = history.traction()[0];
     /// assert!(traction.get(70, 0) < Some(-1.0) && traction.get(57, 0) > Some(1.0));
     /// assert!(history.last_step().stick_ratio() < 1.0);
@@ -135,15 +136,15 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// The largest pressure the cells carry in every step (default: no limit).
+    /// Sets the largest pressure that the cells can carry in every step (default: no limit).
     pub fn hardness(mut self, hardness: Hardness) -> Self {
         self.hardness = Some(hardness);
         self
     }
 
-    /// Whether what yields under the [hardness](Self::hardness) stays (default: it does not): the overlap of a step is then
-    /// added to the gap of all that follow and to [`State::yielded`], and the same load, or less, is elastic the next time.
-    /// Without a hardness nothing yields.
+    /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: it is not). The
+    /// overlap of a step is then added to the gap of all following steps and to [`State::yielded`]. The next contact
+    /// under the same load, or less, is elastic. This option has no effect without a hardness.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};
@@ -157,7 +158,7 @@ impl HistoryBuilder<'_> {
     /// history.step(&press(100.0))?;
     /// let depth = history.state().yielded().map_or(0.0, Field::max);
     /// assert!(depth > 0.0 && history.pressure().max() == 1.5e9);
-    /// // The first loading has done it all.
+    /// // The first loading has caused all of the overlap.
     /// history.step(&press(20.0))?;
     /// history.step(&press(99.0))?;
     /// assert_eq!(history.state().yielded().map_or(0.0, Field::max), depth);
@@ -168,14 +169,17 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Checks everything, and copies the gap if others hold it; nothing is solved yet.
+    /// Checks the input and creates the history without solving. The gap is copied if it is shared with other owners.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for gap, friction, hardness or relative displacement,
-    /// [`Error::Sample`](crate::Error::Sample) for the gap and for a bulk strain along an axis on which the grid repeats, [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for
-    /// a relative displacement along an axis of which no traction is found,
-    /// [`Error::Method`](crate::Error::Method) for a method that the model does not have,
-    /// [`Error::Tolerance`](crate::Error::Tolerance), [`Error::IterationLimit`](crate::Error::IterationLimit); [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid of the gap, friction, hardness or relative
+    ///   displacement differs.
+    /// - [`Error::Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
+    /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for a relative displacement along an axis without tractions.
+    /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
+    /// - [`Error::Tolerance`](crate::Error::Tolerance) or [`Error::IterationLimit`](crate::Error::IterationLimit) if a
+    ///   setting is out of range.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;
         let axes = bodies.collective_result_checked(
@@ -205,7 +209,7 @@ impl HistoryBuilder<'_> {
         History::from_state(bodies, state.coupled(self.coupling)?)
     }
 
-    /// The axes of the tractions, if everything is right.
+    /// Checks the input and returns the axes of the tractions.
     fn checked(&self) -> Result<&'static [Axis]> {
         self.settings.check()?;
         self.model.check(&self.settings)?;

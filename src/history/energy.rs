@@ -1,4 +1,4 @@
-//! The energy of a tangential step, or of the steps of a cycle.
+//! Energy balance of a tangential step or of the steps of a cycle.
 
 use crate::cgm::reduce;
 use crate::grid::field::Field;
@@ -6,12 +6,12 @@ use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::WireFormat;
 
-/// Where the work of the tangential load in a step went (energies: force times length), or in the steps of a
-/// [`Cycle`](crate::history::Cycle).
+/// Balance of the work of the tangential load in a step or in the steps of a [`Cycle`](crate::history::Cycle)
+/// (energies: force times length).
 ///
-/// With q and u the tractions and displacements before (n) and after (n+1) the step, $`\bar q`$ their
-/// mean, $`\Delta u`$ and $`\Delta\delta`$ the changes of displacement and shift, and A the area of a
-/// cell,
+/// Let q and u be the tractions and displacements before (n) and after (n+1) the step, and $`\bar q`$ the mean of the
+/// tractions. $`\Delta u`$ and $`\Delta\delta`$ are the changes of displacement and shift, and A is the area of a cell.
+/// Then
 ///
 /// ```math
 /// \underbrace{\tfrac12 (F_n + F_{n+1})\,\Delta\delta}_{\text{work}}
@@ -19,51 +19,61 @@ use crate::parallel::ranks::WireFormat;
 /// \; \underbrace{- \; A \textstyle\sum \bar q\,(\Delta u - \Delta\delta)}_{\text{the rest}}
 /// ```
 ///
-/// holds for any two states, because the operator is symmetric. In the plane, products are those of vectors, and
-/// to the work comes that of the moment, $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$, as the motion of a cell is
-/// $`\delta + \varphi\,(-y, x)`$. A cell that comes into contact within the step follows a part of the motion
-/// ([`EntryRule`](crate::history::EntryRule)), which then stands for $`\Delta\delta`$ on both sides; where a
-/// [relative displacement](crate::tangential::RelativeDisplacement) w changes, $`\Delta\delta - \Delta w`$ does. The rest
-/// is what slip dissipates ([`dissipated_energy_midpoint`](Self::dissipated_energy_midpoint)), what cells that leave the contact let go
-/// ([`released`](Self::released)) and what the tolerance of the solve leaves where there should be no slip
-/// ([`residual`](Self::residual)). What a spring stores, $`F^2 / 2k`$, is not among these: work is what it does to
-/// body 2.
+/// holds for any two states, because the operator is symmetric. In the plane the products are scalar products of
+/// vectors. The motion of a cell is then $`\delta + \varphi\,(-y, x)`$, and the moment adds the work
+/// $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
 ///
-/// In a step that [rolls](crate::history#rolling) $`q_n`$ and $`u_n`$ are those that a particle brings along, and
-/// $`\Delta\delta`$ is what body 2 moves along its way.
+/// A cell that comes into contact within the step follows only a part of the motion
+/// ([`EntryRule`](crate::history::EntryRule)), which replaces $`\Delta\delta`$ on both sides. If a [relative
+/// displacement](crate::tangential::RelativeDisplacement) w changes, $`\Delta\delta - \Delta w`$ replaces
+/// $`\Delta\delta`$.
 ///
-/// Bodies alike, and a history that neglects the coupling or takes it one way: pressing is left out, all energies are those
-/// of shear. Dissimilar bodies whose pressure and traction are found together: work, `elastic_before` and `elastic_after` are
-/// those of pressure and traction together, with $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$ in addition;
-/// what is dissipated is that of slip in both.
+/// The work that is not stored consists of three parts:
+///
+/// - [`dissipated_energy_midpoint`](Self::dissipated_energy_midpoint), the dissipation by slip,
+/// - [`released`](Self::released), the energy that cells release when they leave the contact,
+/// - [`residual`](Self::residual), the work on the residual motion of stick cells, which the tolerance of the solve
+///   allows.
+///
+/// The energy $`F^2 / 2k`$ of a spring is not included; work is the work of the spring on body 2.
+///
+/// In a step that [rolls](crate::history#rolling), $`q_n`$ and $`u_n`$ belong to the particle that is in the cell after
+/// the step. $`\Delta\delta`$ is the motion of body 2 along the path of the particle.
+///
+/// For bodies of the same material, and for a history with neglected or one-way coupling, the balance excludes
+/// pressing, and all energies are energies of shear. For dissimilar bodies with coupled pressure and traction, work,
+/// `elastic_before` and `elastic_after` include pressure and traction, with the additional terms
+/// $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$. The dissipated energy is the dissipation by slip in all
+/// cases.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EnergyBalance {
-    /// Work of the tangential load (of dissimilar bodies also of the normal load, of a relative displacement also its own),
-    /// mean force times change of the shift, and mean moment times that of the twist; of
-    /// cells that come into contact, by the part of the motion that they follow.
+    /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+    /// In cells that come into contact only the part of the motion that they follow counts. The work of a changing
+    /// relative displacement is included, and for coupled bodies the work of the normal load.
     pub work: f64,
-    /// Elastic energy of shear before the step; of dissimilar bodies that of pressure and traction.
+    /// Elastic energy of shear before the step; for coupled bodies the energy of pressure and traction.
     pub elastic_before: f64,
-    /// Elastic energy of shear after the step; of dissimilar bodies that of pressure and traction.
+    /// Elastic energy of shear after the step; for coupled bodies the energy of pressure and traction.
     pub elastic_after: f64,
-    /// Energy dissipated, by the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
-    /// unchanged pressure and a load that does not turn within the step, slip happens at the friction
-    /// limit alone, and this is what it dissipates, however long the step.
+    /// Energy dissipated, from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an unchanged
+    /// pressure and a load that does not turn within the step, cells slip only at the friction limit. The value is then
+    /// exact for any length of the step.
     pub dissipated_energy: f64,
-    /// Energy dissipated, by the mean tractions: $`-A \sum \bar q s`$, which closes the balance.
-    /// Non-negative under an unchanged pressure and friction (in the plane but for the tolerance).
+    /// Energy dissipated, from the mean tractions: $`-A \sum \bar q s`$, which closes the balance. It is non-negative
+    /// under an unchanged pressure and friction (in the plane up to the tolerance).
     pub dissipated_energy_midpoint: f64,
-    /// Energy of the tractions that cells drop as they leave the contact, by mean tractions.
+    /// Energy of the tractions that cells lose when they leave the contact, from the mean tractions.
     pub released: f64,
-    /// Work on the motion that the tolerance leaves in stick cells.
+    /// Work on the residual motion of stick cells, which the tolerance allows.
     pub residual: f64,
 }
 
 impl EnergyBalance {
-    /// What the pressure does in a step, from before to after, each with its gap before loading; of cells that lie so.
-    /// `place` is where the particle of a cell was before the step: particles from beyond the grid had no pressure.
+    /// Computes the work and the elastic energies of the pressure in a step over the cells of a layout. `before` and
+    /// `after` are the contacts with their gaps before loading. `place` returns the cell of a particle before the step;
+    /// particles from outside the grid had no pressure.
     pub(super) fn of_pressing(
         layout: &Layout,
         before: (&NormalSolution, &Field),
@@ -93,7 +103,7 @@ impl EnergyBalance {
         }
     }
 
-    /// With that of other cells.
+    /// Returns the sum with the balance of other cells.
     pub(super) fn plus(&self, other: &Self) -> Self {
         Self {
             work: self.work + other.work,
@@ -107,7 +117,7 @@ impl EnergyBalance {
         }
     }
 
-    /// Goes on by the step that followed.
+    /// Extends the balance by the following step.
     pub(super) fn extend(&mut self, next: &Self) {
         self.work += next.work;
         self.elastic_after = next.elastic_after;
@@ -117,7 +127,7 @@ impl EnergyBalance {
         self.residual += next.residual;
     }
 
-    /// What is missing in the balance: round-off.
+    /// Returns the imbalance, which is due to round-off only.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
         let lost = self.dissipated_energy_midpoint + self.released + self.residual;

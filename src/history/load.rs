@@ -1,18 +1,18 @@
-//! What a step of a history does to the bodies.
+//! Load prescribed in one step of a history.
 
 use crate::history::{Rolling, State};
 use crate::normal::NormalControl;
 use crate::tangential::{Axis, TangentialControl, TangentialLoad, TangentialTarget};
 
-/// What a step does: normal load, tangential load along each axis, twist, relative displacement, rolling. Whatever is not
-/// named is held.
+/// Load of a step: normal load, tangential load along each axis, twist, relative displacement and rolling. Every
+/// quantity that is not prescribed is held.
 ///
 /// ```
 /// use stickslip::{Axis, LoadStep, NormalControl, TangentialControl};
 /// let press = LoadStep::hold().normal(NormalControl::Force(100.0));
 /// let drag = LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(1e-6));
 /// assert_ne!(press, drag);
-/// // Both components by one name, as a load path has them.
+/// // A load path prescribes both components in one call.
 /// assert_eq!(LoadStep::shift([1e-6, 0.0]), drag.tangential(Axis::Y, TangentialControl::Shift(0.0)));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,17 +25,17 @@ use crate::tangential::{Axis, TangentialControl, TangentialLoad, TangentialTarge
 pub struct LoadStep {
     normal: NormalControl,
     tangential: [TangentialControl; 2],
-    /// `None` leaves it as it is.
+    /// Twist at the end of the step; `None` holds the twist.
     twist: Option<f64>,
-    /// `None` leaves it as it is.
+    /// Amount of the relative displacement; `None` holds the amount.
     relative_displacement: Option<f64>,
-    /// `None` stays where it is.
+    /// Rolling of the step; `None` does not roll.
     rolling: Option<Rolling>,
 }
 
 impl LoadStep {
-    /// Everything held: pressure, shift and twist. The shift is held, not the tangential force: that falls where a lighter
-    /// pressure or less friction cannot carry it ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
+    /// Holds pressure, shift and twist. The tangential force is not held: it decreases if a lower pressure or less
+    /// friction cannot carry it ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
     pub fn hold() -> Self {
         Self {
             normal: NormalControl::Hold,
@@ -46,31 +46,31 @@ impl LoadStep {
         }
     }
 
-    /// The tangential force `[x, y]` at the end of the step, all else held. Along an axis the force across must
-    /// be zero.
+    /// Prescribes the tangential force `[x, y]` at the end of the step and holds the other quantities. In the scalar
+    /// model the force across the axis must be zero.
     ///
-    /// After the gap has changed, give the normal load again in every step,
-    /// [`.normal(NormalControl::Force(w))`](Self::normal): else the pressure stays that of the old gap.
+    /// After a change of the gap, prescribe the normal load again in every step,
+    /// [`.normal(NormalControl::Force(w))`](Self::normal). Otherwise the pressure of the old gap is held.
     pub fn force(force: [f64; 2]) -> Self {
         Self::both(force.map(TangentialControl::Force))
     }
 
-    /// The shift `[x, y]` at the end of the step, since the start of the history (lengths), all else held.
-    /// Along an axis the shift across must be zero.
+    /// Prescribes the shift `[x, y]` at the end of the step since the start of the history (lengths) and holds the
+    /// other quantities. In the scalar model the shift across the axis must be zero.
     ///
-    /// After the gap has changed, give the normal load again in every step,
-    /// [`.normal(NormalControl::Force(w))`](Self::normal): else the pressure stays that of the old gap.
+    /// After a change of the gap, prescribe the normal load again in every step,
+    /// [`.normal(NormalControl::Force(w))`](Self::normal). Otherwise the pressure of the old gap is held.
     pub fn shift(shift: [f64; 2]) -> Self {
         Self::both(shift.map(TangentialControl::Shift))
     }
 
-    /// Springs of one stiffness along both axes (a force over a length), whose far ends are at `[x, y]` at the end of
-    /// the step, since the start of the history (lengths), all else held: see [`TangentialControl::Spring`]. Along an
-    /// axis the position across must be zero.
+    /// Prescribes springs of one stiffness (a force over a length) along both axes and holds the other quantities, see
+    /// [`TangentialControl::Spring`]. The far ends are at `[x, y]` at the end of the step, since the start of the
+    /// history (lengths). In the scalar model the position across the axis must be zero.
     ///
-    /// After the gap has changed, give the normal load in every step, as with [`shift`](Self::shift).
+    /// After a change of the gap, prescribe the normal load in every step, as with [`shift`](Self::shift).
     ///
-    /// A later step must name the spring again: one that does not holds the shift, not the far end.
+    /// A later step must prescribe the spring again. A step without a spring holds the shift, not the far end.
     ///
     /// ```
     /// use stickslip::history::LoadPath;
@@ -103,44 +103,45 @@ impl LoadStep {
         }
     }
 
-    /// With this normal half.
+    /// Sets the normal load.
     pub fn normal(mut self, normal: NormalControl) -> Self {
         self.normal = normal;
         self
     }
 
-    /// With this tangential half along `axis`.
+    /// Sets the tangential load along `axis`.
     pub fn tangential(mut self, axis: Axis, tangential: TangentialControl) -> Self {
         self.tangential[axis.index()] = tangential;
         self
     }
 
-    /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid at the end of the
-    /// step, since the start of the history (radians, positive from x to y): beside the shift it moves body 2
-    /// by $`(-\varphi y, \varphi x)`$. Only the vector model takes other than zero, and only on a grid that does
-    /// not repeat.
+    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 at the end of the step, about the origin of the grid
+    /// (radians since the start of the history, positive from x to y). In addition to the shift it moves body 2 by
+    /// $`(-\varphi y, \varphi x)`$. A non-zero twist needs the vector model and a grid that is not periodic.
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);
         self
     }
 
-    /// With this amount of the [relative displacement](crate::history::HistoryBuilder::relative_displacement) at the end of
-    /// the step, as a multiple of the pattern of the history, since its start: the bulk stress of a
-    /// specimen, for example, if that was built for one of 1.
+    /// Sets the amount of the [relative displacement](crate::history::HistoryBuilder::relative_displacement) at the end
+    /// of the step, as a multiple of the pattern of the history. If the pattern belongs to a unit bulk stress, for
+    /// example, the amount is the bulk stress of the specimen.
     pub fn relative_displacement(mut self, amount: f64) -> Self {
         self.relative_displacement = Some(amount);
         self
     }
 
-    /// With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way, as
-    /// [`Rolling`] says. Along an axis on which the step names a force the creepage follows; it names no shift, no spring
-    /// and no twist. Normal load, gap and friction may change in the same step.
+    /// Sets the rolling of the step. The memory of the particles moves through the contact, and body 2 creeps over body
+    /// 1, as [`Rolling`] describes. If the step prescribes a force along an axis, the creepage along this axis follows.
+    /// A rolled step cannot prescribe a shift, a spring or a twist. Normal load, gap and friction may change in the
+    /// same step.
     pub fn roll(mut self, rolling: Rolling) -> Self {
         self.rolling = Some(rolling);
         self
     }
 
-    /// The step to a part of this one, in `[0, 1]`: what is prescribed has come that part of its way from the state.
+    /// Returns the step to a fraction of this step, in `[0, 1]`. Each prescribed quantity is interpolated between its
+    /// value in the state and its value at the end.
     pub(super) fn part(&self, state: &State, part: f64) -> Self {
         let between = |start: f64, end: f64| {
             if part < 1.0 {
@@ -187,22 +188,22 @@ impl LoadStep {
         }
     }
 
-    /// What is prescribed in the normal direction.
+    /// Returns the prescribed normal load.
     pub(super) fn normal_control(&self) -> NormalControl {
         self.normal
     }
 
-    /// How much of the relative displacement is prescribed, if it is.
+    /// Returns the prescribed amount of the relative displacement; `None` if it is held.
     pub(super) fn relative_amount(&self) -> Option<f64> {
         self.relative_displacement
     }
 
-    /// How the bodies roll, if they do.
+    /// Returns the rolling of the step; `None` if it does not roll.
     pub(super) fn rolling(&self) -> Option<&Rolling> {
         self.rolling.as_ref()
     }
 
-    /// Whether the shift is held along both axes, and only the normal load may change.
+    /// Returns whether the shift is held along both axes. A step of this kind may still change the normal load.
     pub(super) fn holds_shift(&self) -> bool {
         self.tangential == [TangentialControl::Hold; 2]
             && self.twist.is_none()
@@ -210,12 +211,12 @@ impl LoadStep {
             && self.rolling.is_none()
     }
 
-    /// Whether a twist is prescribed.
+    /// Returns whether a twist is prescribed.
     pub(super) fn names_twist(&self) -> bool {
         self.twist.is_some()
     }
 
-    /// What the step asks of the tangential contact, with the twist from the `last`.
+    /// Returns the tangential load; `last` is the twist if the step does not prescribe one.
     pub(super) fn demand(&self, last: f64) -> TangentialTarget {
         TangentialTarget {
             controls: self.tangential,
@@ -224,7 +225,7 @@ impl LoadStep {
     }
 }
 
-/// The tangential half alone, with the twist of the load, zero if it has none; the pressure is held.
+/// Converts a tangential load to a step that holds the pressure. The twist is the twist of the load, zero by default.
 impl From<TangentialLoad> for LoadStep {
     fn from(load: TangentialLoad) -> Self {
         let demand = load.demand();

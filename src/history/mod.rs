@@ -1,12 +1,12 @@
-//! Histories of load: stick and slip that remember the steps before.
+//! Load histories: stick and slip that depend on all earlier steps.
 //!
-//! Friction remembers: what slipped stays where it slipped to, and an unloaded contact keeps tractions
-//! locked in. A [`History`] holds all that and takes one [`LoadStep`] after another, in each of which
-//! normal load, tangential load, gap and friction may change.
+//! Friction has memory. A surface that has slipped keeps its slip, and an unloaded contact retains locked-in tractions.
+//! A [`History`] stores this memory and takes one [`LoadStep`] after another. Normal load, tangential load, gap and
+//! friction may change in each step.
 //!
 //! # A step
-//! With the displacements $`u_n`$ and the shift $`\delta_n`$ before it, a step finds tractions q within the
-//! friction limit m of its own pressure, and the slip of the step s:
+//! Let $`u_n`$ be the displacements and $`\delta_n`$ the shift before a step. The step finds tractions q within the
+//! friction limit m of its own pressure, and its slip s:
 //!
 //! ```math
 //! s = (C q - u_n) - (\delta - \delta_n), \qquad |q| \le m = \min(\mu p, \tau_{max}), \qquad
@@ -14,110 +14,128 @@
 //! ```
 //!
 //! This is the problem of [`crate::tangential`] with a linear term: the minimum over $`|q| \le m`$ of
-//! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift, in which a
-//! cell remembers the offset $`S = u - \delta`$ it slipped to last, so that errors of one step are not handed to the
-//! next. A cell
-//! that comes into contact within the step follows the motion from the moment it touches
-//! ([`EntryRule`], [growing contacts](crate::guide::load_steps)). A cell that leaves
-//! drops its traction. If the pressure alone changes, tractions are found anew under the
-//! same force or the same shift, never cut.
+//! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift. Each cell
+//! stores the offset $`S = u - \delta`$ of its last slip, so that errors of one step are not passed to the next.
 //!
-//! Prescribed is the force, the shift, or the far end of a spring ([`TangentialControl`](crate::TangentialControl)). A
-//! force that friction no longer holds is [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity); one
-//! at the limit slides the contact, with the least shift that makes all of it slip.
+//! A cell that comes into contact within the step follows the motion from the moment it touches ([`EntryRule`],
+//! [growing contacts](crate::guide::load_steps)). A cell that leaves the contact loses its traction. If only the
+//! pressure changes, the tractions are solved for again under the same force or the same shift, and are never cut.
 //!
-//! Steps may be as long as the load goes one way: under an unchanged pressure the state after a monotonic
-//! load does not depend on the steps that led there. This is the transient shift of
-//! CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
-//! <https://doi.org/10.1007/978-94-015-7889-9>); on the sphere it follows Mindlin & Deresiewicz, J. Appl. Mech. 20
-//! (1953) 327, <https://doi.org/10.1115/1.4010702>. Where the load turns in the plane, the error of a step is in
-//! proportion to its length: round a circle of force, four fifths of the sliding one, cycles of 32, 64 and 128
-//! steps dissipate 14, 7 and 3.5 % too little; extrapolated from the first two or the last two, they agree to 0.2 %.
+//! A load prescribes the force, the shift, or the far end of a spring
+//! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity is an error
+//! ([`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity)). A force at the limit slides the contact,
+//! with the least shift at which all of it slips.
 //!
-//! Tractions are along one axis, those across neglected, as in the paper, unless
-//! [`HistoryBuilder::model`] asks for both. Then each component of the load is prescribed on its own, as force, as
-//! shift or by a spring of its own, slip opposes traction in direction, and body 2 may turn: a twist
-//! $`\varphi`$ about the origin of the grid makes of the shift the motion $`\delta + \varphi\,(-y, x)`$ of each
-//! cell. Signs are those of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
+//! Steps may be long as long as the load increases in one direction: under an unchanged pressure, the state after a
+//! monotonic load does not depend on the steps. This is the transient shift of CONTACT (Kalker, *Three-Dimensional
+//! Elastic Bodies in Rolling Contact*, 1990, <https://doi.org/10.1007/978-94-015-7889-9>). On the sphere it agrees with
+//! Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327, <https://doi.org/10.1115/1.4010702>.
+//!
+//! If the load turns in the plane, the error of a step is proportional to its length. Around a circle of force at 0.8
+//! of the sliding force, cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little. Extrapolations from the
+//! first two and from the last two of them agree to 0.2 %.
+//!
+//! By default the tractions act along one axis, and tractions across it are neglected, as in the paper.
+//! [`HistoryBuilder::model`] selects both components. Each component of the load is then prescribed separately, as a
+//! force, as a shift or by its own spring, and slip is opposite to the traction. Body 2 may also rotate: with a twist
+//! $`\varphi`$ about the origin of the grid, the motion of each cell is $`\delta + \varphi\,(-y, x)`$. The sign
+//! convention is that of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # Bodies of different materials
-//! Where materials couple pressure and traction, each step finds both together ([`coupled`](crate::coupled)), with both
-//! components of the traction whatever the model. $`u`$ is then the displacement by traction and pressure, and a change of
-//! the normal load is a step of the tangential contact too: pressing draws the surfaces inwards and makes them slip. A
-//! step that names no normal load holds the normal force, not the pressure. The [`EntryRule`] serves the slip that pressing
-//! causes as it serves the prescribed motion. Where most of what enters slips, the error of a growing contact is of first
-//! order in its steps: the stick
-//! radius of a ball pressed in 1, 2, 4, 8, 16, 32 steps is 0.29, 0.37, 0.44, 0.47, 0.49, 0.497 of the contact's, where 0.5
-//! is exact ($`\beta = 0.5`$, $`\mu = 0.299`$); equal growth of the contact radius spreads the steps best.
-//! [`History::press`](crate::History::press) takes such steps, as many as a tolerance needs. Approach and
-//! peak pressure hardly depend on them.
+//! If the materials couple pressure and traction, each step solves for both together ([`coupled`](crate::coupled)),
+//! with both components of the traction in either model. Then $`u`$ is the displacement by traction and pressure. A
+//! change of the normal load is also a step of the tangential contact, because pressing draws the surfaces inwards and
+//! makes them slip. A step without a normal load keeps the normal force, not the pressure. The [`EntryRule`] also
+//! applies to the slip caused by pressing.
+//!
+//! If most of the cells that come into contact slip, the error of a growing contact is of first order in its steps. For
+//! a ball pressed in 1, 2, 4, 8, 16, 32 steps, the ratio of stick radius to contact radius is 0.29, 0.37, 0.44, 0.47,
+//! 0.49, 0.497, where 0.5 is exact ($`\beta = 0.5`$, $`\mu = 0.299`$). Steps of equal growth of the contact radius are
+//! the most accurate. [`History::press`](crate::History::press) takes such steps, as many as a tolerance requires.
+//! Approach and peak pressure hardly depend on the number of steps.
 //!
 //! # Rolling
-//! In a step with [`LoadStep::roll`] the bodies roll by a length d, a number of whole cells, and the particles of both
-//! surfaces move through the contact from its [leading edge](LeadingEdge) on. With $`T f(x) = f(x + d)`$, the value where a
-//! particle was before the step, and the displacement $`u_n`$ of before, inside and outside the contact,
+//! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells, and the particles of both
+//! surfaces move through the contact from its [leading edge](LeadingEdge). Let $`T f(x) = f(x + d)`$ be the value at
+//! the position of a particle before the step, and $`u_n`$ the previous displacement, inside and outside the contact.
+//! Then
 //!
 //! ```math
 //! s = C q + B q - T u_n - w, \qquad
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y in the middle
-//! of the way of the particle. Signs and the law B of cells that enter are those of steady [`rolling`](crate::rolling),
-//! in which a history ends that rolls on under one load; [`EntryRule::WholeStep`] leaves the law out, as CONTACT does.
-//! Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. Along an axis of which a step names the
-//! force, the creepage follows ([`StepResult::creepage`]).
+//! with the creepages $`\xi, \eta`$ and the spin $`\varphi`$ per length rolled ([`Rolling`]), and x and y at the middle
+//! of the path of the particle. Signs and the entry compliance B are the same as in steady [`rolling`](crate::rolling),
+//! to which a history converges under constant load. [`EntryRule::WholeStep`] omits the entry compliance, as CONTACT
+//! does. Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. If a step prescribes the force
+//! along an axis, the creepage along this axis follows ([`StepResult::creepage`]).
 //!
-//! With the particles move their sums: slip, accumulated slip and dissipated energy of the [`State`]. They leave the grid
-//! behind the contact, and come without any ahead of it. The fields of a [`StepResult`] are those of the cells, at the
-//! end of the step, and so are distances and energies of a [`Cycle`]. Its slip amplitude and its residual compare states
-//! of cells, through which other particles have passed: after rolled steps they say nothing, nor is a [`FrettingLoop`]
-//! found steady.
+//! The sums of the [`State`] move with the particles: slip, accumulated slip and dissipated energy. They leave the grid
+//! behind the contact, and particles that enter the grid have zero sums. The fields of a [`StepResult`] belong to the
+//! cells at the end of the step, and so do distances and energies of a [`Cycle`]. Slip amplitude and residual of a
+//! cycle compare states of cells, through which other particles have passed. They have no meaning after rolled steps,
+//! and a [`FrettingLoop`] does not detect a steady state.
 //!
-//! The gap is that of the step, in the frame of the contact: a form stays, and a texture moves with the particles, so
-//! that a rough surface is given anew for every step, by [`History::set_gap`]. A cell that enters has closed the gap
-//! under load that its particle had in the step before.
+//! The gap of a step is given in the frame of the contact. A macroscopic form stays in place, but a texture moves with
+//! the particles, so that a rough surface needs a new gap in every step ([`History::set_gap`]). A cell that enters the
+//! contact has closed the gap under load that its particle had in the previous step.
 //!
-//! In the [`EnergyBalance`] traction, displacement and elastic energy before the step are those of the particles; it closes
-//! to round-off. The [stiffness](History::stiffness) of the vector model after such a step takes the compliance B of a
-//! cell as the mean of its directions.
+//! In the [`EnergyBalance`] traction, displacement and elastic energy before the step belong to the particles; the
+//! balance closes to round-off. The [stiffness](History::stiffness) of the vector model after such a step uses the mean
+//! over all directions of the entry compliance B.
 //!
-//! A step that rolls is not modelled along an axis on which the grid repeats, with a shift or a twist of its own, with a
-//! relative displacement, a spring or a permanent set, in [adaptive steps](AdaptiveSteps), or on bodies that ranks share.
+//! Rolling is not supported in the following cases:
 //!
-//! Rolled steps of [full coupling](crate::Coupling::Full) solve pressure and traction together. A history that rolls on
-//! under one load ends in the solution of [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem). Rolled steps of
-//! [one-way coupling](crate::Coupling::OneWay) have the warning
+//! - along a periodic axis,
+//! - with a shift or twist in the same step,
+//! - with a relative displacement, a spring or a permanent set,
+//! - in [adaptive steps](AdaptiveSteps),
+//! - on distributed bodies.
+//!
+//! Rolled steps with [full coupling](crate::Coupling::Full) solve for pressure and traction together. Under constant
+//! load such a history converges to the solution of [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem).
+//! Rolled steps with [one-way coupling](crate::Coupling::OneWay) have the warning
 //! [`NeglectedLift`](crate::Warning::NeglectedLift).
 //!
-//! Of Carter's cylinder at 0.8 of the creepage at which it slides the force is within 2.1e-5 of $`\mu P`$ on 128 cells
-//! after 30 half-widths, without the law within 3e-3. On the cells of CONTACT and without the law, tractions agree to
-//! 2e-10 of the largest limit. On 32, 64 and 128 cells over the contact of a sphere, at the creepage at which the linear
-//! theory reaches the friction limit, a rolled step takes 17, 17 and 19 products for the tractions (mean of the steps 11
-//! to 30 after pressing), where one of a shift that grows as much takes 18, 19 and 20; under a load that grows by 1 % a
-//! step 19, 19 and 20 for 21, 20 and 18. At 0.3 of this creepage it takes 17, 17 and 19 for 15, 16 and 18, and under the
-//! growing load 18, 22 and 24 for 15, 17 and 19: most in the first steps, and in the steps 51 to 70 of another such run
-//! 19, 21 and 21 for 15, 18 and 19.
+//! For Carter's cylinder at 0.8 of the creepage of sliding, the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
+//! 30 half-widths; without the entry compliance it is within 3e-3. On the cells of CONTACT and without the entry
+//! compliance, tractions agree to 2e-10 of the largest limit.
 //!
-//! # All or nothing
-//! A step that is refused, cancelled or does not converge leaves the history bit for bit as it was, with all
-//! that the next step starts from: its [`State`]. A step that succeeded is taken back by [`History::set_state`].
-//! [`State::to_bytes`] saves a state, and a history that is made from it continues to the same bits.
+//! The next table lists the products per step for the tractions of a sphere, on 32, 64 and 128 cells over the contact.
+//! They are means over the steps 11 to 30 after pressing. The creepage is relative to the creepage at which the linear
+//! theory reaches the friction limit. The last column is a step without rolling in which the shift grows by the same
+//! amount.
 //!
-//! A history that ranks share ([`ranks`](crate::ranks)) keeps a copy of its state while a step enters it, and allocates in
-//! every step.
+//! | creepage | normal load | rolled step | step without rolling |
+//! |---|---|---|---|
+//! | 1 | constant | 17, 17, 19 | 18, 19, 20 |
+//! | 1 | grows by 1 % per step | 19, 19, 20 | 21, 20, 18 |
+//! | 0.3 | constant | 17, 17, 19 | 15, 16, 18 |
+//! | 0.3 | grows by 1 % per step | 18, 22, 24 | 15, 17, 19 |
+//! | 0.3 | grows by 1 % per step, steps 51 to 70 of another run | 19, 21, 21 | 15, 18, 19 |
+//!
+//! At 0.3 under the growing load the first of these steps take the most products.
+//!
+//! # Failed steps
+//! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged,
+//! including everything that the next step starts from. [`History::set_state`] undoes a successful step.
+//! [`State::to_bytes`] saves a state, and a history created from these bytes continues with bitwise identical results.
+//!
+//! A history on distributed bodies ([`ranks`](crate::ranks)) copies its state before it commits a step, and allocates
+//! in every step.
 //!
 //! # Cycles
-//! A [`FrettingLoop`] takes a [`LoadPath`] again and again, until the loop is steady or as often as asked, and
-//! lets an observer wear the gap on the way. A [`Cycle`] is what its steps add up to: slip, energy, loop of force
-//! and shift, [`Regime`]. A simulator with a loop of its own over cycles calls [`FrettingLoop::cycle`]; one
-//! with a loop over steps calls [`History::step`] and [`Cycle::add`].
+//! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles, and lets an
+//! observer wear the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of force
+//! and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]; a simulator with
+//! its own loop over steps calls [`History::step`] and [`Cycle::add`].
 //!
 //! # Wear
-//! [`wear`] turns the slip or the energy of steps or cycles into depth removed; [`History::set_gap`] gives it back,
-//! with tractions and slip kept.
+//! [`wear`] converts the slip or the energy of steps or cycles to wear depth. [`History::set_gap`] applies the depth
+//! and keeps tractions and slip.
 //!
-//! The example `fretting_loop` draws:
+//! The example `fretting_loop` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/fretting_loop.html"))]
 
 mod builder;

@@ -1,26 +1,26 @@
-//! The loads of a cycle.
+//! Load paths of a cycle.
 
 use std::f64::consts::FRAC_PI_2;
 
 use crate::error::{Error, Result, all_finite, finite, memory};
 
-/// A cycle of a tangential load in the plane, as the values `[x, y]` at the ends of its steps.
+/// Cycle of a tangential load in the plane, stored as the values `[x, y]` at the ends of its steps.
 ///
-/// Forces or shifts, as the caller means them: [`LoadStep::force`](crate::history::LoadStep::force) and
-/// [`LoadStep::shift`](crate::history::LoadStep::shift) make a step of a value. Where a cycle ends the next
-/// begins. Of `n` steps made by formula the k-th ends at $`t = k/n`$, so that [`sine`](Self::sine) and
-/// [`triangle`](Self::triangle) begin and end without load.
+/// The values are forces or shifts: [`LoadStep::force`](crate::history::LoadStep::force) and
+/// [`LoadStep::shift`](crate::history::LoadStep::shift) turn a value into a step. The next cycle starts where a cycle
+/// ends. If `n` steps follow from a formula, the k-th step ends at $`t = k/n`$, so that [`sine`](Self::sine) and
+/// [`triangle`](Self::triangle) start and end without load.
 ///
 /// ```
 /// use stickslip::history::LoadPath;
 /// let path = LoadPath::sine([20.0, 0.0], 40)?;
 /// assert_eq!(path.steps().len(), 40);
-/// // Without rounding: a quarter reaches the amplitude, a half and the whole are at zero.
+/// // The values have no round-off: amplitude after a quarter, zero after a half and after the whole cycle.
 /// assert_eq!(path.steps()[9], [20.0, 0.0]);
 /// assert_eq!(path.steps()[19], [0.0, 0.0]);
 /// assert_eq!(path.steps()[29], [-20.0, 0.0]);
 /// assert_eq!(path.end(), [0.0, 0.0]);
-/// // Three cycles in one go.
+/// // Three cycles in succession.
 /// let largest = path.cycles(3).map(|[x, _]| x).fold(0.0, f64::max);
 /// assert_eq!(largest, 20.0);
 /// assert_eq!(path.cycles(3).count(), 120);
@@ -36,7 +36,7 @@ pub struct LoadPath {
     steps: Vec<[f64; 2]>,
 }
 
-/// What was read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawLoadPath {
@@ -53,35 +53,37 @@ impl TryFrom<RawLoadPath> for LoadPath {
 }
 
 impl LoadPath {
-    /// To and fro along a line, $`A\sin 2\pi t`$ with the amplitude $`A`$ along x and along y.
+    /// Creates a cycle back and forth along a line, $`A\sin 2\pi t`$ with the amplitude $`A`$ along x and along y.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the amplitude, [`Error::StepsPerCycle`] if `steps` is not a positive
-    /// multiple of 4, [`Error::Memory`] if there are too many.
+    /// - [`Error::NotFinite`] if the amplitude is not finite.
+    /// - [`Error::StepsPerCycle`] if `steps` is not a positive multiple of 4.
+    /// - [`Error::Memory`] if memory does not suffice for the steps.
     pub fn sine(amplitude: [f64; 2], steps: usize) -> Result<Self> {
         Self::wave(amplitude, steps, |quarter| [quarter.sine(), quarter.sine()])
     }
 
-    /// To and fro along a line at a constant rate, from zero to the amplitude $`A`$ in a quarter of
+    /// Creates a cycle back and forth along a line at a constant rate, from zero to the amplitude $`A`$ in a quarter of
     /// the cycle.
     ///
     /// # Errors
-    /// As [`sine`](Self::sine).
+    /// Errors of [`sine`](Self::sine).
     pub fn triangle(amplitude: [f64; 2], steps: usize) -> Result<Self> {
         Self::wave(amplitude, steps, |quarter| {
             [quarter.triangle(), quarter.triangle()]
         })
     }
 
-    /// Around an ellipse, $`A_x\sin 2\pi t`$ along x and $`A_y\sin(2\pi t+\varphi)`$ along y, with the
+    /// Creates a cycle around an ellipse, $`A_x\sin 2\pi t`$ along x and $`A_y\sin(2\pi t+\varphi)`$ along y, with the
     /// phase $`\varphi`$ in radians.
     ///
-    /// A phase of $`\pi/2`$ and equal amplitudes make a circle. Neither amplitude is exceeded. The
-    /// cycle begins and ends at $`[0, A_y\sin\varphi]`$: from an unloaded contact its first step is
-    /// that much longer. Energies are of first order in the length of a step here, see [`history`](crate::history).
+    /// A phase of $`\pi/2`$ with equal amplitudes gives a circle. No value exceeds its amplitude. The cycle starts and
+    /// ends at $`[0, A_y\sin\varphi]`$, so that the first step from an unloaded contact is longer by this load. The
+    /// error of energies is of first order in the length of a step, see [`history`](crate::history).
     ///
     /// # Errors
-    /// As [`sine`](Self::sine); [`Error::NotFinite`] for the phase.
+    /// - [`Error::NotFinite`] if the phase is not finite.
+    /// - Errors of [`sine`](Self::sine).
     pub fn ellipse(amplitudes: [f64; 2], phase: f64, steps: usize) -> Result<Self> {
         let (ahead, along) = finite("phase", phase)?.sin_cos();
         Self::wave(amplitudes, steps, |quarter| {
@@ -90,13 +92,13 @@ impl LoadPath {
         })
     }
 
-    /// A path through a table of values, each the end of a step.
+    /// Creates a path from a table of values, each at the end of a step.
     ///
-    /// A closed path ends with the value it began with. When a path is repeated, its first value follows its last.
+    /// A closed path ends with its initial value. When a path is repeated, its first value follows its last.
     ///
     /// # Errors
-    /// [`Error::EmptyPath`] if there is no step, [`Error::Sample`] for a value that is not finite;
-    /// its index counts x and y in turn.
+    /// - [`Error::EmptyPath`] if the table is empty.
+    /// - [`Error::Sample`] at the first value that is not finite; its index counts x and y in turn.
     pub fn table(steps: Vec<[f64; 2]>) -> Result<Self> {
         if steps.is_empty() {
             return Err(Error::EmptyPath);
@@ -105,24 +107,24 @@ impl LoadPath {
         Ok(Self { steps })
     }
 
-    /// The values at the ends of the steps of one cycle.
+    /// Returns the values at the ends of the steps of one cycle.
     #[must_use]
     pub fn steps(&self) -> &[[f64; 2]] {
         &self.steps
     }
 
-    /// The value where a cycle ends, and the next begins.
+    /// Returns the value at the end of a cycle, where the next cycle starts.
     #[must_use]
     pub fn end(&self) -> [f64; 2] {
         self.steps[self.steps.len() - 1]
     }
 
-    /// The values of `count` cycles, one after the other.
+    /// Returns the values of `count` consecutive cycles.
     pub fn cycles(&self, count: usize) -> impl Iterator<Item = [f64; 2]> {
         (0..count).flat_map(|_| self.steps.iter().copied())
     }
 
-    /// A cycle of `steps` values: the amplitudes times what `shape` has there.
+    /// Creates a cycle of `steps` values, the amplitudes times the values of `shape`.
     fn wave(
         amplitudes: [f64; 2],
         steps: usize,
@@ -144,12 +146,12 @@ impl LoadPath {
     }
 }
 
-/// A step within a quarter of a cycle, so that all quarters are the same to the last bit.
+/// Position within a quarter of a cycle, used so that all quarters are bitwise identical.
 #[derive(Clone, Copy)]
 struct Quarter {
-    /// Quarters before this one.
+    /// Number of earlier quarters.
     number: usize,
-    /// Steps since, of how many a quarter has.
+    /// Steps since the start of the quarter, out of `steps` per quarter.
     step: usize,
     steps: usize,
 }
@@ -163,12 +165,12 @@ impl Quarter {
         }
     }
 
-    /// $`\sin 2\pi t`$.
+    /// Returns $`\sin 2\pi t`$.
     fn sine(self) -> f64 {
         self.fold(|part| (FRAC_PI_2 * part).sin())
     }
 
-    /// $`\cos 2\pi t`$.
+    /// Returns $`\cos 2\pi t`$.
     fn cosine(self) -> f64 {
         Self {
             number: self.number + 1,
@@ -177,12 +179,12 @@ impl Quarter {
         .sine()
     }
 
-    /// The triangle of the same zeros and extremes.
+    /// Returns the triangle wave with the zeros and extremes of the sine.
     fn triangle(self) -> f64 {
         self.fold(|part| part)
     }
 
-    /// Continues a rise from zero to one over the first quarter.
+    /// Extends `rise`, from zero to one in the first quarter, to the whole cycle by symmetry.
     fn fold(self, rise: impl Fn(f64) -> f64) -> f64 {
         let part = |step: usize| step as f64 / self.steps as f64;
         match self.number % 4 {

@@ -1,4 +1,4 @@
-//! The largest pressure that cells carry.
+//! Largest pressure that cells can carry.
 
 use crate::cgm::{Total, reduce};
 use crate::error::{Error, Result, all_non_negative, positive};
@@ -10,22 +10,25 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, try_clone};
 use crate::normal::{NormalControl, NormalSolution};
 
-/// What the cells of a window carry at least, over what is asked of them: less would leave the pressure no choice.
+/// Least ratio of the capacity of a window to the prescribed total. A smaller capacity would leave the pressure no
+/// freedom.
 const ROOM: f64 = 1.01;
 
-/// The largest pressure H that the softer body carries, of all cells or of each: $`0 \le p \le H`$.
+/// Largest pressure H that the softer body can carry, uniform or per cell: $`0 \le p \le H`$.
 ///
-/// Cells at the limit yield: they overlap by as much as the elastic surfaces would interpenetrate, and all other cells
-/// are in elastic contact or apart,
+/// Cells at the limit yield. They overlap by as much as the elastic surfaces would interpenetrate, while all other
+/// cells are in elastic contact or separated,
 ///
 /// ```math
 /// p = 0:\ g \ge 0, \qquad 0 < p < H:\ g = 0, \qquad p = H:\ g \le 0 .
 /// ```
 ///
-/// That is the elastic, perfectly plastic contact of Almqvist, Sahlin, Larsson & Glavatskih, Tribology International 40
-/// (2007) 574 (<https://doi.org/10.1016/j.triboint.2005.11.008>); the certified error is that of its pressure. H is the
-/// indentation hardness. A contact of which no cell is at its limit is first solved without one, so that a hardness which
-/// nothing reaches changes no bit of the answer.
+/// This is the elastic, perfectly plastic contact of Almqvist, Sahlin, Larsson & Glavatskih, Tribology International 40
+/// (2007) 574 (<https://doi.org/10.1016/j.triboint.2005.11.008>). H is the indentation hardness. The certified error
+/// refers to the pressure of this model.
+///
+/// A contact without yielded cells is first solved without the limit. A hardness that no cell reaches therefore leaves
+/// the solution bitwise identical.
 ///
 /// ```
 /// use stickslip::*;
@@ -38,7 +41,7 @@ const ROOM: f64 = 1.01;
 /// let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0));
 /// let contact = problem.hardness(hardness.clone()).build()?.solve()?;
 /// assert_eq!(contact.pressure().max(), hardness.of_cell(0));
-/// // What yields spreads the load: a wider contact, a deeper one, and an overlap in the middle.
+/// // Yielding spreads the load: the contact is wider and deeper, and the surfaces overlap in the middle.
 /// assert!(contact.contact_area() > hertz.contact_area() && contact.approach() > hertz.approach());
 /// assert!(hardness.overlap(&contact)?.get(32, 32) > Some(0.0));
 /// # Ok::<(), Error>(())
@@ -57,7 +60,7 @@ clone_in_place!(Hardness { limit });
 
 try_clone!(Hardness { limit });
 
-/// What was read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -78,32 +81,32 @@ impl TryFrom<RawHardness> for Hardness {
 }
 
 impl Hardness {
-    /// One largest pressure H > 0 for all cells.
+    /// Creates a uniform limit H > 0.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// - [`Error::NotPositive`] if `limit` is not positive and finite.
     pub fn uniform(limit: f64) -> Result<Self> {
         let limit = PerCell::Uniform(positive("hardness", limit)?);
         Ok(Self { limit })
     }
 
-    /// One largest pressure H >= 0 per cell: where it is zero nothing is carried.
+    /// Creates a limit H >= 0 for each cell. A cell with zero cannot carry pressure.
     ///
     /// # Errors
-    /// [`Error::Sample`] at the first that is negative or not finite.
+    /// - [`Error::Sample`] at the first limit that is negative or not finite.
     pub fn per_cell(limits: Field) -> Result<Self> {
         all_non_negative("hardness", limits.as_slice())?;
         let limit = PerCell::Cells(limits);
         Ok(Self { limit })
     }
 
-    /// The largest pressure of cell `index` (row-major); NaN for a cell beyond the field of limits.
+    /// Returns the largest pressure of cell `index` (row-major); NaN for a cell outside the field of limits.
     #[must_use]
     pub fn of_cell(&self, index: usize) -> f64 {
         self.limits().of(index)
     }
 
-    /// The largest normal force that the cells of a grid carry, the integral of the limit.
+    /// Returns the largest normal force that the cells of a grid can carry, the integral of the limit.
     #[must_use]
     pub fn capacity(&self, grid: Grid) -> f64 {
         match &self.limit {
@@ -112,11 +115,12 @@ impl Hardness {
         }
     }
 
-    /// By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths, non-negative;
-    /// zero elsewhere): what has yielded, to be added to the gap of the next contact of the same surfaces.
+    /// Returns the overlap of the surfaces of a solved contact in the cells at the limit (lengths, non-negative; zero
+    /// elsewhere). Add it to the gap of the next contact of the same surfaces to account for the plastic deformation.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::Memory`].
+    /// - [`Error::GridMismatch`] if the limits and the contact have different grids.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn overlap(&self, contact: &NormalSolution) -> Result<Field> {
         self.check(contact.grid())?;
         let (limits, pressure) = (self.limits(), contact.pressure().as_slice());
@@ -132,25 +136,25 @@ impl Hardness {
         Field::from_vec(contact.grid(), overlaps)
     }
 
-    /// One to read into.
+    /// Creates a placeholder for deserialisation.
     pub(crate) fn blank() -> Self {
         let limit = PerCell::Uniform(f64::INFINITY);
         Self { limit }
     }
 
-    /// The limit, to be read from what was saved. A change must keep the rules of the constructors.
+    /// Returns the limit for restoring a saved state. A change must satisfy the conditions of the constructors.
     pub(crate) fn limit_mut(&mut self) -> &mut PerCell<Field> {
         &mut self.limit
     }
 
-    /// Cells of the whole grid that are at it.
+    /// Returns the number of cells of the whole grid that are at the limit.
     pub(crate) fn reached_cells(&self, bodies: &HalfSpace, pressure: &[f64]) -> usize {
         let limits = self.limits();
         let is_reached = |i: usize| limits.are_reached(i, pressure[i]);
         reduce::sum(&bodies.grid_layout(), |i| usize::from(is_reached(i)))
     }
 
-    /// Whether any cell of the whole grid is beyond it.
+    /// Returns whether the pressure of any cell of the whole grid exceeds the limit.
     pub(crate) fn is_exceeded(&self, bodies: &HalfSpace, pressure: &[f64]) -> bool {
         let limits = self.limits();
         reduce::any(&bodies.grid_layout(), |i| pressure[i] > limits.of(i))
@@ -160,19 +164,20 @@ impl Hardness {
         self.limit.map(Field::as_slice)
     }
 
-    /// On cells twice as large, each with the mean of those that lie in it.
+    /// Restricts the limits to cells twice as large, each with the mean of its fine cells.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
         let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
         let limit = self.limit.try_map(coarsened)?;
         Ok(Self { limit })
     }
 
-    /// `Ok` if the limits fit the grid.
+    /// Returns an error if the limits do not fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         self.limit.check("hardness", grid)
     }
 
-    /// Whether the cells of a window of the grid carry this total of the pressures, and some more, or are all there are.
+    /// Returns whether a window is the whole grid or its cells can carry this total of the pressures with a margin of
+    /// [`ROOM`].
     pub(crate) fn holds(&self, bodies: &HalfSpace, window: Window, total: Total) -> bool {
         let Some(total) = total
             .sum()
@@ -191,12 +196,12 @@ impl Hardness {
         capacity > ROOM * total
     }
 
-    /// That of it which is the same on all ranks.
+    /// Returns the properties that must agree on all ranks.
     pub(crate) fn common(&self) -> PerCell<()> {
         self.limit.map(|_| ())
     }
 
-    /// `Ok` if the limits, which must have been checked, carry the load.
+    /// Returns an error if the limits cannot carry the load. The limits must have been checked.
     pub(crate) fn check_load(&self, bodies: &HalfSpace, load: NormalControl) -> Result<()> {
         if let NormalControl::Force(force) = load {
             let capacity = match &self.limit {

@@ -5,15 +5,15 @@
 //! \qquad W = \Delta \textstyle\sum p
 //! ```
 //!
-//! (eqs 10-12 of Wang et al. 2021): `h` is the initial gap, `p` the pressure, `delta` the approach
-//! of the bodies, `g` the gap under load, `Delta` the area of a cell. It is the minimum over `p >= 0` of
-//! `1/2 p'Cp + h'p` with `Delta sum p = W` under a force, or of `1/2 p'Cp + (h - delta)'p` under an approach; the
-//! engine of [`crate::cgm`] finds it. With a [`Hardness`] H the pressure is limited to it, and cells at the limit overlap.
+//! (eqs 10-12 of Wang et al. 2021). Here `h` is the initial gap, `p` the pressure, `delta` the approach of the bodies,
+//! `g` the gap under load and `Delta` the area of a cell. The pressure minimises `1/2 p'Cp + h'p` over `p >= 0` with
+//! `Delta sum p = W` under a force, or `1/2 p'Cp + (h - delta)'p` under an approach. The active-set method of
+//! [`crate::cgm`] computes it. With a [`Hardness`] H the pressure is at most H, and cells at the limit overlap.
 //!
-//! [`NormalProblem`] checks and holds a scene; [`NormalSolver`] owns the buffers and starts from
-//! its last answer; [`NormalSolution`] is the answer.
+//! [`NormalProblem`] validates and stores the input, [`NormalSolver`] owns the buffers and starts each solve from its
+//! last solution, and [`NormalSolution`] is the result.
 //!
-//! The example `hardness` draws:
+//! The example `hardness` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]
 
 mod area;

@@ -1,4 +1,4 @@
-//! What all ranks together have found, kept with the slab of each.
+//! Counts and sums over all ranks, stored with the slab of each rank.
 
 use std::sync::Arc;
 
@@ -7,19 +7,19 @@ use crate::contact::contact_counts::ContactCounts;
 use crate::half_space::HalfSpace;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Counts and sums of the whole grid, as every rank knows it.
+/// Counts and sums of the whole grid, equal on every rank.
 #[derive(Debug, Clone)]
 pub(super) struct PressureSums {
     pub(super) contact: ContactCounts,
-    /// Sums of the pressure, and of x and y times it.
+    /// Sums of p, x p and y p over all cells.
     pub(super) sums: [f64; 3],
-    /// Cells beyond what the softer body bears.
+    /// Number of cells whose pressure exceeds the hardness of the softer body.
     pub(super) overloaded: usize,
-    /// How the grid is dealt out.
+    /// Partition of the grid over the ranks.
     pub(super) share: Arc<RowPartition>,
 }
 
-/// Whether the answers are equal, whoever has found them.
+/// Compares the results and ignores the partition.
 impl PartialEq for PressureSums {
     fn eq(&self, other: &Self) -> bool {
         let of = |whole: &Self| (whole.contact, whole.sums, whole.overloaded);
@@ -28,7 +28,7 @@ impl PartialEq for PressureSums {
 }
 
 impl PressureSums {
-    /// Of the pressure of every rank; `None` of bodies that are not shared.
+    /// Computes the counts and sums from the pressure of every rank; `None` if the bodies are not distributed.
     pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();
         let columns = grid.nx();

@@ -1,4 +1,4 @@
-//! The scene of a pressure, and the same on coarser cells.
+//! Input of the pressure solve, and its restriction to coarser cells.
 
 use std::borrow::Cow;
 
@@ -13,22 +13,22 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// How many times the cells of a coarse window a grid has at least: operators of the grid are kept, those of windows are
-/// made for one solve.
+/// Least ratio of the cells of the grid to those of a coarse window for which the window is used. Operators of the
+/// whole grid are cached, whereas operators of such windows are created for one solve.
 const FEW: usize = 4;
 
-/// Change of a load, as part of it, below which it is round-off.
+/// Relative change of a load below which it counts as round-off.
 const NO_CHANGE: f64 = 1e-12;
 
-/// All that a pressure depends on.
+/// Gap, pressure limits and load of a pressure solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PressureProblem<C> {
     pub(super) gap: C,
-    /// What the gap is measured from: its least value, or the approach where that is prescribed.
+    /// Datum of the gap: its least value, or the approach if the approach is prescribed.
     pub(super) datum: f64,
-    /// The largest pressure that the cells carry.
+    /// Largest pressure that each cell can carry.
     pub(super) limits: PerCell<C>,
-    /// The sum of the pressures, where the force is prescribed.
+    /// Sum of the pressures if the force is prescribed.
     pub(super) total: Total,
 }
 
@@ -37,7 +37,7 @@ impl<C: AsRef<[f64]>> PressureProblem<C> {
         BoundedPressure(self.limits.map(C::as_ref))
     }
 
-    /// What is to be minimised.
+    /// Returns the quadratic program to minimise.
     pub(super) fn problem(
         &self,
         solver: &ElasticSolver<Interval, 1>,
@@ -48,7 +48,8 @@ impl<C: AsRef<[f64]>> PressureProblem<C> {
             .totals([self.total])
     }
 
-    /// How far the load lies ahead of what was reached: nowhere, if that is round-off.
+    /// Returns the change of load from `reached` to the prescribed load, or [`LoadIncrement::Nothing`] if the change is
+    /// round-off.
     pub(super) fn remaining_load(&self, reached: LoadPoint) -> LoadIncrement {
         let beyond = |wanted: f64, reached: f64| {
             let ahead = wanted - reached;
@@ -91,7 +92,7 @@ impl MultilevelProblem<1> for PressureProblem<Cow<'_, [f64]>> {
         })
     }
 
-    /// Around the pressure, with room for it to spread.
+    /// Restricts the problem to a window around the pressure, with room for the contact to spread.
     fn restrict_to_window(
         &self,
         bodies: &HalfSpace,
@@ -118,7 +119,7 @@ impl MultilevelProblem<1> for PressureProblem<Cow<'_, [f64]>> {
         Ok(Some((region, part)))
     }
 
-    /// Uniform pressure under a force, zero under an approach.
+    /// Returns a uniform pressure under a force and zero under an approach.
     fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; 1]> {
         let mean = self.total.sum().unwrap_or(0.0) / layout.of_all_ranks() as f64;
         Ok([fallible::filled(mean, self.gap.len())?])

@@ -1,4 +1,4 @@
-//! Normal contacts of the same bodies, one after the other, each from the answer of the last.
+//! Solver of a sequence of normal contacts of the same bodies; each solve starts from the last solution.
 
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -21,13 +21,14 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
 
-/// Part of the tolerance below which a window is not solved more strictly, that of the grid being out of reach.
+/// Smallest fraction of the tolerance to which a window is solved. If the whole grid still misses the tolerance, it
+/// counts as out of reach.
 const STRICTEST: f64 = 0.1;
 
-/// Cells on each side of the first window for the loads that follow to grow into.
+/// Margin in cells on each side of the first window, into which the contact of later loads can grow.
 const ROOM: [usize; 2] = [2; 2];
 
-/// What is pressed, and how.
+/// Input of a normal contact: bodies, gap, hardness, load and settings.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NormalInput<'a> {
     pub(crate) bodies: &'a HalfSpace,
@@ -38,19 +39,19 @@ pub(crate) struct NormalInput<'a> {
 }
 
 impl<'a> NormalInput<'a> {
-    /// Cells at their hardness.
+    /// Returns the number of cells at their hardness.
     fn yielded(&self, pressure: &[f64]) -> usize {
         self.hardness
             .map_or(0, |hardness| hardness.reached_cells(self.bodies, pressure))
     }
 
-    /// Whether a pressure is beyond the hardness.
+    /// Returns whether the pressure of any cell exceeds the hardness.
     fn exceeds(&self, pressure: &[f64]) -> bool {
         self.hardness
             .is_some_and(|hardness| hardness.is_exceeded(self.bodies, pressure))
     }
 
-    /// As the engine takes it.
+    /// Converts the input to the form that the window solver takes.
     fn scene(&self) -> Result<PressureProblem<&'a [f64]>> {
         let (datum, total) = self.control.to_datum_and_total(self.bodies, self.gap)?;
         Ok(PressureProblem {
@@ -66,16 +67,17 @@ impl<'a> NormalInput<'a> {
     }
 }
 
-/// What one solve leaves to the next, but for the pressure, which is its caller's: zero before the first solve.
+/// State that one solve leaves to the next, except for the pressure. The caller stores the pressure, which must be zero
+/// before the first solve.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureSolver {
-    /// What the last solve worked with, on its window.
+    /// Window solver of the last solve.
     windows: Windows<NormalEngine>,
-    /// Whether its answer is a start.
+    /// Whether the last solution is a valid start for the next solve.
     is_start: bool,
-    /// The approach that belongs to the pressure.
+    /// Approach that belongs to the pressure.
     approach: f64,
-    /// The largest sum and the largest approach that [`Self::discard_if_window_too_small`] has seen on these windows.
+    /// Largest sum and largest approach that [`Self::discard_if_window_too_small`] has recorded for these windows.
     held: LoadPoint,
     report: Report,
 }
@@ -91,24 +93,24 @@ impl PressureSolver {
         }
     }
 
-    /// Where the engine works; `None` before the first solve.
+    /// Returns the window of the solver; `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
         self.windows.window()
     }
 
-    /// How the last solve ended.
+    /// Returns the report of the last solve.
     pub(crate) fn report(&self) -> &Report {
         &self.report
     }
 
-    /// Writes how the pressure changed with the load on that window, in the cells held here.
+    /// Writes the change of the pressure with the load on the window, for the local cells.
     pub(crate) fn write_trend(&self, trend: &mut LoadTrend<1>) {
         if let Some(engine) = &self.windows.present {
             engine.write_trend(trend);
         }
     }
 
-    /// Cells of that trend held here.
+    /// Returns the number of local cells of the trend.
     pub(crate) fn trend_cells(&self) -> usize {
         self.windows
             .present
@@ -121,8 +123,8 @@ impl PressureSolver {
         self.windows.tick();
     }
 
-    /// Goes on as after a solve that came to this approach, on the window it ended with; one that failed gives its buffers
-    /// back.
+    /// Restores the state after a solve that reached this approach and ended on this window. The buffers of a failed
+    /// solve are released.
     pub(crate) fn resume(
         &mut self,
         bodies: &HalfSpace,
@@ -140,21 +142,24 @@ impl PressureSolver {
         };
         let outcome = engine.set_trend(trend);
         if outcome.is_err() {
-            // Without the trend it would not go on as it did.
+            // Without the trend, a resumed history would deviate from the original one.
             self.windows.present = None;
         }
         outcome
     }
 
-    /// Forgets the last answer: the next solve starts as the first did.
+    /// Discards the last solution. The next solve starts as the first did.
     pub(crate) fn reset(&mut self) {
         self.windows.present = None;
         self.held = [f64::NEG_INFINITY; 2];
     }
 
-    /// Forgets it where the contact will leave its window: found anew, on coarser cells first, it takes a fourth of the
-    /// products. The widest gap that is closed grows as the depth of penetration, and would close beyond the window. What
-    /// the window has held before it holds again.
+    /// Discards the last solution if the contact will grow beyond its window. A start on coarser cells then takes a
+    /// fourth of the products.
+    ///
+    /// The widest closed gap is assumed to grow in proportion to the depth of penetration, and the window is too small
+    /// if a gap outside it would close. Loads up to the largest load that the window has contained are accepted without
+    /// this test.
     pub(super) fn discard_if_window_too_small(
         &mut self,
         of: &NormalInput<'_>,
@@ -179,7 +184,7 @@ impl PressureSolver {
         let least = bodies.least(of.gap);
         let depth = self.approach - least;
         let growth = match scene.remaining_load([sum, self.approach]) {
-            // As under a sphere, whose force is as the depth to the power 3/2.
+            // Under a sphere the force grows with the depth to the power 3/2.
             LoadIncrement::Total(change) => (1.0 + change / sum).cbrt().powi(2),
             LoadIncrement::Motion(change) => 1.0 + change / depth,
             LoadIncrement::Nothing | LoadIncrement::Spring { .. } => 1.0,
@@ -197,7 +202,7 @@ impl PressureSolver {
         Ok(())
     }
 
-    /// Writes what was found to a solution that has the pressure, and rests.
+    /// Writes the result to a solution that already holds the pressure, and releases the buffers.
     pub(crate) fn finish(&mut self, of: &NormalInput<'_>, solution: &mut NormalSolution) {
         let engine = &mut self.windows.present;
         let displacement = engine.as_ref().map_or(&[][..], NormalEngine::displacement);
@@ -212,7 +217,7 @@ impl PressureSolver {
         }
     }
 
-    /// The solution with this pressure; all else is given up.
+    /// Creates the solution from this pressure and drops everything else.
     pub(super) fn into_solution(
         self,
         of: &NormalInput<'_>,
@@ -227,11 +232,12 @@ impl PressureSolver {
         Ok(solution)
     }
 
-    /// Finds the pressure of the whole grid from the last one, in its place. The rest of the answer is to be taken from
-    /// [`Self::finish`] or [`Self::into_solution`], converged or not.
+    /// Computes the pressure of the whole grid in place, starting from the last pressure. The other fields of the
+    /// solution come from [`Self::finish`] or [`Self::into_solution`], whether or not the solve has converged.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the last feasible iterate; others, after which the next solve starts from nothing.
+    /// - [`Error::NotConverged`] if a limit is reached; `pressure` then holds the last feasible iterate.
+    /// - Other errors of the solve, after which the next solve starts from scratch.
     pub(crate) fn solve(
         &mut self,
         of: &NormalInput<'_>,
@@ -258,13 +264,14 @@ impl PressureSolver {
         let mut scene = of.scene()?;
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
-        // A window that cannot carry the load is no place to begin at.
+        // A window that cannot carry the load cannot be the start.
         let holds = |window: Window| {
             of.hardness
                 .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
         };
         let has_start = std::mem::take(&mut self.is_start) && self.window().is_some_and(holds);
-        // What nothing reaches is not to be seen in any iterate.
+        // Without cells at the limit the solve starts without limits, so that a limit which no cell reaches does not
+        // change any iterate.
         if !has_start || of.yielded(pressure) == 0 {
             scene.limits = UNLIMITED;
         }
@@ -294,14 +301,15 @@ impl PressureSolver {
             let to = [reduce::total(&layout, pressure), self.approach];
             engine.note(pressure, from, to)?;
         }
-        // Do not warm-start from NaN; and a first solve without contact has not found where to work.
+        // The next solve must not start from NaN. A first solve without contact has not found a window either.
         let touches = reduce::any(&layout, |i| pressure[i] > 0.0);
         self.is_start = self.report.duality_gap.is_finite() && (touches || has_start);
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// Begins anew where a pressure that was found without the hardness is beyond it: the contact is wider. Where the solve
-    /// has come to its limits, or was cancelled, the pressure is brought within the hardness and no step is taken.
+    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, since the contact is
+    /// wider. If the solve has reached its limits or was cancelled, the pressure is only projected onto the limits and
+    /// no step is taken.
     fn bring_within_limits(
         &mut self,
         bodies: &HalfSpace,
@@ -335,7 +343,7 @@ impl PressureSolver {
         outcome
     }
 
-    /// Solves on the window of the contact, and on wider ones where it was too small.
+    /// Solves on the window of the contact, and on wider windows if it was too small.
     fn solve_on_window(
         &mut self,
         bodies: &HalfSpace,
@@ -363,14 +371,14 @@ impl PressureSolver {
             findings.write_to(report);
             report.eigenvalue_bound = bound;
             let missed = engine.overlap_outside(scene, findings.displacement, bodies);
-            // What has stalled may have done so because the contact is elsewhere.
+            // A solve may have stalled because the contact lies outside the window.
             let may_go_on = matches!(report.status, Status::Converged | Status::Stalled);
             let is_wide_enough = missed.is_none();
             if !may_go_on || is_wide_enough && (outcome.is_err() || report.is_within(tolerance)) {
                 return outcome.map(|()| PassOutcome::Accepted);
             }
             known = InitialGuess::PreviousSolution(engine.solver.multiplier());
-            // While the engine can still show what the iterate does.
+            // The check comes before the window changes, while the solver can still report the iterate.
             conditions.check_iterations_left(report)?;
             match missed {
                 Some(missed) => Ok(PassOutcome::OverlapOutside(missed)),
@@ -384,7 +392,7 @@ impl PressureSolver {
     }
 }
 
-/// From the last answer: as it is under the same load, moved on where the load has changed.
+/// Starts from the last solution: unchanged under the same load, extrapolated if the load has changed.
 fn set_out(
     engine: &mut NormalEngine,
     scene: PressureProblem<&[f64]>,
@@ -404,7 +412,8 @@ fn set_out(
     })
 }
 
-/// From nothing: the answer on coarser cells, the engine set up around its contact, and what is known of that start.
+/// Starts from scratch. Solves on coarser cells, sets up the window solver around the contact found there, and returns
+/// it with the quality of the start.
 fn start_cold(
     bodies: &HalfSpace,
     scene: PressureProblem<&[f64]>,

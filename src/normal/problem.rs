@@ -1,4 +1,4 @@
-//! The scene of a normal contact, checked once.
+//! Input of a normal contact, checked when it is built.
 
 use std::sync::Arc;
 
@@ -12,28 +12,29 @@ use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::pressure_solver::NormalInput;
 use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
-/// What presses the bodies together.
+/// Prescribed normal load: a force, an approach or a fixed pressure.
 ///
-/// A problem takes it from rest; a step of a [`History`](crate::History) reaches it at its end.
+/// A [`NormalProblem`] applies it to unloaded bodies. A step of a [`History`](crate::History) reaches it at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NormalControl {
-    /// The normal force W >= 0; the approach follows. Zero force is first touch.
+    /// Normal force W >= 0; the approach follows. The bodies just touch at zero force.
     Force(f64),
-    /// The approach delta of the bodies from the datum of the gap (a length, positive when they
-    /// come together); the force follows. At or below the least gap nothing touches. On a periodic grid
-    /// it must stay below the mean gap, which it would close, and the certified error is measured against the exact
-    /// contact under the force that was found.
+    /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together); the
+    /// force follows. At or below the least gap the bodies do not touch.
+    ///
+    /// On a periodic grid the approach must be less than the mean gap, at which the gap would be closed. There the
+    /// certified error is measured against the exact contact under the computed force.
     Approach(f64),
-    /// The pressure as it is, whatever the gap has become: nothing is solved. A problem has no pressure to hold, and
-    /// refuses it.
+    /// Unchanged pressure, whatever the gap; no pressure is solved for. A [`NormalProblem`] has no earlier pressure and
+    /// returns an error.
     Hold,
 }
 
 impl NormalControl {
-    /// The number that a gap is measured from, and what is prescribed of the sum of the pressures: without a datum far from
-    /// the contact the sums keep their last digits.
+    /// Returns the datum of the gap and the prescribed total of the pressures. Gaps measured from a datum near the
+    /// contact lose no digits in the sums.
     pub(crate) fn to_datum_and_total(
         self,
         bodies: &HalfSpace,
@@ -49,7 +50,8 @@ impl NormalControl {
         }
     }
 
-    /// `Ok` if the load can press the gap, and the hardness carries it; both must have been checked.
+    /// Returns an error if the load cannot act on the gap or exceeds the hardness. Gap and hardness must have been
+    /// checked.
     pub(crate) fn check(
         self,
         bodies: &HalfSpace,
@@ -80,8 +82,8 @@ impl NormalControl {
     }
 }
 
-/// Returns an error if a load is not zero, and the squares of the pressures or of the displacements that it causes leave the
-/// range of numbers.
+/// Returns an error if a load is not zero and the squares of the resulting pressures or displacements overflow or
+/// underflow.
 fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
     if load == 0.0 {
         return Ok(());
@@ -132,8 +134,8 @@ pub struct NormalProblemBuilder<'a> {
 }
 
 impl NormalProblem {
-    /// Starts from what is required: bodies, initial gap (lengths, on the grid of the bodies) and
-    /// load. The gap is copied from a reference; given by value, or in an [`Arc`], it is not.
+    /// Starts a builder from the required input: bodies, initial gap (lengths, on the grid of the bodies) and load. A
+    /// gap passed by reference is copied; a gap passed by value or in an [`Arc`] is not.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -148,7 +150,7 @@ impl NormalProblem {
         }
     }
 
-    /// What is to be solved.
+    /// Returns the input of the pressure solver.
     pub(super) fn pressing(&self) -> NormalInput<'_> {
         NormalInput {
             bodies: &self.bodies,
@@ -159,19 +161,20 @@ impl NormalProblem {
         }
     }
 
-    /// Solves once, with buffers of its own.
+    /// Solves the contact once with temporary buffers.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report, use [`NormalSolver::solve_into`] to keep the last iterate; as
-    /// [`HalfSpace::operator`].
+    /// - [`Error::NotConverged`] with the report if a limit is reached. Use [`NormalSolver::solve_into`] to keep the
+    ///   last iterate.
+    /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<NormalSolution> {
         NormalSolver::new(self.try_clone()?)?.into_solution()
     }
 
-    /// The reusable form: a solver that owns its buffers and lets load and gap change.
+    /// Creates a reusable solver, which owns its buffers and lets load and gap change.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`].
+    /// Errors of [`HalfSpace::operator`].
     pub fn into_solver(self) -> Result<NormalSolver> {
         NormalSolver::new(self)
     }
@@ -180,21 +183,25 @@ impl NormalProblem {
 impl NormalProblemBuilder<'_> {
     settings_methods!();
 
-    /// The largest pressure the cells carry (default: no limit). A force beyond what all cells carry together is refused;
-    /// an approach may bring them all to their limit.
+    /// Sets the largest pressure that the cells can carry (default: no limit). A force beyond the capacity of all cells
+    /// is an error. An approach may bring all cells to their limit.
     pub fn hardness(mut self, hardness: Hardness) -> Self {
         self.hardness = Some(hardness);
         self
     }
 
-    /// Checks everything.
+    /// Checks the input and creates the problem.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] if the gap lives on another grid, [`Error::Sample`] if it is not
-    /// finite, [`Error::NegativeOrNotFinite`] or [`Error::NotFinite`] for the load, [`Error::Tolerance`],
-    /// [`Error::IterationLimit`]; [`Error::ApproachBeyondMeanGap`] on a periodic grid;
-    /// [`Error::BeyondHardness`]; [`Error::ExtremeNumber`] if the load is not zero, and the pressure or the displacement that
-    /// it causes lies outside 1e-130 to 1e130; [`Error::Ranks`].
+    /// - [`Error::GridMismatch`] if the grid of the gap or of the hardness differs from the grid of the bodies.
+    /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::NegativeOrNotFinite`] or [`Error::NotFinite`] if the load is negative or not finite.
+    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a setting is out of range.
+    /// - [`Error::ApproachBeyondMeanGap`] on a periodic grid if the approach is not less than the mean gap.
+    /// - [`Error::BeyondHardness`] if the force exceeds the capacity of the cells.
+    /// - [`Error::ExtremeNumber`] if the load is not zero and the pressure or displacement that it causes lies outside
+    ///   1e-130 to 1e130.
+    /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<NormalProblem> {
         let hardness = self.hardness.as_ref();
         self.bodies.collective_result_checked(
@@ -215,7 +222,7 @@ impl NormalProblemBuilder<'_> {
         })
     }
 
-    /// `Ok` if everything is right that a rank sees by itself.
+    /// Returns an error if the input is invalid, as far as a rank can check without the others.
     fn check(&self) -> Result<()> {
         self.bodies.check_directions([Direction::Z], false)?;
         check_gap(self.bodies, &self.gap)?;

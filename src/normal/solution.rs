@@ -1,4 +1,4 @@
-//! The answer to a normal contact.
+//! Solution of a normal contact.
 
 use crate::bodies::component::Component;
 use crate::bodies::material::ElasticPair;
@@ -23,7 +23,7 @@ use crate::support::debug::shown;
 use crate::support::serialise::checked;
 use crate::warning::Warning;
 
-/// Pressure, gap and approach of a normal contact. Two are equal if their answers are, however they were found.
+/// Pressure, gap and approach of a normal contact. Equality compares the results and ignores the report.
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NormalSolution {
     pub(super) pressure: Field,
@@ -33,12 +33,12 @@ pub struct NormalSolution {
     pub(super) pair: ElasticPair,
     approach: f64,
     yielded_cells: usize,
-    /// Whether tractions that were found together with the pressure have changed it.
+    /// Whether tractions of a coupled solve have changed the pressure.
     is_coupled: bool,
-    /// Its approach, radius and slopes, for warnings.
+    /// Approach, radius and slopes for warnings.
     scale: Scale,
     report: Report,
-    /// Of a slab, what all ranks together have found.
+    /// Counts and sums over all ranks, if the fields are a slab.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) whole: Option<Box<PressureSums>>,
 }
@@ -88,7 +88,7 @@ impl PartialEq for NormalSolution {
     }
 }
 
-/// What is read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "NormalSolution")]
@@ -119,13 +119,13 @@ impl<'de> serde::Deserialize<'de> for NormalSolution {
     }
 }
 
-/// The gap of a cell whose surfaces are displaced and approached.
+/// Returns the gap of a cell from its initial gap, displacement and approach.
 fn under_load(initial: f64, displacement: f64, approach: f64) -> f64 {
     displacement + (initial - approach)
 }
 
 impl NormalSolution {
-    /// No contact yet.
+    /// Creates a solution without contact.
     pub(crate) fn empty(
         gap: &Field,
         (boundary, cell_value): (Boundary, CellValue),
@@ -146,7 +146,7 @@ impl NormalSolution {
         })
     }
 
-    /// Of pressures and displacements of all cells, over the gap before loading.
+    /// Creates the solution from pressures and displacements of all cells and the initial gap.
     pub(crate) fn of(
         bodies: &HalfSpace,
         initial: &Field,
@@ -175,12 +175,12 @@ impl NormalSolution {
         })
     }
 
-    /// With what all ranks have found, which is not among the fields of a slab.
+    /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
     pub(crate) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.whole = PressureSums::of(bodies, self.pressure.as_slice());
     }
 
-    /// Measures approach, radius and slopes over the gap before loading.
+    /// Computes approach, radius and slopes from the initial gap.
     pub(crate) fn measure_scale(&mut self, bodies: &HalfSpace, initial: &Field) {
         let pressure = self.pressure.as_slice();
         self.scale = Scale::of(bodies, initial.as_slice(), pressure, self.approach);
@@ -190,12 +190,12 @@ impl NormalSolution {
         self.scale
     }
 
-    /// As the half of a solution in which tractions have changed the pressure.
+    /// Sets whether the solution is part of a coupled solution, in which tractions have changed the pressure.
     pub(crate) fn set_coupled(&mut self, is_coupled: bool) {
         self.is_coupled = is_coupled;
     }
 
-    /// `Ok` if the pressure is that of the gap and the approach alone.
+    /// Returns an error if tractions have changed the pressure.
     pub(crate) fn check_uncoupled(&self) -> Result<()> {
         let beta = self.pair.coupling_strength();
         if self.is_coupled {
@@ -204,7 +204,7 @@ impl NormalSolution {
         Ok(())
     }
 
-    /// With so many cells at their hardness.
+    /// Sets the number of cells at their hardness.
     pub(crate) fn set_yielded_cells(&mut self, cells: usize) {
         self.yielded_cells = cells;
     }
@@ -213,7 +213,7 @@ impl NormalSolution {
         self.pressure.as_mut_slice()
     }
 
-    /// With the displacements of all cells by the pressure that it has, over the gap before loading.
+    /// Sets the gap under load and the approach from the displacements by the present pressure and the initial gap.
     pub(crate) fn fill(
         &mut self,
         bodies: &HalfSpace,
@@ -223,7 +223,7 @@ impl NormalSolution {
         report: &Report,
     ) {
         (self.pair, self.cell_value) = (*bodies.pair(), bodies.cell_value());
-        // Of another history, whose solution this has been.
+        // The solution may have been written by another history before.
         (self.yielded_cells, self.is_coupled) = (0, false);
         self.gather_whole(bodies);
         let initial = initial.as_slice();
@@ -237,7 +237,7 @@ impl NormalSolution {
         self.report.clone_from(report);
     }
 
-    /// Pressure, gap under load, approach and report, to be read from what was saved.
+    /// Returns pressure, gap under load, approach and report for restoring a saved state.
     pub(crate) fn parts_mut(&mut self) -> (&mut Field, &mut Field, &mut f64, &mut Report) {
         (
             &mut self.pressure,
@@ -247,34 +247,33 @@ impl NormalSolution {
         )
     }
 
-    /// Pressure, and gap under load, from which what has yielded is to be taken.
+    /// Returns the pressure and the gap under load, from which the caller subtracts the plastic overlap.
     pub(crate) fn yielding_mut(&mut self) -> (&[f64], &mut [f64]) {
         (self.pressure.as_slice(), self.gap.as_mut_slice())
     }
 
-    /// The grid of all its fields.
+    /// Returns the grid of all fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.pressure.grid()
     }
 
-    /// Pressure p >= 0, positive pushing into the bodies; exactly zero outside the contact. A cell has that of all of it or
-    /// of its centre: its [`cell_value`](Self::cell_value).
+    /// Returns the pressure p >= 0, positive if it pushes into the bodies; exactly zero outside the contact. The value
+    /// of a cell is uniform over the cell or its value at the centre, see [`cell_value`](Self::cell_value).
     #[must_use]
     pub fn pressure(&self) -> &Field {
         &self.pressure
     }
 
-    /// Gap under load `h + u_z - delta` (lengths): zero in the contact up to the residual,
-    /// positive outside, and negative where cells yield under a [`Hardness`](crate::normal::Hardness).
+    /// Returns the gap under load `h + u_z - delta` (lengths). It is zero in the contact up to the residual, positive
+    /// outside, and negative where cells yield under a [`Hardness`](crate::normal::Hardness).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
     }
 
-    /// Approach delta of the bodies from the datum of the initial gap (a length): prescribed, or the
-    /// multiplier of the force. On a periodic grid it is the mean of the initial gap less that of the gap
-    /// under load.
+    /// Returns the approach delta of the bodies from the datum of the initial gap (a length): the prescribed approach
+    /// or the multiplier of the force. On a periodic grid it is the mean initial gap minus the mean gap under load.
     #[doc(alias = "indentation")]
     #[doc(alias = "penetration")]
     #[must_use]
@@ -282,9 +281,9 @@ impl NormalSolution {
         self.approach
     }
 
-    /// Normal force W, the integral of the pressure: the sum of the cells times their area, whatever their
-    /// [`CellValue`]. The `force` of a tangential solution, a step or a history is the
-    /// tangential one; a step has this as [`normal_force`](crate::history::StepResult::normal_force).
+    /// Returns the normal force W, the integral of the pressure. It is the sum over the cells times their area for any
+    /// [`CellValue`]. The `force` of a tangential solution, a step or a history is the tangential force; the normal
+    /// force of a step is [`normal_force`](crate::history::StepResult::normal_force).
     #[must_use]
     pub fn force(&self) -> f64 {
         match &self.whole {
@@ -293,15 +292,15 @@ impl NormalSolution {
         }
     }
 
-    /// Moments about x and about y, at the origin of the grid, that the pressure exerts on body 1 (force times length):
-    /// $`(\sum y\,p,\; -\sum x\,p)\,A`$, A the area of a cell.
+    /// Returns the moments about x and y through the origin of the grid that the pressure exerts on body 1 (force times
+    /// length): $`(\sum y\,p,\; -\sum x\,p)\,A`$, where A is the area of a cell.
     #[must_use]
     pub fn moments(&self) -> [f64; 2] {
         let [x, y] = self.first_moments();
         [y, 0.0 - x]
     }
 
-    /// Where the normal force acts (lengths); `None` without contact.
+    /// Returns the point where the normal force acts (lengths); `None` without contact.
     #[doc(alias = "eccentricity")]
     #[must_use]
     pub fn centre_of_pressure(&self) -> Option<[f64; 2]> {
@@ -309,7 +308,7 @@ impl NormalSolution {
         (force > 0.0).then(|| self.first_moments().map(|moment| moment / force))
     }
 
-    /// Sums of x p and of y p, times the area of a cell.
+    /// Returns the sums of x p and of y p times the area of a cell.
     fn first_moments(&self) -> [f64; 2] {
         let (grid, pressure) = (self.grid(), self.pressure.as_slice());
         let sums = match &self.whole {
@@ -322,12 +321,13 @@ impl NormalSolution {
         sums.map(|sum| sum * grid.cell_area())
     }
 
-    /// Normal displacement $`u_z`$ by the pressure, of all cells, that of body 1 plus that of body 2 (lengths, positive
-    /// where the surfaces give way): one product with the operator of the bodies.
+    /// Computes the normal displacement $`u_z`$ of all cells under the pressure, the sum for bodies 1 and 2 (lengths,
+    /// positive into the bodies). This takes one product with the operator of the bodies.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
-    /// [`Error::MaterialMismatch`] for bodies that the solution is not of; as [`HalfSpace::operator`].
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
+    /// - Errors of [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<Field> {
         bodies.collective_result(self.check_bodies(bodies))?;
         let operator = bodies.operator(Component::ZZ)?;
@@ -340,11 +340,11 @@ impl NormalSolution {
         bodies.joint(Ok(displacement))
     }
 
-    /// Elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length), with the displacements at the
-    /// centres of the cells.
+    /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length), from the
+    /// displacements at the centres of the cells.
     ///
     /// # Errors
-    /// As [`NormalSolution::displacement`].
+    /// Errors of [`NormalSolution::displacement`].
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
         let displacement = self.displacement(bodies)?;
         let (p, u) = (self.pressure.as_slice(), displacement.as_slice());
@@ -352,7 +352,7 @@ impl NormalSolution {
         bodies.joint(Ok(0.5 * self.grid().cell_area() * sum))
     }
 
-    /// `Ok` if the solution is one of these bodies.
+    /// Returns an error if the solution belongs to other bodies.
     pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         let quantity = "normal contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
@@ -364,31 +364,32 @@ impl NormalSolution {
         }
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Returns the boundary condition at the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.boundary
     }
 
-    /// The meaning of the value of a cell.
+    /// Returns the meaning of the value of a cell.
     #[must_use]
     pub fn cell_value(&self) -> CellValue {
         self.cell_value
     }
 
-    /// The two bodies.
+    /// Returns the materials of the two bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem: there the gap is negative.
+    /// Returns the number of cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem, where
+    /// the gap is negative.
     #[must_use]
     pub fn yielded_cells(&self) -> usize {
         self.yielded_cells
     }
 
-    /// `Ok` if no cell is at its hardness, for what holds of elastic contacts alone.
+    /// Returns an error if any cell is at its hardness, for quantities that are defined for elastic contacts only.
     pub(crate) fn check_elastic(&self, quantity: &'static str) -> Result<()> {
         match self.yielded_cells {
             0 => Ok(()),
@@ -396,7 +397,7 @@ impl NormalSolution {
         }
     }
 
-    /// How the solve ended, what it cost, how large its error can be.
+    /// Returns the report of the solve: its status, cost and error bound.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
@@ -404,38 +405,44 @@ impl NormalSolution {
 }
 
 impl NormalSolution {
-    /// An estimate of the discretisation error of the pressure: the sum of its differences from the means of the exact pressure
-    /// over the cells, relative to the sum of the pressure. `None` without contact, and on a slab of a grid that ranks share.
+    /// Estimates the discretisation error of the pressure: the sum of the absolute differences from the means of the
+    /// exact pressure over the cells, relative to the sum of the pressure. Returns `None` without contact and on a slab
+    /// of a distributed grid.
     ///
     /// ```math
     /// \frac{\sum |p - \bar p|}{\sum p} \approx f\,\frac{\sum |\Delta_h p|}{24 \sum p}, \qquad
     /// \Delta_h p = p_{i-1,j} + p_{i+1,j} + p_{i,j-1} + p_{i,j+1} - 4\,p_{i,j}
     /// ```
     ///
-    /// with f = 1.4 for [uniform cells](crate::CellValue::Uniform), 1 for [values at the centres](crate::CellValue::Centre) and
-    /// 1.25 on grids with [`Boundary::Periodic`]: inside the second difference is what the cells
-    /// miss, and at the edge of the contact it is as large as it. It is an estimate, no bound; a solver's
-    /// [certificate](crate::Report) is a bound of another error, that of the solution on the given cells. It falls with the
-    /// power 3/2 of the cells. Compared with exact means:
+    /// with f = 1.4 for [uniform cells](crate::CellValue::Uniform), 1 for [values at the
+    /// centres](crate::CellValue::Centre) and 1.25 on grids with [`Boundary::Periodic`]. Inside the contact the second
+    /// difference measures the variation that the cells do not resolve. At the edge of the contact both are of the same
+    /// size.
+    ///
+    /// The result is an estimate and not a bound. A solver's [certificate](crate::Report) bounds a different error, the
+    /// error of the solution on the given cells. The estimate decreases with the power 3/2 of the cell size. Compared
+    /// with exact means:
     ///
     /// | contact | estimate over error |
     /// |---|---|
-    /// | spheres, ellipses, gaps r^4, partial slip; anywhere between 16 to 48 cells over three contact radii | 0.8 to 1.35 |
-    /// | the same on 96 to 192 cells | 0.9 to 1.15 |
-    /// | the same in the middle of a cell, where errors cancel, on 16 to 48 cells | 0.7 to 1.7 |
+    /// | spheres, ellipses, gaps r^4, partial slip; any position, 16 to 48 cells over three contact radii | 0.8 to 1.35 |
+    /// | these contacts on 96 to 192 cells | 0.9 to 1.15 |
+    /// | these contacts centred on a cell, where errors cancel, on 16 to 48 cells | 0.7 to 1.7 |
     /// | ellipses of 5 to 1 whose short axis is 3 cells long, along the grid | 0.8 to 1.5 |
-    /// | rough surfaces, shortest wave of 5 to 24 cells, that repeat | 0.9 to 1.25 |
-    /// | the same on free grids, 50 to 700 cells in contact | 0.7 to 1.4 |
-    /// | straight edges along the lines of the grid | 0.4 to 4, by where they fall |
+    /// | periodic rough surfaces, shortest wave of 5 to 24 cells | 0.9 to 1.25 |
+    /// | rough surfaces on free grids, 50 to 700 cells in contact | 0.7 to 1.4 |
+    /// | straight edges along the lines of the grid | 0.4 to 4, depending on their position |
     /// | flat punch, whose pressure is infinite at the edge | 0.3 to 0.4 |
     ///
-    /// The error at the centres of the cells is half to nine tenths of that of the means.
+    /// The error at the centres of the cells is 0.5 to 0.9 times the error of the means.
     ///
-    /// Approach, shift and energy have no such estimate. Their errors are 1e-3 to 1e-6 on 32 to 128 cells over three contact
-    /// radii, and of either sign, by where the edge falls between the cells. The difference from a solve on half the cells
-    /// tells that of the approach of uniform cells only: a third of it is 0.4 to 1.2 times the error on 64 and 128 cells
-    /// (a sphere and an ellipse 2:1 at 8 places each). Of the approach of centre values, of energies, of the shift in
-    /// partial slip and of rough surfaces the quotient lies anywhere between -100 and 60, also for other orders.
+    /// There is no such estimate for approach, shift and energy. Their errors are 1e-3 to 1e-6 on 32 to 128 cells over
+    /// three contact radii, and their sign depends on the position of the edge between the cells.
+    ///
+    /// The difference from a solve with half as many cells per side estimates only the error of the approach of uniform
+    /// cells. A third of the difference is 0.4 to 1.2 times the error on 64 and 128 cells (a sphere and an ellipse 2:1
+    /// at 8 positions each). For the approach of centre values, energies, the shift in partial slip and rough surfaces,
+    /// the ratio lies anywhere between -100 and 60, also for other orders.
     ///
     /// ```
     /// use stickslip::*;
@@ -453,7 +460,7 @@ impl NormalSolution {
         estimate([&self.pressure], self.boundary, self.cell_value())
     }
 
-    /// What the estimate has to be remarked on.
+    /// Returns a warning if the discretisation estimate is too large.
     pub(super) fn discretisation_warning(&self) -> Option<Warning> {
         let contact = || self.contact_map().mean_spot();
         Warning::of_discretisation(self.discretisation_estimate(), contact)

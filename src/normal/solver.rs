@@ -1,4 +1,4 @@
-//! The reusable solver of a normal contact.
+//! Reusable solver of a normal contact.
 
 use std::ops::ControlFlow;
 
@@ -15,10 +15,12 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::support::debug::shown;
 
-/// Solves normal contacts on one grid again and again, each time from the last answer, moved on along its trend where the
-/// load has changed; from coarser cells, as the first time, where the contact will outgrow the box that it was found in.
+/// Solver of a sequence of normal contacts on one grid.
 ///
-/// Owns plans, buffers and the last pressure; the load and the gap may change between calls.
+/// Each solve starts from the last solution, which is extrapolated along its trend if the load has changed. If the
+/// contact will outgrow the window in which it was found, the solve starts on coarser cells, as the first solve does.
+///
+/// The solver owns plans, buffers and the last pressure. The load and the gap may change between calls.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
@@ -38,7 +40,7 @@ use crate::support::debug::shown;
 pub struct NormalSolver {
     problem: NormalProblem,
     press: PressureSolver,
-    /// The last pressure on the whole grid, the start of the next solve.
+    /// Last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
 }
 
@@ -47,7 +49,7 @@ shown!(NormalSolver: problem);
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
-        // A kernel that cannot be computed is better known now.
+        // Reports a kernel that cannot be computed here rather than in the first solve.
         bodies.compliance([Direction::Z], grid.whole().size())?;
         let pressure = bodies.collective_result(fallible::zeros(grid.cells()))?;
         Ok(Self {
@@ -65,7 +67,8 @@ impl NormalSolver {
     /// Changes the load of the next solve.
     ///
     /// # Errors
-    /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the load, which is then as it was.
+    /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the load. The
+    /// load is unchanged after an error.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let NormalProblem {
             bodies,
@@ -79,15 +82,17 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// Puts back a load that was set before.
+    /// Restores a load that was set before.
     pub(crate) fn restore_load(&mut self, load: NormalControl) {
         self.problem.load = load;
     }
 
-    /// Changes the gap of the next solve, as wear does; copies it without allocating, unless others hold the gap there was.
+    /// Changes the gap of the next solve, for instance after wear. The gap is copied without allocation unless the
+    /// previous gap is shared with other owners.
     ///
     /// # Errors
-    /// As [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) for the gap, which is then as it was.
+    /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the gap. The
+    /// gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.collective_result(check_gap(bodies, gap))?;
@@ -97,17 +102,17 @@ impl NormalSolver {
 
     solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
 
-    /// Forgets the last answer: the next solve starts as the first did.
+    /// Discards the last solution. The next solve starts as the first did.
     pub fn reset(&mut self) {
         self.press.reset();
     }
 
     solver_methods!(NormalSolution, problem.bodies);
 
-    /// [`Self::new_solution`] where memory may run out.
+    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_new_solution(&self) -> Result<NormalSolution> {
         let bodies = &self.problem.bodies;
         let surface = (bodies.boundary(), bodies.cell_value());
@@ -131,7 +136,7 @@ impl NormalSolver {
         outcome
     }
 
-    /// Solves once; of all that this takes the answer alone stays.
+    /// Solves once and keeps only the solution.
     pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
         let bodies = self.problem.bodies.clone();
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {

@@ -1,4 +1,4 @@
-//! The engine of a normal contact: around the contact, with a look at the rest of the grid.
+//! Solver of a normal contact on the window around the contact; it also examines the rest of the grid.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{self, InitialGuess, Interval, Iterate};
@@ -17,40 +17,40 @@ use crate::parallel::{self, Blocks};
 use crate::report::EigenvalueBound;
 use std::borrow::Cow;
 
-/// The engine, set up where it works: around the contact, if that is much smaller than the grid.
+/// Active-set solver on a window around the contact, or on the whole grid if the contact is not much smaller.
 #[derive(Debug, Clone)]
 pub(super) struct NormalEngine {
     region: Region,
     pub(super) solver: ElasticSolver<Interval, 1>,
-    /// How the pressure of the window changed with the load.
+    /// Change of the pressure of the window with the load.
     trend: LoadTrend<1>,
-    /// Whether the trend holds what the pressure was, until it is noted what it has become.
+    /// Whether the trend holds the pressure from before the extrapolation, until [`Self::note`] stores the change.
     is_extrapolated: bool,
-    /// What it takes to work on a part of the grid and to see the rest, if there is a rest.
+    /// Operator and fields needed if the window is a part of the grid; `None` if it is the whole grid.
     part: Option<NormalPart>,
 }
 
 #[derive(Debug, Clone)]
 struct NormalPart {
-    /// Of the whole grid.
+    /// Operator of the whole grid.
     operator: ElasticOperator<1>,
     fields: PooledBuffer<NormalPartFields>,
 }
 
 #[derive(Debug)]
 struct NormalPartFields {
-    /// Of the window.
+    /// Gap of the window.
     gap: Vec<f64>,
     pressure: Vec<f64>,
-    /// Likewise, where each cell has its own.
+    /// Pressure limits of the window; empty if the limit is uniform.
     limits: Vec<f64>,
-    /// Of the whole grid.
+    /// Displacement of the whole grid.
     displacement: Vec<f64>,
     scratch: Scratch,
 }
 
 impl NormalPart {
-    /// Its fields, for a window of so many cells.
+    /// Returns the fields for a window of `cells` cells.
     fn fields(&mut self, cells: usize) -> Result<&mut NormalPartFields> {
         let operator = &self.operator;
         self.fields.take(|| {
@@ -90,14 +90,14 @@ impl WindowEngine for NormalEngine {
         self.region.window()
     }
 
-    /// Without a trend.
+    /// Moves the solver to a window of the same size and discards the trend.
     fn move_to(&mut self, bodies: &HalfSpace, window: Window) {
         self.region = Region::new(bodies, window);
         self.is_extrapolated = false;
         self.trend.forget();
     }
 
-    /// The displacement is then gone.
+    /// Returns the buffers to their pools; the displacement is lost.
     fn rest(&mut self) {
         self.solver.rest();
         if let Some(part) = &mut self.part {
@@ -107,10 +107,10 @@ impl WindowEngine for NormalEngine {
 }
 
 impl NormalEngine {
-    /// Takes a trend of the cells held here.
+    /// Sets the trend from the local cells of `trend`.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(super) fn set_trend(&mut self, trend: &LoadTrend<1>) -> Result<()> {
         if self.region.is_shared() && !trend.is_known() {
             self.trend.forget();
@@ -123,12 +123,12 @@ impl NormalEngine {
         Ok(())
     }
 
-    /// Cells of the trend that are held here.
+    /// Returns the number of local cells of the trend.
     pub(super) fn trend_cells(&self) -> usize {
         self.region.held().cells().max(self.trend.change[0].len())
     }
 
-    /// Writes the trend of the cells held here.
+    /// Writes the trend of the local cells.
     pub(super) fn write_trend(&self, trend: &mut LoadTrend<1>) {
         trend.clone_from(&self.trend);
         if self.region.is_shared() && !trend.is_known() {
@@ -139,12 +139,12 @@ impl NormalEngine {
         }
     }
 
-    /// How many times the last change the load lies ahead.
+    /// Returns the ratio of the remaining change of the load to its last change.
     pub(super) fn parts(&self, ahead: LoadIncrement) -> Option<f64> {
         self.trend.parts([ahead])
     }
 
-    /// The displacement of the whole grid, once it was solved on.
+    /// Returns the displacement of the whole grid; empty before the first solve.
     pub(super) fn displacement(&self) -> &[f64] {
         match &self.part {
             Some(part) => part
@@ -155,7 +155,7 @@ impl NormalEngine {
         }
     }
 
-    /// The same alone: all else is given up.
+    /// Returns the displacement of the whole grid and drops everything else.
     pub(super) fn into_displacement(self) -> Vec<f64> {
         if let Some(part) = self.part {
             let fields = part.fields.into_piece();
@@ -165,7 +165,7 @@ impl NormalEngine {
         displacement
     }
 
-    /// Solves on the window, from the pressure of the whole grid into it.
+    /// Solves on the window. The pressure of the whole grid is the start and receives the result.
     pub(super) fn solve(
         &mut self,
         scene: PressureProblem<&[f64]>,
@@ -202,8 +202,8 @@ impl NormalEngine {
         outcome
     }
 
-    /// Examines the pressure on the whole grid, and tells how the least eigenvalue is known there; `None` if the window is
-    /// the grid.
+    /// Examines the pressure on the whole grid. Returns the certificate and the origin of the bound of the least
+    /// eigenvalue, or `None` if the window is the grid.
     pub(super) fn examine(
         &mut self,
         scene: PressureProblem<&[f64]>,
@@ -236,7 +236,8 @@ impl NormalEngine {
         Ok(Some((findings, bound.known)))
     }
 
-    /// Around the cells beyond the window where bodies overlap by more than round-off of the largest displacement.
+    /// Returns the window around the cells outside the present window where the bodies overlap by more than the
+    /// round-off of the largest displacement.
     pub(super) fn overlap_outside(
         &self,
         scene: PressureProblem<&[f64]>,
@@ -249,7 +250,8 @@ impl NormalEngine {
         })
     }
 
-    /// Moves the pressure of the whole grid on by so many times the trend, which then holds what it was.
+    /// Extrapolates the pressure of the whole grid by `parts` times the trend. The trend then holds the previous
+    /// pressure.
     pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
@@ -267,11 +269,11 @@ impl NormalEngine {
         Ok(())
     }
 
-    /// Takes note of the pressure that a solve has led to from where [`Self::extrapolate`] began.
+    /// Stores the change from the pressure before [`Self::extrapolate`] to the solution as the trend.
     pub(super) fn note(&mut self, pressure: &[f64], from: LoadPoint, to: LoadPoint) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
-        // One that was widened since has no start to tell the change from.
+        // A solver that was set up on a wider window since the extrapolation has no earlier pressure to compare with.
         if !std::mem::take(&mut self.is_extrapolated) {
             return Ok(());
         }
@@ -288,7 +290,7 @@ impl NormalEngine {
     }
 }
 
-/// Moves pressures on by so many times their changes, which then hold what they were.
+/// Extrapolates pressures by `parts` times their changes. `change` then holds the previous pressures.
 fn go_on(parts: f64, pressure: &mut [f64], change: &mut [f64]) {
     let data = (parallel::blocks(pressure), parallel::blocks(change));
     let tasks = data.0.items.len().div_ceil(parallel::CHUNK);
@@ -302,7 +304,7 @@ fn go_on(parts: f64, pressure: &mut [f64], change: &mut [f64]) {
     parallel::sweep(0..tasks, data, &work, &|(), ()| ());
 }
 
-/// Replaces what was by what is less it.
+/// Replaces each earlier pressure in `change` by the difference of the new and the earlier pressure.
 fn subtract_from(pressure: &[f64], change: &mut [f64]) {
     parallel::update(change, |first, chunk| {
         for (change, p) in chunk.iter_mut().zip(&pressure[first..]) {

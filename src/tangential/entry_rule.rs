@@ -1,4 +1,4 @@
-//! The law of cells that come into contact within a step.
+//! Friction law of cells that come into contact within a step.
 
 use crate::bodies::material::ElasticPair;
 use crate::cgm::{CellCompliance, reduce};
@@ -9,25 +9,27 @@ use crate::memory::fallible;
 use crate::parallel;
 use crate::tangential::{Axis, TangentialIncrement, at};
 
-/// How far a cell that comes into contact within a step follows the motion of the step.
+/// Motion that a cell follows if it comes into contact within a step.
 ///
-/// [`crate::guide::load_steps`] derives the first and compares the two.
+/// [`crate::guide::load_steps`] derives [`Self::Growth`] and compares the two rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EntryRule {
-    /// From the moment it touches, by the growth of its own pressure: it lags behind the motion by
-    /// $`\kappa\,(g/p)\,q`$, with the gap g at the beginning of the step and pressure p and traction q at its end.
+    /// The cell follows the motion from the moment of touch, through the growth of its pressure. It lags behind the
+    /// motion by $`\kappa\,(g/p)\,q`$, with the gap g at the start of the step and the pressure p and traction q at its
+    /// end.
     #[default]
     SinceTouch,
-    /// All of it, also the part before it touched: the rule of codes that use the start of the step only, such as
-    /// CONTACT. The error is of first order in the length of steps in which the contact grows.
+    /// The cell follows the motion of the whole step, including the part before it touches. Codes that use only the
+    /// start of the step, such as CONTACT, follow this rule. The error is of first order in the length of the steps in
+    /// which the contact grows.
     WholeStep,
 }
 
-/// $`\kappa = 1 + c_l / 2 c_n`$, the tangential displacement of a cell by a traction of its own over the normal one by a
-/// pressure, where $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. Of coated bodies it is the mean of both
-/// [directions](ratios_of_compliances), as it is of others.
+/// Returns $`\kappa = 1 + c_l / 2 c_n`$ with $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. It is the ratio of
+/// the tangential displacement of a cell by its own traction to its normal displacement by its own pressure. For coated
+/// and uncoated bodies it is the mean of both [directions](ratios_of_compliances).
 pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     if bodies.pair().is_coated() {
         let [along, across] = ratios_of_compliances(bodies.pair(), bodies.grid());
@@ -37,8 +39,9 @@ pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     1.0 + 0.5 * compliances.lateral / compliances.normal
 }
 
-/// The same across an edge, in plane strain, and along it, in antiplane strain: $`1`$ and $`1 + c_l/c_n`$. Of coated bodies
-/// $`C_l/C_n`$ and $`C_t/C_n`$ of the waves whose half is the longer side of a cell.
+/// Returns the ratios of compliances across an edge of the contact, in plane strain, and along it, in antiplane strain:
+/// $`1`$ and $`1 + c_l/c_n`$. For coated bodies they are $`C_l/C_n`$ and $`C_t/C_n`$ of the waves whose half-length is
+/// the longer side of a cell.
 pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] {
     if pair.is_coated() {
         let found = pair.times_k(std::f64::consts::PI / grid.dx().max(grid.dy()));
@@ -48,7 +51,7 @@ pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] 
     [1.0, 1.0 + compliances.lateral / compliances.normal]
 }
 
-/// The compliance $`B = \kappa\,g/p`$ of its own of a cell that enters the contact, by its $`\kappa g`$; zero without pressure.
+/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell with `closing` $`= \kappa g`$; zero without pressure.
 pub(crate) fn entry_compliance(closing: f64, pressure: f64) -> f64 {
     if pressure > 0.0 {
         (closing / pressure).min(f64::MAX)
@@ -57,7 +60,7 @@ pub(crate) fn entry_compliance(closing: f64, pressure: f64) -> f64 {
     }
 }
 
-/// The compliance of its own of a cell, a symmetric tensor.
+/// Entry compliance of a cell, a symmetric tensor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EntryCompliance {
     pub(crate) xx: f64,
@@ -72,20 +75,20 @@ impl EntryCompliance {
         yy: 0.0,
     };
 
-    /// The mean of all directions.
+    /// Returns the mean over all directions.
     pub(crate) fn mean(&self) -> f64 {
         0.5 * self.xx + 0.5 * self.yy
     }
 
-    /// `[a, b]` of what is beside the mean, the rows `[a, b]` and `[b, -a]`.
+    /// Returns `[a, b]` of the deviator, the matrix with the rows `[a, b]` and `[b, -a]`.
     pub(crate) fn deviator(&self) -> [f64; 2] {
         [0.5 * self.xx - 0.5 * self.yy, self.xy]
     }
 }
 
 impl TangentialIncrement {
-    /// Gives the cells that enter the contact the compliance $`B = \kappa\,g/p`$ of their own in this step, by the gap
-    /// that each cell of the grid had at its beginning, zero where there was contact.
+    /// Sets the entry compliance $`B = \kappa\,g/p`$ of the cells that come into contact in this step. `gap` returns
+    /// the gap of each cell of the grid at the start of the step, zero in the earlier contact.
     pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
         let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
         fallible::resize(diagonal, pressed.region.cells(), 0.0)?;
@@ -109,8 +112,8 @@ impl TangentialIncrement {
         Ok(())
     }
 
-    /// The same by rolling, where the compliance depends on the direction: by what it is of a cell of the grid under its
-    /// pressure.
+    /// Sets the entry compliance for rolling, in which it depends on the direction. `own` returns the compliance of a
+    /// cell of the grid for its pressure.
     pub(crate) fn set_rolling_entry_compliance(
         &mut self,
         own: impl Fn(usize, f64) -> EntryCompliance,
@@ -144,7 +147,7 @@ impl TangentialIncrement {
         Ok(())
     }
 
-    /// No cell enters the contact in this step.
+    /// Sets that no cell comes into contact in this step.
     pub(crate) fn enter_nowhere(&mut self) {
         self.has_entered = false;
         self.diagonal.clear();
@@ -160,8 +163,8 @@ impl TangentialIncrement {
         }
     }
 
-    /// Writes the compliance that the cells of the window have had of their own in the last step; of no cells where none
-    /// has entered. Returns whether any has, of all ranks.
+    /// Writes the mean entry compliance of the cells of the window in the last step; `entered` is empty if no cell came
+    /// into contact. Returns whether a cell of any rank did.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.has_entered {
@@ -170,7 +173,8 @@ impl TangentialIncrement {
         self.has_entered
     }
 
-    /// Moves the offsets of the cells that entered back by $`B q`$, what they have not followed of the motion.
+    /// Subtracts $`B q`$ from the offsets of the cells that came into contact, the part of the motion that they have
+    /// not followed.
     pub(super) fn subtract_entry_lag(&mut self) {
         let own = CellCompliance::new(&self.diagonal, &self.deviator);
         for cell in 0..self.diagonal.len() {

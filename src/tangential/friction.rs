@@ -1,4 +1,4 @@
-//! How much shear a cell in contact can carry.
+//! Friction: the limit of the shear traction in a contact cell.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible::try_clone;
 
-/// Coulomb friction, uniform or one coefficient per cell, optionally capped.
+/// Coulomb friction with a uniform coefficient or a coefficient per cell, and an optional cap.
 ///
 /// The friction limit of a cell is `m = min(mu p, tau_max)`, a pressure.
 ///
@@ -29,11 +29,11 @@ use crate::memory::fallible::try_clone;
 )]
 pub struct Friction {
     coefficient: PerCell<Field>,
-    /// `None` without a cap.
+    /// Cap of the limit; `None` without a cap.
     max_shear_stress: Option<f64>,
 }
 
-/// What was read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -66,10 +66,10 @@ clone_in_place!(Friction {
 try_clone!(Friction { coefficient } { max_shear_stress });
 
 impl Friction {
-    /// One coefficient of friction mu >= 0 for all cells (dimensionless).
+    /// Creates friction with a uniform coefficient mu >= 0 (dimensionless).
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite).
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient is negative or not finite.
     pub fn coulomb(coefficient: f64) -> Result<Self> {
         Ok(Self {
             coefficient: PerCell::Uniform(non_negative("coefficient of friction", coefficient)?),
@@ -77,10 +77,10 @@ impl Friction {
         })
     }
 
-    /// One coefficient of friction mu >= 0 per cell.
+    /// Creates friction with a coefficient mu >= 0 for each cell.
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
+    /// - [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
     pub fn per_cell(coefficients: Field) -> Result<Self> {
         all_non_negative("coefficient of friction", coefficients.as_slice())?;
         Ok(Self {
@@ -89,24 +89,24 @@ impl Friction {
         })
     }
 
-    /// With the limit capped at `tau_max` (a pressure), the shear strength of the weaker body.
+    /// Caps the limit at `tau_max` (a pressure), the shear strength of the weaker body.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive).
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if `tau_max` is not positive and finite.
     pub fn max_shear_stress(mut self, tau_max: f64) -> Result<Self> {
         self.max_shear_stress = Some(positive("shear cap", tau_max)?);
         Ok(self)
     }
 
-    /// The coefficients of the cells, given back; `None` where one holds for all. A loop in which friction changes from
-    /// step to step so needs one array for all steps.
+    /// Returns the owned field of coefficients; `None` if the coefficient is uniform. A loop that changes the friction
+    /// from step to step can thus reuse one array for all steps.
     ///
     /// ```
     /// use stickslip::{Field, Friction, Grid};
     /// let mut coefficients = Field::constant(Grid::square(32, 1.0)?, 0.3);
     /// for _ in 0..3 {
     ///     let friction = Friction::per_cell(coefficients)?;
-    ///     // `history.set_friction(&friction)?`, a step, and what it wears ...
+    ///     // `history.set_friction(&friction)?`, a step, and the change of friction by wear ...
     ///     coefficients = friction.into_coefficients().expect("friction per cell");
     ///     coefficients.as_mut_slice()[0] += 0.1;
     /// }
@@ -121,16 +121,16 @@ impl Friction {
         }
     }
 
-    /// The friction limit of cell `index` (row-major) under pressure `pressure`; NaN for a cell
-    /// beyond the field of coefficients.
+    /// Returns the friction limit of cell `index` (row-major) under `pressure`; NaN for a cell outside the field of
+    /// coefficients.
     #[must_use]
     pub fn limit(&self, index: usize, pressure: f64) -> f64 {
         let (limit, cap) = (self.coefficient_at(index) * pressure, self.cap());
-        // A minimum would pass over NaN.
+        // `f64::min` would discard NaN.
         if limit > cap { cap } else { limit }
     }
 
-    /// That of the cells of a region.
+    /// Returns the friction of the cells of a region.
     pub(crate) fn within(&self, region: &Region) -> FrictionWithin<'_> {
         let PerCell::Cells(field) = &self.coefficient else {
             return FrictionWithin::of(self, region);
@@ -149,7 +149,7 @@ impl Friction {
         }
     }
 
-    /// The friction of the cells of `coarser`, twice as large as those of the bodies that this is on.
+    /// Restricts the friction to the cells of `coarser`, which are twice as large as the cells of `bodies`.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
         let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
         Ok(Self {
@@ -158,7 +158,7 @@ impl Friction {
         })
     }
 
-    /// The largest coefficient of all cells of the grid.
+    /// Returns the largest coefficient of all cells of the grid.
     pub(crate) fn largest_coefficient(&self, bodies: &HalfSpace) -> f64 {
         match &self.coefficient {
             PerCell::Uniform(coefficient) => *coefficient,
@@ -166,7 +166,8 @@ impl Friction {
         }
     }
 
-    /// Whether the limits add up to a multiple of the normal force however that is distributed.
+    /// Returns whether the sum of the limits is a fixed multiple of the normal force for any distribution of the
+    /// pressure.
     pub(crate) fn is_proportional(&self) -> bool {
         matches!(self.coefficient, PerCell::Uniform(_)) && self.max_shear_stress.is_none()
     }
@@ -179,7 +180,7 @@ impl Friction {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
-    /// How the limit of a cell grows with its pressure.
+    /// Returns the derivative of the limit of a cell with respect to its pressure.
     pub(crate) fn slope(&self, index: usize, pressure: f64) -> f64 {
         let coefficient = self.coefficient_at(index);
         if coefficient * pressure < self.cap() {
@@ -189,38 +190,38 @@ impl Friction {
         }
     }
 
-    /// The coefficient and the cap (`None` without a cap). A change must keep the rules of the
-    /// constructors.
+    /// Returns the coefficient and the cap (`None` without a cap) for restoring a saved state. A change must satisfy
+    /// the conditions of the constructors.
     pub(crate) fn parts_mut(&mut self) -> (&mut PerCell<Field>, &mut Option<f64>) {
         (&mut self.coefficient, &mut self.max_shear_stress)
     }
 
-    /// `Ok` if the coefficients fit the cells held here, on all ranks, which must have the same but for these.
+    /// Checks on all ranks that the coefficients fit the local cells and that all other properties agree.
     pub(crate) fn check_on(&self, bodies: &HalfSpace) -> Result<()> {
         bodies.collective_result_checked(self.check(bodies.grid()), &[("friction", &self.common())])
     }
 
-    /// That of it which is the same on all ranks: coefficient, unless it is one per cell, and cap.
+    /// Returns the properties that must agree on all ranks: the cap, and the coefficient if it is uniform.
     pub(crate) fn common(&self) -> (PerCell<()>, Option<f64>) {
         (self.coefficient.map(|_| ()), self.max_shear_stress)
     }
 
-    /// `Ok` if the coefficients fit the grid.
+    /// Returns an error if the coefficients do not fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         self.coefficient.check("coefficient of friction", grid)
     }
 }
 
-/// The friction of the cells of a region, in its own order.
+/// Friction of the cells of a region, in the order of the region.
 #[derive(Debug)]
 pub(crate) struct FrictionWithin<'a> {
     friction: Cow<'a, Friction>,
-    /// The cells of the friction that are those of the region; `None` if they all are.
+    /// Window of the region in the cells of the friction; `None` if the friction covers exactly the region.
     window: Option<Window>,
 }
 
 impl<'a> FrictionWithin<'a> {
-    /// Of a friction that is uniform, or has the coefficients of all cells.
+    /// Restricts a friction that is uniform or has the coefficients of all local cells.
     fn of(friction: &'a Friction, region: &Region) -> Self {
         Self {
             friction: Cow::Borrowed(friction),

@@ -1,4 +1,4 @@
-//! The friction limits of a contact, and the one rule of what is at them.
+//! Friction limits of a contact, and the criterion for a cell at its limit.
 
 use std::ops::RangeInclusive;
 
@@ -11,16 +11,16 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::tangential::Friction;
 
-/// Relative distance from the friction limit within which a force slides the contact, and a cell slips.
+/// Relative distance from the friction limit within which a force slides the contact and a cell slips.
 pub(crate) const SLIDING: f64 = 1e-12;
 
-/// Largest limits beside which the squares of tractions stay within the range of numbers.
+/// Range of the largest limit in which the squares of tractions neither overflow nor underflow.
 const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 
-/// Part of the largest limit below which a limit counts as zero.
+/// Fraction of the largest limit below which a limit counts as zero.
 const NOTHING: f64 = 1e-30;
 
-/// The part of a normal contact that a tangential one needs: a window around it, pressure and limits there.
+/// Normal contact as the tangential solver needs it: a window around the contact, with pressure and friction limits.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureOnWindow {
     pub(crate) region: Region,
@@ -30,7 +30,7 @@ pub(crate) struct PressureOnWindow {
 }
 
 impl PressureOnWindow {
-    /// Without pressure.
+    /// Creates a window without pressure.
     pub(crate) fn new(bodies: &HalfSpace, window: Window) -> Result<Self> {
         let region = Region::new(bodies, window);
         Ok(Self {
@@ -48,13 +48,13 @@ impl PressureOnWindow {
         self.region.window()
     }
 
-    /// Takes the pressure of the whole grid, and what friction makes of it.
+    /// Sets the pressure from the whole grid and computes the friction limits.
     pub(crate) fn set(&mut self, pressure: &[f64], friction: &Friction) {
         self.region.gather(pressure, &mut self.pressure);
         self.limits.set(friction, &self.region, &self.pressure);
     }
 
-    /// Changes the friction alone.
+    /// Changes the friction and recomputes the limits.
     pub(crate) fn set_friction(&mut self, friction: &Friction) {
         self.limits.set(friction, &self.region, &self.pressure);
     }
@@ -80,7 +80,7 @@ impl PressureOnWindow {
 
 try_clone!(PressureOnWindow { pressure, limits } { region });
 
-/// The friction limit of every cell of a window, and their sum.
+/// Friction limit of every cell of a window, and the sum of the limits.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
     layout: Layout,
@@ -90,7 +90,7 @@ pub(crate) struct Limits {
 
 try_clone!(Limits { cells } { layout, sum });
 
-/// Whether a traction or force of this size uses up a limit.
+/// Returns whether a traction or force of this size reaches its limit.
 pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
     size >= limit * (1.0 - SLIDING)
 }
@@ -107,7 +107,7 @@ impl Limits {
                 };
             }
         });
-        // Beside the largest these carry nothing, and their squares would underflow.
+        // Limits that are negligible compared with the largest limit carry no load, and their squares would underflow.
         let least = NOTHING * self.largest();
         parallel::update(&mut self.cells, |_, chunk| {
             for limit in chunk {
@@ -121,15 +121,15 @@ impl Limits {
         reduce::max(&self.layout, |i| self.cells[i])
     }
 
-    /// A power of two near the largest limit, where tractions have to be measured in such a unit: their squares would
-    /// overflow or underflow.
+    /// Returns the unit in which tractions must be measured if their squares would otherwise overflow or underflow: a
+    /// power of two near the largest limit. Returns `None` if no unit is needed.
     pub(crate) fn unit(&self) -> Option<f64> {
         let largest = self.largest();
         let is_extreme = largest > 0.0 && !ORDINARY.contains(&largest);
         is_extreme.then(|| largest.log2().clamp(-1000.0, 1000.0).floor().exp2())
     }
 
-    /// Refuses a force that friction cannot hold, and limits that overflow.
+    /// Returns an error if friction cannot carry the force or the limits overflow.
     pub(crate) fn check(&self, [x, y]: [f64; 2], cell_area: f64) -> Result<()> {
         finite("sum of the friction limits", self.sum)?;
         let (force, limit) = (x.hypot(y), self.sum * cell_area);
@@ -143,7 +143,8 @@ impl Limits {
         Ok(())
     }
 
-    /// The sums of tractions a force asks for; exactly at the limit when the force is within round-off of it.
+    /// Returns the sums of tractions for a force. They are exactly at the limit if the force is within round-off of the
+    /// limit.
     pub(crate) fn sums(&self, force: [f64; 2], cell_area: f64) -> [f64; 2] {
         let sums = force.map(|force| force / cell_area);
         let size = sums[0].hypot(sums[1]);

@@ -1,4 +1,4 @@
-//! The tangential problem on coarser cells.
+//! Tangential problem and its restriction to coarser cells.
 
 use std::borrow::Cow;
 
@@ -13,8 +13,8 @@ use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
 use crate::parallel::layout::Layout;
 use crate::tangential::friction_limits::is_at_limit;
 
-/// Friction limits, the compliance that cells have of their own, if any do, minus the prescribed motion, and the prescribed
-/// sums of the tractions along `directions`.
+/// Input of a tangential solve: friction limits, entry compliances if any, the negative prescribed motion, and the
+/// prescribed sums of the tractions along `directions`.
 pub(super) struct FrictionProblem<'a, const N: usize> {
     pub(super) directions: [Direction; N],
     pub(super) limits: Cow<'a, [f64]>,
@@ -24,7 +24,7 @@ pub(super) struct FrictionProblem<'a, const N: usize> {
 }
 
 impl<const N: usize> FrictionProblem<'_, N> {
-    /// What friction holds, as a traction times cells.
+    /// Returns the sum of the friction limits, a traction times the number of cells.
     fn capacity(&self, layout: &Layout) -> f64 {
         reduce::total(layout, &self.limits)
     }
@@ -51,7 +51,8 @@ where
             .totals(self.totals)
     }
 
-    /// With sums that are the same part of what friction holds, and without compliances of cells.
+    /// Restricts the problem to coarser cells without entry compliances. The sums remain the same fraction of the
+    /// friction capacity.
     fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self> {
         let mut coarse = Self {
             directions: self.directions,
@@ -69,7 +70,7 @@ where
         Ok(coarse)
     }
 
-    /// The sums spread in proportion to the limits: feasible, and close near sliding.
+    /// Distributes the sums in proportion to the limits. This start is feasible, and accurate near sliding.
     fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]> {
         let capacity = self.capacity(layout);
         try_each(|n| {
@@ -79,9 +80,10 @@ where
         })
     }
 
-    /// Interpolated in the stick zone, at the limit where the cells slip. What friction holds beyond the traction falls
-    /// to zero at the edge of that zone as a pressure does at the edge of the contact, which hands the zone down. The
-    /// direction is that of the whole where the interpolated traction is zero.
+    /// Interpolates the tractions in the stick zone and sets them to the limit in the slip zone. The reserve of a cell
+    /// is its limit minus its traction. It falls to zero at the edge of the stick zone as a pressure does at the edge
+    /// of the contact, so the stick zone is prolongated like a contact. A cell with zero interpolated traction receives
+    /// the direction of the total.
     fn refined_start(
         &self,
         levels: GridTransfer<'_>,
@@ -106,7 +108,8 @@ where
             }
         }
         if N > 1 {
-            // Else what is missing of the sums would move the slipping cells too, and they would count as sticking.
+            // Without this step the deficit of the sums would also move the slipping cells, which would then count as
+            // sticking.
             let (sums, limits) = (self.totals.map(Total::sum), AbsBound(&self.limits));
             let sticks = |cell: usize| reserves[cell] > 0.0;
             let parts = slices_mut(&mut start);
@@ -116,7 +119,7 @@ where
     }
 }
 
-/// How much more traction friction holds than a cell has: nothing at the limit.
+/// Returns the reserve of a cell, the friction limit minus the traction; zero at the limit.
 pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
     let length = norm(traction);
     if is_at_limit(length, limit) {
@@ -126,8 +129,8 @@ pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
     }
 }
 
-/// The traction of a cell that was interpolated from coarser cells, within its limit: at it where the cell slips, in a
-/// direction that may be given for one without traction.
+/// Returns the prolongated traction of a cell within its limit. If the cell slips, the traction is at the limit;
+/// `otherwise` is the direction for a cell without interpolated traction.
 pub(crate) fn prolongated_traction<const N: usize>(
     interpolated: [f64; N],
     limit: f64,

@@ -1,4 +1,4 @@
-//! One step of a tangential contact, of a problem from rest or of a history.
+//! One step of a tangential contact, in a problem from rest or in a history.
 
 use std::borrow::Cow;
 
@@ -20,49 +20,49 @@ use crate::tangential::traction_solver::{
 };
 use crate::tangential::{Axis, PressureOnWindow};
 
-/// The tangential contact on a window: pressure, limits and tractions of its cells, and the engine that solves a step.
+/// Tangential contact on a window: pressure, limits and tractions of its cells, and the solver of a step.
 ///
-/// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2 with $`s = C q - S - \delta`$ for the slip of the
-/// step. The offset $`S`$ is what $`u - \delta`$ is in a cell while it sticks, zero from rest. A history sets it, and the
-/// diagonal $`B`$ of the cells that enter the contact in the step, for which $`s = C q + B q - S - \delta`$.
+/// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2; the slip of the step is $`s = C q - S - \delta`$.
+/// The offset $`S`$ is the value of $`u - \delta`$ in a cell while it sticks, zero from rest. A history sets the
+/// offset. It also sets the diagonal $`B`$ of entry compliances, with which $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct TangentialIncrement {
     pub(super) bodies: HalfSpace,
     pub(super) axes: &'static [Axis],
     pub(crate) pressed: PressureOnWindow,
     pub(super) engine: Box<dyn TangentialEngine>,
-    /// The start of the next step, and the answer of the last.
+    /// Start of the next step and solution of the last step.
     pub(super) traction: TangentialVector,
     /// Offset of every cell in this step.
     pub(super) offset: TangentialVector,
-    /// What a solve asks of each cell; it is written first, and serves before as a buffer.
+    /// Linear term of the solve. A solve writes it first; until then it is a scratch buffer.
     pub(super) linear: TangentialVector,
-    /// Compliance of their own of the cells that enter the contact in this step; empty where none does.
+    /// Entry compliance of the cells that come into contact in this step; empty if no cell does.
     pub(super) diagonal: Vec<f64>,
-    /// `[a, b]` of what they have beside it in the plane, the rows `[a, b]` and `[b, -a]`; empty where it is the same in
-    /// all directions.
+    /// Deviators `[a, b]` of the entry compliances in the plane, with the rows `[a, b]` and `[b, -a]`; empty if the
+    /// compliance is the same in all directions.
     pub(super) deviator: Vec<[f64; 2]>,
-    /// Whether a cell does, of any rank.
+    /// Whether a cell of any rank comes into contact in this step.
     pub(super) has_entered: bool,
-    /// How pressure moves the surfaces, if it is to.
+    /// Operator of the tangential displacement by pressure, if it is modelled.
     pub(super) drawing: Option<CouplingDisplacement>,
     /// Motion of body 2 at the end of the last step.
     motion: RigidMotion,
 }
 
-/// How a step begins.
+/// Start of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Start {
-    /// From the answer on coarser cells.
+    /// Starts from the solution on coarser cells.
     Nested,
-    /// From the present tractions, which were an answer at this shift.
+    /// Starts from the present tractions, which were a solution at this shift.
     Present([f64; 2]),
-    /// From the present tractions, which are near the answer.
+    /// Starts from the present tractions, which are near the solution.
     Near,
 }
 
 impl TangentialIncrement {
-    /// Without traction.
+    /// Creates a step without traction.
     pub(crate) fn new(
         bodies: &HalfSpace,
         axes: &'static [Axis],
@@ -96,12 +96,12 @@ impl TangentialIncrement {
         self.engine.report()
     }
 
-    /// Motion of body 2 at the end of the last step solved, converged or not.
+    /// Returns the motion of body 2 at the end of the last step solved, converged or not.
     pub(crate) fn motion(&self) -> RigidMotion {
         self.motion
     }
 
-    /// Takes the tractions of the whole grid as the present ones.
+    /// Sets the present tractions from tractions of the whole grid.
     pub(crate) fn set_traction(&mut self, traction: [&[f64]; 2]) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
@@ -109,7 +109,7 @@ impl TangentialIncrement {
         }
     }
 
-    /// Takes these of the cells of the grid, by axis and cell, as the present ones.
+    /// Sets the present tractions from a function of axis and cell of the grid.
     pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
@@ -119,7 +119,7 @@ impl TangentialIncrement {
         }
     }
 
-    /// The present tractions, zero beyond the window, for another increment.
+    /// Writes the present tractions, zero outside the window, to another increment.
     pub(crate) fn hand_over(&self, other: &mut Self) -> Result<()> {
         let mut whole = fallible::zeros(self.bodies.grid().cells())?;
         for axis in self.axes.iter().map(|axis| axis.index()) {
@@ -131,7 +131,7 @@ impl TangentialIncrement {
         Ok(())
     }
 
-    /// Moves the present tractions on by so many times a trend of the cells held here.
+    /// Extrapolates the present tractions by `parts` times a trend of the local cells.
     pub(crate) fn extrapolate(&mut self, trend: &LoadTrend<2>, parts: f64) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let change = self.pressed.region.taken(&trend.change[axis]);
@@ -143,21 +143,21 @@ impl TangentialIncrement {
         }
     }
 
-    /// What the last step has found.
+    /// Returns the solution of the last step.
     pub(crate) fn answer(&self) -> StepSolution<'_> {
         let (traction, offset) = (slices(&self.traction), slices(&self.offset));
         let found = [traction, self.engine.product(), offset];
         StepSolution::new(&self.pressed, self.axes, found, self.motion)
     }
 
-    /// Gives the buffers of the solve back: the displacements of the answer are gone.
+    /// Returns the buffers of the solve to their pools; the displacements of the solution are lost.
     pub(crate) fn rest(&mut self) {
         self.engine.rest();
     }
 
-    /// The displacement of the cells held here that the present tractions cause, computed anew.
+    /// Recomputes the displacement by the present tractions and returns it for the local cells of the grid.
     pub(crate) fn fresh_displacement(&mut self) -> Result<[Cow<'_, [f64]>; 2]> {
-        // A solve writes its linear term first.
+        // The linear term can serve as a buffer, since a solve writes it first.
         self.engine.apply(&self.traction, &mut self.linear)?;
         let mut held = [Cow::Borrowed(&[][..]), Cow::Borrowed(&[][..])];
         for axis in self.axes.iter().map(|axis| axis.index()) {
@@ -166,11 +166,12 @@ impl TangentialIncrement {
         Ok(held)
     }
 
-    /// Finds the tractions at the end of a step, and the motion of body 2 there, which was `before` at its beginning.
+    /// Computes the tractions and the motion of body 2 at the end of a step; `before` is the motion at its start.
     ///
     /// # Errors
-    /// [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible tractions and their motion; what is
-    /// wrong with the demand before any work.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a limit is reached; the last feasible tractions and
+    ///   their motion remain available.
+    /// - Errors of the load, before any work.
     pub(crate) fn solve(
         &mut self,
         demand: &TangentialTarget,
@@ -240,7 +241,7 @@ impl TangentialIncrement {
             .minimise(task, &mut self.traction, &settings, observer)
     }
 
-    /// What is prescribed of the sums of the tractions; the motion becomes the one they are measured from.
+    /// Converts the load to totals of the tractions and sets the motion from which they are measured.
     fn compute_totals(&mut self, demand: &TangentialTarget) -> Result<[Total; 2]> {
         let (cell_area, force) = (self.bodies.grid().cell_area(), demand.force());
         self.pressed.check(force, cell_area)?;
@@ -250,8 +251,8 @@ impl TangentialIncrement {
         demand.compute_totals(self.axes, sums, measured, &mut self.motion)
     }
 
-    /// Returns an error if the squares of the tractions or of the displacements that the load causes leave the range of
-    /// numbers. Tractions that are measured in a unit are compared with it.
+    /// Returns an error if the squares of the tractions or displacements that the load causes overflow or underflow.
+    /// Tractions that are measured in a unit are compared with that unit.
     fn check_size(&self, demand: &TangentialTarget, totals: [Total; 2]) -> Result<()> {
         let PressureOnWindow { region, limits, .. } = &self.pressed;
         if limits.sum <= 0.0 {
@@ -271,7 +272,7 @@ impl TangentialIncrement {
                 compliance,
             } => (far_end / (own + cells * compliance)).abs(),
         });
-        // A force that is not zero may vanish where it is spread over the cells.
+        // A force that is not zero may underflow when it is distributed over the cells.
         let is_pulled = demand.force().iter().any(|force| *force != 0.0);
         let is_idle = !is_pulled && totals.iter().all(|total| total.is_idle());
         if moved == 0.0 && is_idle {
@@ -289,8 +290,8 @@ impl TangentialIncrement {
         has_squares(quantity, traction * own, remedy).map(drop)
     }
 
-    /// The shift that, with a twist, would leave the cell of the largest limit without traction: measured from
-    /// there, a contact that has nowhere slipped asks for exactly none.
+    /// Returns the shift at which the cell of the largest limit would have no traction, given the twist. Measured from
+    /// this datum, a contact that has not slipped anywhere has exactly zero motion.
     fn datum(&self) -> [f64; 2] {
         let PressureOnWindow { region, limits, .. } = &self.pressed;
         let (limits, own) = (&limits.cells, region.own());
@@ -309,7 +310,7 @@ impl TangentialIncrement {
         motion.at(centre).map(|motion| -motion)
     }
 
-    /// Asks every cell to follow the motion, from its offset.
+    /// Sets the linear term so that every cell follows the motion from its offset.
     fn set_linear(&mut self) {
         let (grid, motion) = (self.bodies.grid().whole(), self.motion);
         let own = self.pressed.region.own();

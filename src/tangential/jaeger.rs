@@ -8,8 +8,7 @@ use crate::normal::NormalSolution;
 use crate::support::debug::shown;
 use crate::tangential::Zone;
 
-/// The tangential contact under `F = mu (W - W_stick)`, from the normal contacts under `W` and
-/// `W_stick`.
+/// Tangential contact under `F = mu (W - W_stick)`, from the normal contacts under `W` and `W_stick`.
 ///
 /// ```math
 /// q = \mu\,[p(W) - p(W_{stick})], \qquad
@@ -17,11 +16,11 @@ use crate::tangential::Zone;
 /// \kappa = \frac{2 - \nu}{2 (1 - \nu)}
 /// ```
 ///
-/// Stick is where the lighter contact still touches. Exact where the tangential compliance is
-/// proportional to the normal one: on any surface for Poisson's ratio zero, on spheres for any. On
-/// ellipsoids the traction is exact and the ratio of the shift is not `kappa`; on rough surfaces the
-/// traction is off by 4 to 6 % for a ratio of 0.29 and the shift by 0.7 %. Jaeger, J. Tribology 120 (1998) 677,
-/// <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
+/// The stick zone is the contact area of the lighter contact. The superposition is exact if the tangential compliance
+/// is proportional to the normal compliance: on any surface for Poisson's ratio zero, and on spheres for any Poisson's
+/// ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough surfaces the error
+/// of the traction is 4 to 6 % for Poisson's ratio 0.29, and the error of the shift 0.7 %. Jaeger, J. Tribology 120
+/// (1998) 677, <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
 /// <https://doi.org/10.1016/S0020-7683(97)00154-6>.
 #[derive(Clone, PartialEq)]
 pub struct JaegerSuperposition {
@@ -34,15 +33,18 @@ pub struct JaegerSuperposition {
 shown!(JaegerSuperposition: traction, shift, force);
 
 impl JaegerSuperposition {
-    /// From the contact `full` under the load W, the contact `stick` under the load
-    /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction.
-    /// The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// Creates the superposition from the contact `full` under the load W, the contact `stick` under the load
+    /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction. The coupling between
+    /// pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::UnsupportedForCoatings`]; [`Error::NegativeOrNotFinite`] for the coefficient or if `stick` carries more load than `full`, [`Error::GridMismatch`],
-    /// [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts differ in these, [`Error::MaterialMismatch`] if
-    /// either is of another pair, [`Error::NotConverged`] if either is not, with its report,
-    /// [`Error::EmptyContact`] if `full` carries no pressure.
+    /// - [`Error::UnsupportedForCoatings`] if a body is coated.
+    /// - [`Error::NegativeOrNotFinite`] if the coefficient is negative or `stick` carries more load than `full`.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts
+    ///   differ in these.
+    /// - [`Error::MaterialMismatch`] if a contact belongs to a different pair.
+    /// - [`Error::NotConverged`] with its report if a contact has not converged.
+    /// - [`Error::EmptyContact`] if `full` carries no pressure.
     pub fn new(
         full: &NormalSolution,
         stick: &NormalSolution,
@@ -76,7 +78,7 @@ impl JaegerSuperposition {
         if full.contact_cells() == 0 {
             return Err(Error::EmptyContact);
         }
-        // Two contacts under the same load may differ by round-off.
+        // The forces of two contacts under the same load may differ by round-off.
         let force = friction * (full.force() - stick.force());
         if force < -1e-12 * friction * full.force() {
             return Err(Error::NegativeOrNotFinite {
@@ -110,25 +112,25 @@ impl JaegerSuperposition {
         })
     }
 
-    /// Shear traction q on body 1 along the load (a pressure).
+    /// Returns the shear traction q on body 1 along the load (a pressure).
     #[must_use]
     pub fn traction(&self) -> &Field {
         &self.traction
     }
 
-    /// The zone of every cell, row-major with x fastest.
+    /// Returns the zone of every cell, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
         &self.zones
     }
 
-    /// Shift: the rigid motion of body 2 relative to body 1 (a length).
+    /// Returns the shift, the rigid motion of body 2 relative to body 1 (a length).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.shift
     }
 
-    /// Tangential force `mu (W - W_stick)`.
+    /// Returns the tangential force `mu (W - W_stick)`.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force

@@ -1,4 +1,4 @@
-//! The normal displacement by tractions, where materials couple the two.
+//! Normal displacement caused by tractions, for bodies of different materials.
 
 use crate::bodies::component::{Component, Direction};
 use crate::cgm::reduce;
@@ -16,7 +16,7 @@ pub(crate) struct Lifting {
     displacement: Vec<f64>,
 }
 
-/// Operator of the tractions along one axis.
+/// Operator of the normal displacement by the tractions along one axis.
 #[derive(Debug, Clone)]
 struct LiftPart {
     operator: ElasticOperator<1>,
@@ -37,7 +37,8 @@ impl Lifting {
         })
     }
 
-    /// Writes the normal displacement that tractions along x and y cause. A component that a model leaves out has no cells.
+    /// Writes the normal displacement that tractions along x and y cause. A component that the model omits has no
+    /// cells.
     pub(crate) fn lift(&mut self, traction: [&[f64]; 2], lift: &mut [f64]) {
         lift.fill(0.0);
         let added = &mut self.displacement;
@@ -53,9 +54,9 @@ impl Lifting {
     }
 }
 
-/// Returns half the range of the lift within the contact, over the largest normal displacement: the residual of the normal
-/// law that the lift leaves, since a uniform lift changes only the approach. Under a prescribed approach
-/// (`is_fixed`) the residual is the largest lift instead.
+/// Returns the residual of the normal law that the lift (the normal displacement by tractions) leaves. It is half the
+/// range of the lift within the contact, relative to the largest normal displacement, since a uniform lift changes only
+/// the approach. Under a prescribed approach (`is_fixed`) it is the largest lift instead of half the range.
 pub(crate) fn lift_residual(
     layout: &Layout,
     is_contact: impl Fn(usize) -> bool + Sync,

@@ -1,4 +1,4 @@
-//! What moves the bodies tangentially, along each axis and about the normal.
+//! Tangential load along each axis and about the normal.
 
 use crate::cgm::Total;
 use crate::contact::LoadIncrement;
@@ -6,37 +6,41 @@ use crate::error::{Error, Result, finite, positive};
 use crate::grid::boundary::Boundary;
 use crate::tangential::{Axis, RigidMotion, TangentialModel};
 
-/// What is prescribed along one axis.
+/// Prescribed tangential load along one axis.
 ///
-/// A problem takes it from rest; a step of a [`History`](crate::History) reaches it at its end, from the state before.
+/// A problem applies it to bodies at rest. A step of a [`History`](crate::History) starts from the previous state and
+/// reaches it at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum TangentialControl {
-    /// The tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
+    /// Tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force(f64),
-    /// The shift: the rigid motion of body 2 relative to body 1, far from the contact (a length, either sign), since
-    /// the unloaded state; the force follows, of the same sign when loaded from rest. On a periodic grid the shift is
-    /// measured from the mean plane of the surface, and the certified error against the exact contact under the force
-    /// that was found.
-    Shift(f64),
-    /// A machine that drags body 2 by a spring: the force is $`F = k\,(X - \delta)`$, the shift $`\delta`$ follows.
+    /// Shift since the unloaded state: the rigid motion of body 2 relative to body 1, far from the contact (a length,
+    /// either sign). The force follows and has the same sign when loaded from rest.
     ///
-    /// A spring a million times softer than the contact prescribes the force in effect: give that instead, because slip
-    /// is lost in the round-off of the stretch. Residuals are relative to the largest displacement of the bodies, or to
-    /// what the stiffest spring would stretch if all tractions pulled one way, where that is more.
+    /// On a periodic grid the shift is measured from the mean plane of the surface. The certified error is then
+    /// measured against the exact contact under the computed force.
+    Shift(f64),
+    /// Spring through which a machine drags body 2. The force is $`F = k\,(X - \delta)`$, and the shift $`\delta`$
+    /// follows.
+    ///
+    /// A spring a million times softer than the contact in effect prescribes the force. Prescribe the force directly in
+    /// this case, because the slip is lost in the round-off of the stretch. Residuals are relative to the largest
+    /// displacement of the bodies or to the stretch of the stiffest spring if all tractions had the same direction,
+    /// whichever is larger.
     Spring {
-        /// Position X of the far end of the spring (a length, either sign), since the unloaded state.
+        /// Position X of the far end of the spring (a length, either sign) since the unloaded state.
         position: f64,
-        /// Stiffness k (a force over a length), positive.
+        /// Stiffness k > 0 (a force over a length).
         stiffness: f64,
     },
-    /// The shift as it is, zero from rest; the force follows what pressure and friction have become.
+    /// Unchanged shift, zero from rest; the force follows from the present pressure and friction.
     Hold,
 }
 
 impl TangentialControl {
-    /// What is prescribed along `axis`, in words and as a number, if it is finite.
+    /// Returns the name and the value of the prescribed quantity along `axis`, or an error if the value is not finite.
     pub(crate) fn checked(self, axis: Axis) -> Result<(&'static str, f64)> {
         let by_axis = |names: [&'static str; 2]| names[axis.index()];
         let load = by_axis(["tangential load along x", "tangential load along y"]);
@@ -58,7 +62,7 @@ impl TangentialControl {
         Ok((quantity, finite(quantity, value)?))
     }
 
-    /// What is prescribed, as a number; zero moves nothing from rest.
+    /// Returns the prescribed value; zero causes no motion from rest.
     fn value(self) -> f64 {
         match self {
             Self::Force(value)
@@ -71,10 +75,10 @@ impl TangentialControl {
     }
 }
 
-/// A tangential load from rest: what is prescribed along x and along y, and the twist.
+/// Tangential load from rest: the prescribed load along x and along y, and the twist.
 ///
-/// The scalar model takes a load along one axis, zero across it and without twist
-/// ([`TangentialModel::Scalar`]); the vector model takes any mixture.
+/// The scalar model ([`TangentialModel::Scalar`]) accepts a load along one axis, with zero load across it and no twist.
+/// The vector model accepts any combination.
 ///
 /// ```
 /// use stickslip::{Axis, TangentialControl, TangentialLoad};
@@ -95,19 +99,20 @@ pub struct TangentialLoad {
 }
 
 impl TangentialLoad {
-    /// The tangential force `[x, y]` that body 2 exerts on body 1 (forces).
+    /// Prescribes the tangential force `[x, y]` that body 2 exerts on body 1 (forces).
     #[must_use]
     pub fn force(force: [f64; 2]) -> Self {
         Self::of(force.map(TangentialControl::Force))
     }
 
-    /// The shift `[x, y]` of body 2 relative to body 1 (lengths).
+    /// Prescribes the shift `[x, y]` of body 2 relative to body 1 (lengths).
     #[must_use]
     pub fn shift(shift: [f64; 2]) -> Self {
         Self::of(shift.map(TangentialControl::Shift))
     }
 
-    /// Springs of one stiffness (a force over a length) along both axes, whose far ends are at `[x, y]` (lengths).
+    /// Prescribes springs of one stiffness (a force over a length) along both axes, with far ends at `[x, y]`
+    /// (lengths).
     #[must_use]
     pub fn spring(position: [f64; 2], stiffness: f64) -> Self {
         Self::of(position.map(|position| TangentialControl::Spring {
@@ -123,29 +128,29 @@ impl TangentialLoad {
         }
     }
 
-    /// With another control along an axis.
+    /// Sets the control along an axis.
     #[must_use]
     pub fn along(mut self, axis: Axis, control: TangentialControl) -> Self {
         self.controls[axis.index()] = control;
         self
     }
 
-    /// With the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
-    /// x to y): beside the shift it moves body 2 by $`(-\varphi y, \varphi x)`$. Only the vector model takes other than
-    /// zero, and only on a grid that does not repeat.
+    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
+    /// x to y; default 0). In addition to the shift it moves body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist
+    /// needs the vector model and a grid that is not periodic.
     #[must_use]
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = twist;
         self
     }
 
-    /// What is prescribed along an axis.
+    /// Returns the control along an axis.
     #[must_use]
     pub fn control(&self, axis: Axis) -> TangentialControl {
         self.controls[axis.index()]
     }
 
-    /// As a step of a history from rest.
+    /// Converts the load to the target of a history step from rest.
     pub(crate) fn demand(&self) -> TangentialTarget {
         TangentialTarget {
             controls: self.controls,
@@ -153,7 +158,7 @@ impl TangentialLoad {
         }
     }
 
-    /// The axes of the tractions that a model finds under this load.
+    /// Returns the axes of the tractions that a model solves for under this load.
     pub(super) fn axes(&self, model: TangentialModel) -> Result<&'static [Axis]> {
         match (model, self.controls) {
             (TangentialModel::Vector, _) => Ok(Axis::BOTH),
@@ -167,7 +172,7 @@ impl TangentialLoad {
     }
 }
 
-/// What a step asks of the tangential contact.
+/// Tangential load at the end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TangentialTarget {
     pub(crate) controls: [TangentialControl; 2],
@@ -180,7 +185,7 @@ impl TangentialTarget {
         self.controls[axis.index()]
     }
 
-    /// How far it lies ahead of force and shift.
+    /// Returns the change of the load from the present force and shift.
     pub(crate) fn remaining_load(&self, force: [f64; 2], shift: [f64; 2]) -> [LoadIncrement; 2] {
         [0, 1].map(|axis| match self.controls[axis] {
             TangentialControl::Hold => LoadIncrement::Nothing,
@@ -196,7 +201,7 @@ impl TangentialTarget {
         })
     }
 
-    /// `Ok` if tractions along these axes can carry it; what pressure and friction allow is checked later.
+    /// Returns an error if tractions along these axes cannot carry the load. Pressure and friction are checked later.
     pub(crate) fn check(&self, axes: &[Axis], boundary: Boundary) -> Result<()> {
         for &axis in Axis::BOTH {
             let (quantity, value) = self.control(axis).checked(axis)?;
@@ -233,9 +238,11 @@ impl TangentialTarget {
         })
     }
 
-    /// What is prescribed of the sums of the tractions along these axes; the motion becomes the one that they are measured
-    /// from, at `datum` where the shift follows. `sums` are those of the forces, none where nothing can be carried: the
-    /// shift then is free, and stays.
+    /// Converts the load to totals of the tractions along these axes and sets the motion from which they are measured.
+    /// `datum` is that motion along axes whose shift follows from a force or a spring.
+    ///
+    /// `sums` are the totals for the prescribed forces; `None` if friction cannot carry any traction. The shift under a
+    /// force is then undetermined and remains unchanged.
     pub(crate) fn compute_totals(
         &self,
         axes: &[Axis],
@@ -272,7 +279,7 @@ impl TangentialTarget {
         Ok(totals)
     }
 
-    /// The motion of body 2 before anything has touched: no force can act, and a spring is slack.
+    /// Returns the motion of body 2 before the first contact. A non-zero force is an error, and a spring is slack.
     pub(crate) fn without_contact(
         &self,
         axes: &[Axis],
@@ -296,7 +303,7 @@ impl TangentialTarget {
         Ok(motion)
     }
 
-    /// The prescribed forces, zero where none is.
+    /// Returns the prescribed forces, zero along an axis without a prescribed force.
     pub(crate) fn force(&self) -> [f64; 2] {
         self.controls.map(|control| match control {
             TangentialControl::Force(force) => force,

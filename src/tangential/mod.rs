@@ -1,4 +1,4 @@
-//! Partial slip: shear traction, stick and slip under a tangential load within Coulomb friction.
+//! Partial slip: shear traction, stick and slip under a tangential load with Coulomb friction.
 //!
 //! ```math
 //! s = C\,q - \delta, \qquad |q| \le m, \qquad
@@ -6,32 +6,33 @@
 //! \qquad F = \Delta \textstyle\sum q
 //! ```
 //!
-//! (eqs 13-16 of Wang et al. 2021): `q` is the traction on body 1 along one axis, `C` is `C_xx` or
-//! `C_yy`, `delta` the shift of the bodies, `s` the slip, `m = min(mu p, tau_max)` the friction
-//! limit of each cell, `Delta` the area of a cell. For one monotonic load step with a pressure that
-//! shear does not change it is the minimum over `|q| <= m` of `1/2 q'Cq` with `Delta sum q = F`, if the force is
-//! prescribed, or of `1/2 q'Cq - delta sum q`, if the shift is.
+//! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, `C` is `C_xx` or `C_yy`, `delta`
+//! the shift of the bodies and `s` the slip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta`
+//! the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the force is
+//! prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed, it
+//! minimises `1/2 q'Cq - delta sum q`.
 //!
-//! The traction across the load is neglected, as in the paper, unless [`TangentialModel::Vector`] asks for both:
+//! The traction across the load is neglected, as in the paper, except in [`TangentialModel::Vector`], which solves for
+//! both components:
 //!
 //! ```math
 //! s = \begin{pmatrix} C_{xx} & C_{xy} \\ C_{xy} & C_{yy} \end{pmatrix} q - \delta, \qquad |q| \le m, \qquad
 //! s = 0 \text{ where } |q| < m, \qquad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! What the neglect costs at one shift, measured on the sphere at 0.1, 0.4 and 0.9 of the sliding force:
+//! The next table lists the effect of this neglect at one shift on a sphere, at 0.1, 0.4 and 0.9 of the sliding force:
 //!
-//! | Poisson's ratio | traction across, of the largest limit | its angle, at most | force | zones |
+//! | Poisson's ratio | traction across / largest limit | its largest angle | relative change of the force | changed zones |
 //! |---|---|---|---|---|
-//! | 0 | none | 0 | the same | the same |
+//! | 0 | 0 | 0 | 0 | 0 |
 //! | 0.29 | 1.3, 2.7, 3.7 % | 7.2 degrees | 6e-5, 2.4e-4, 4.7e-4 | 8 of 3200 cells at 0.9 |
 //! | 0.5 | 2.5, 5.4, 7.4 % | 14.6 degrees | 2.4e-4, 9e-4, 1.8e-3 | 20 of 3200 cells at 0.9 |
 //!
-//! [`TangentialProblem`] checks and holds a scene; [`TangentialSolver`] owns the buffers and starts
-//! from its last answer; [`TangentialSolution`] is the answer, with one [`Zone`] per cell.
-//! [`JaegerSuperposition`] is the exact answer where the two compliances are proportional.
+//! [`TangentialProblem`] validates and stores the input, [`TangentialSolver`] owns the buffers and starts each solve
+//! from its last solution, and [`TangentialSolution`] is the result with one [`Zone`] per cell. [`JaegerSuperposition`]
+//! is the exact solution if the two compliances are proportional.
 //!
-//! The example `sphere` draws:
+//! The example `sphere` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
 pub(crate) mod entry_rule;

@@ -1,10 +1,10 @@
-//! The offsets of a step: what displacement less motion is in a cell while it sticks.
+//! Offsets of a step: displacement minus motion of each cell while it sticks.
 
 use crate::half_space::Region;
 use crate::tangential::{RelativeDisplacement, TangentialIncrement, TangentialVector};
 
 impl TangentialIncrement {
-    /// Takes the offsets of a step from those of the cells held here.
+    /// Sets the offsets of a step from the offsets of the local cells.
     pub(crate) fn set_offset(&mut self, offset: &TangentialVector) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.offset[axis];
@@ -12,7 +12,7 @@ impl TangentialIncrement {
         }
     }
 
-    /// Carries the offsets to where the particles of rolling bodies are, and adds how far they have turned.
+    /// Moves the offsets with the particles of rolling bodies and adds their rotation.
     pub(crate) fn carry_offset(&mut self, carry: impl Fn(&mut [f64]), turned: [f64; 2]) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let part = &mut self.offset[axis];
@@ -23,8 +23,9 @@ impl TangentialIncrement {
         }
     }
 
-    /// Moves the offsets back by what the growth of the pressure displaces the surfaces, where pressure moves them: a cell
-    /// that sticks resists it by traction. `before` is the pressure that a cell of the grid had.
+    /// Subtracts the surface displacement by the growth of the pressure from the offsets, if pressure moves the
+    /// surfaces. A cell that sticks resists this displacement by traction. `before` returns the previous pressure of a
+    /// cell of the grid.
     pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
         if let Some(drawing) = &mut self.drawing {
             let present = &self.pressed.pressure;
@@ -38,7 +39,7 @@ impl TangentialIncrement {
         }
     }
 
-    /// Sets the offsets to those of bodies that were apart, and are displaced by this.
+    /// Sets the offsets of bodies that were apart: the negative displacements by the pressure and by `relative`.
     pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
         for offset in self.offset.iter_mut().flatten() {
             *offset = 0.0;
@@ -52,12 +53,13 @@ impl TangentialIncrement {
         }
     }
 
-    /// Moves the offsets back by the change of a relative displacement along each axis, in the cells held here.
+    /// Subtracts the change of a relative displacement along each axis from the offsets. `change` takes an axis and a
+    /// local cell.
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         self.subtract(|region, axis, buffer| region.collect(|cell| change(axis, cell), buffer));
     }
 
-    /// Takes from the offsets along each axis what is written.
+    /// Subtracts the field that `write` returns for each axis from the offsets.
     fn subtract(&mut self, write: impl Fn(&Region, usize, &mut [f64])) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let (offset, buffer) = (&mut self.offset[axis], &mut self.linear[axis]);

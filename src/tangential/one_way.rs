@@ -1,4 +1,4 @@
-//! The tangential displacement by pressure, where materials couple the two.
+//! Tangential displacement caused by pressure, for bodies of different materials.
 
 use crate::bodies::component::{Component, Direction};
 use crate::error::Result;
@@ -8,7 +8,7 @@ use crate::operator::{Operator, Scratch};
 use crate::tangential::Axis;
 use crate::tangential::traction_solver::TangentialVector;
 
-/// How pressures on a window draw its surfaces along the axes of a model.
+/// Operator of the tangential displacement by pressures on a window, along the axes of a model.
 #[derive(Debug, Clone)]
 pub(crate) struct CouplingDisplacement {
     parts: Vec<AxisPart>,
@@ -16,7 +16,7 @@ pub(crate) struct CouplingDisplacement {
     displacement: Vec<f64>,
 }
 
-/// Along one axis.
+/// Operator of the displacement along one axis.
 #[derive(Debug, Clone)]
 struct AxisPart {
     axis: Axis,
@@ -44,7 +44,7 @@ impl CouplingDisplacement {
         })
     }
 
-    /// Takes from a field what these pressures displace.
+    /// Subtracts the displacement by these pressures from a field.
     pub(super) fn subtract(
         &mut self,
         pressures: impl Iterator<Item = f64>,
@@ -57,7 +57,7 @@ impl CouplingDisplacement {
         });
     }
 
-    /// Shows what these pressures displace along each axis.
+    /// Passes the displacement by these pressures along each axis to a callback.
     pub(crate) fn displace(
         &mut self,
         pressures: impl Iterator<Item = f64>,

@@ -1,4 +1,4 @@
-//! What all ranks together have found, kept with the slab of each.
+//! Counts and sums over all ranks, stored with the slab of each rank.
 
 use crate::cgm::reduce;
 use crate::contact::contact_counts::ContactCounts;
@@ -11,18 +11,18 @@ use crate::tangential::rigid_motion::centre;
 /// Sums over the cells of a tangential contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TractionSums {
-    /// Of the tractions along x and along y.
+    /// Sums of the tractions along x and along y.
     pub(super) force: [f64; 2],
     pub(super) moment: f64,
-    /// Of the products of traction and slip.
+    /// Sum of the products of traction and slip.
     pub(super) work: f64,
-    /// Cells that stick, and that slip.
+    /// Numbers of cells that stick and that slip.
     pub(super) stick: usize,
     pub(super) slip: usize,
 }
 
 impl TractionSums {
-    /// Over cells that lie so.
+    /// Computes the sums over the cells of a layout.
     pub(super) fn of(
         layout: &Layout,
         traction: &[Field; 2],
@@ -51,7 +51,7 @@ impl TractionSums {
     }
 }
 
-/// Counts and sums of the whole grid, as every rank knows it.
+/// Counts and sums of the whole grid, equal on every rank.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ShearSums {
     pub(super) contact: ContactCounts,
@@ -59,7 +59,7 @@ pub(super) struct ShearSums {
 }
 
 impl ShearSums {
-    /// `None` of bodies that are not shared.
+    /// Computes the counts and sums; `None` if the bodies are not distributed.
     pub(super) fn of(
         bodies: &HalfSpace,
         traction: &[Field; 2],

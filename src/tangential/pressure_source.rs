@@ -1,4 +1,4 @@
-//! The pressure that a tangential contact is under.
+//! Pressure of a tangential contact.
 
 use crate::error::{Error, Result, all_non_negative};
 use crate::grid::field::Field;
@@ -6,9 +6,9 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 
-/// The pressure of a tangential contact: that of a solved normal contact, or one from elsewhere.
+/// Pressure of a tangential contact, from a solved normal contact or from another source.
 ///
-/// A prescribed pressure (pressures, zero where nothing touches) comes from a closed form, a measurement, or a code
+/// A prescribed pressure (pressures, zero outside the contact) may come from a closed form, a measurement, or a code
 /// that models more of the normal contact than elasticity.
 ///
 /// ```
@@ -30,9 +30,9 @@ use crate::normal::NormalSolution;
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum PressureSource<'a> {
-    /// Of a normal contact on the same bodies, materials too, which must have converged.
+    /// Pressure of a converged normal contact on the same bodies and materials.
     Solved(&'a NormalSolution),
-    /// Of each cell, non-negative and finite, whatever bodies it was found on.
+    /// Pressure of each cell, non-negative and finite; it may belong to any bodies.
     Prescribed(&'a Field),
 }
 
@@ -49,7 +49,7 @@ impl<'a> From<&'a Field> for PressureSource<'a> {
 }
 
 impl<'a> PressureSource<'a> {
-    /// The pressure of every cell, if it is one on these bodies.
+    /// Returns the pressure of every cell, or an error if it is not valid on these bodies.
     pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {
             Self::Solved(normal) => {
@@ -68,7 +68,7 @@ impl<'a> PressureSource<'a> {
     }
 }
 
-/// `Ok` if a normal solution, solved or not, belongs to these bodies.
+/// Returns an error if a normal solution, converged or not, does not belong to these bodies.
 pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Result<()> {
     let quantity = "normal solution";
     bodies.check_host(quantity, normal.grid(), normal.boundary())?;
@@ -79,7 +79,7 @@ pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Resul
     Ok(())
 }
 
-/// The smallest window around all pressure; all of the grid along an axis that repeats.
+/// Returns the smallest window that contains all pressure. It covers the whole grid along a periodic axis.
 pub(crate) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
     let contact = bodies.around(|i| pressure[i] > 0.0);
     contact

@@ -1,4 +1,4 @@
-//! The scene of a tangential contact, checked once.
+//! Input of a tangential contact, checked when it is built.
 
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Method, Settings, settings_methods};
@@ -12,7 +12,7 @@ use crate::tangential::{
     TangentialLoad, TangentialModel, TangentialSolution, TangentialSolver, check_axes,
 };
 
-/// Bodies, pressure, friction and tangential load.
+/// Bodies, pressure, friction and load of a tangential contact.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
@@ -68,8 +68,8 @@ pub struct TangentialProblemBuilder<'a, 'p> {
 try_clone!(TangentialProblem { pressed, friction, relative } { bodies, load, model, coupling, settings });
 
 impl TangentialProblem {
-    /// Starts from what is required: bodies, a solved normal contact on them or a field of pressure, friction,
-    /// load.
+    /// Starts a builder from the required input: bodies, the pressure (a solved normal contact on these bodies or a
+    /// field), friction and load.
     #[doc(alias = "partial slip")]
     #[doc(alias = "stick slip")]
     pub fn builder<'a, 'p>(
@@ -90,11 +90,12 @@ impl TangentialProblem {
         }
     }
 
-    /// Solves once, with buffers of its own.
+    /// Solves the contact once with temporary buffers.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report, use [`TangentialSolver::solve_into`] to keep the last iterate; as
-    /// [`HalfSpace::operator`].
+    /// - [`Error::NotConverged`] with the report if a limit is reached. Use [`TangentialSolver::solve_into`] to keep
+    ///   the last iterate.
+    /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<TangentialSolution> {
         let mut solver = TangentialSolver::new(self.try_clone()?)?;
         let mut solution = solver.try_new_solution()?;
@@ -102,15 +103,15 @@ impl TangentialProblem {
         Ok(solution)
     }
 
-    /// The reusable form: a solver that owns its buffers and lets load, friction and pressure change.
+    /// Creates a reusable solver, which owns its buffers and lets load, friction and pressure change.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`].
+    /// Errors of [`HalfSpace::operator`].
     pub fn into_solver(self) -> Result<TangentialSolver> {
         TangentialSolver::new(self)
     }
 
-    /// Its step from rest, along these axes, under this pressure.
+    /// Creates the step from rest along these axes under this pressure.
     pub(super) fn increment(
         &self,
         axes: &'static [Axis],
@@ -121,7 +122,7 @@ impl TangentialProblem {
         Ok(increment)
     }
 
-    /// Largest tangential force friction holds: the integral of the friction limit.
+    /// Returns the largest tangential force that friction can carry, the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
         self.pressed.limits.sum * self.bodies.grid().cell_area()
@@ -131,20 +132,22 @@ impl TangentialProblem {
 impl<'p> TangentialProblemBuilder<'_, 'p> {
     settings_methods!();
 
-    /// Which tractions are found (default [`TangentialModel::Scalar`]).
+    /// Sets the model of the tractions (default [`TangentialModel::Scalar`]).
     pub fn model(mut self, model: TangentialModel) -> Self {
         self.model = model;
         self
     }
 
-    /// Whether the pressure moves the surfaces of bodies of different materials tangentially (default
-    /// [`Coupling::OneWay`]: it does, and the tractions are those that belong to this pressure). With the pressure of a normal
-    /// problem, which is frictionless, that is Goodman's assumption; [`Coupling`] has its errors. [`Coupling::Full`] is
-    /// refused for such bodies: there the pressure is not given ([`CoupledProblem`](crate::CoupledProblem)).
+    /// Sets whether the pressure moves the surfaces of bodies of different materials tangentially. By default
+    /// ([`Coupling::OneWay`]) it does, and the tractions are computed for this pressure.
     ///
-    /// The problem presses such bodies in one step. This is exact if the contact does not grow, as that of a flat punch.
-    /// Elsewhere the stick zone is not the zone of a load that grows: press a history by
-    /// [`History::press`](crate::History::press). The solution has the warning
+    /// For the pressure of a normal problem, which is frictionless, this is Goodman's assumption; its errors are listed
+    /// at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then depends on the
+    /// tractions ([`CoupledProblem`](crate::CoupledProblem)).
+    ///
+    /// The problem presses such bodies together in one step. This is exact for a contact that does not grow, such as
+    /// the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a growing load;
+    /// use [`History::press`](crate::History::press) to press in several steps. The solution has the warning
     /// [`SingleLoadStep`](crate::Warning::SingleLoadStep).
     ///
     /// ```
@@ -161,7 +164,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     ///     TangentialLoad::force([0.0, 0.0]),
     /// );
     /// let tangential = at_rest.model(TangentialModel::Vector).build()?.solve()?;
-    /// // Pressing alone draws the surface of aluminium inwards over that of steel, and makes the rim slip.
+    /// // Pressing alone draws the surface of aluminium inwards over the surface of steel and makes the rim slip.
     /// assert!(tangential.slip_area() > 0.0 && tangential.stick_area() > 0.0);
     /// # Ok::<(), Error>(())
     /// ```
@@ -170,21 +173,28 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         self
     }
 
-    /// A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load
-    /// (default: none).
+    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause, applied in proportion to the
+    /// load (default: none).
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
         self.relative = Some(relative);
         self
     }
 
-    /// Checks everything and cuts out the contact.
+    /// Checks the input, and creates the problem on the bounding box of the contact.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] if the normal contact is not, with its report; [`Error::Sample`] for a prescribed
-    /// pressure that is negative or not finite, or a bulk strain along an axis on which the grid repeats; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    /// [`Error::MaterialMismatch`] for one of other bodies; [`Error::CoupledMaterials`], [`Error::ObliqueLoad`],
-    /// [`Error::UnsupportedByModel`], [`Error::NotFinite`], [`Error::EmptyContact`], [`Error::BeyondFrictionCapacity`],
-    /// [`Error::Tolerance`], [`Error::IterationLimit`]; [`Error::Ranks`].
+    /// - [`Error::NotConverged`] with the report of the normal contact if it has not converged.
+    /// - [`Error::Sample`] for a prescribed pressure that is negative or not finite, or a bulk strain along a periodic
+    ///   axis.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if a field or contact
+    ///   belongs to other bodies.
+    /// - [`Error::CoupledMaterials`] for [`Coupling::Full`] with bodies of different materials.
+    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::NotFinite`] if a number of the load is not finite or the limits overflow.
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.
+    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a setting is out of range.
+    /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<TangentialProblem> {
         let grid = self.bodies.grid();
         let demand = self.load.demand();
@@ -215,7 +225,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         })
     }
 
-    /// What every rank checks of its own; returns the pressure of the cells held here.
+    /// Checks the input as far as a rank can without the others, and returns the pressure of the local cells.
     fn check(&self) -> Result<&'p [f64]> {
         let grid = self.bodies.grid();
         self.friction.check(grid)?;
@@ -233,7 +243,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
 }
 
 impl TangentialModel {
-    /// `Ok` if the model has the method.
+    /// Returns an error if the model does not support the method.
     pub(crate) fn check(self, settings: &Settings) -> Result<()> {
         match (self, settings.method) {
             (Self::Vector, Method::PolonskyKeer) => Err(Error::Method {
@@ -245,7 +255,7 @@ impl TangentialModel {
     }
 }
 
-/// `Ok` if the pressure may be given.
+/// Returns an error if the coupling does not allow a prescribed pressure.
 fn check_coupling(bodies: &HalfSpace, coupling: Coupling) -> Result<()> {
     if coupling.is_joint(bodies.pair()) {
         let beta = bodies.pair().coupling_strength();

@@ -1,4 +1,4 @@
-//! Displacements of one body relative to the other that the contact does not cause.
+//! Relative displacements of the bodies that the contact does not cause.
 
 use crate::error::{Error, Result, all_finite};
 use crate::grid::Grid;
@@ -7,16 +7,16 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::tangential::{Axis, TangentialModel};
 
-/// A tangential displacement w of body 1 relative to body 2 in each cell that tractions of the contact do not cause
-/// (lengths, `[x, y]`): bulk strain, thermal expansion, the deformation by a contact nearby.
+/// Tangential displacement w of body 1 relative to body 2 in each cell that the tractions of the contact do not cause
+/// (lengths, `[x, y]`). Examples are bulk strain, thermal expansion and the deformation by a nearby contact.
 ///
-/// The slip is then $`s = u + w - \delta`$: where the bodies stick, tractions make up for it. A uniform part of it is a
-/// shift of the other sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+/// The slip is then $`s = u + w - \delta`$. Where the bodies stick, tractions balance w. A uniform w acts like a shift
+/// of the opposite sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
 /// use stickslip::tangential::RelativeDisplacement;
 /// use stickslip::{Grid, Material};
-/// // A flat specimen, body 1, under a bulk stress of 100 MPa along x, too wide to contract along y.
+/// // A flat specimen (body 1), too wide to contract along y, under a bulk stress of 100 MPa along x.
 /// let titanium = Material::new(115e3, 0.32)?;
 /// let grid = Grid::line(64, 0.01)?;
 /// let strain = titanium.plane_strain_under(100.0);
@@ -34,11 +34,11 @@ use crate::tangential::{Axis, TangentialModel};
 )]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
-    /// The uniform strain that they follow from, zero where they do not.
+    /// Uniform strain behind the displacements; zero if they do not follow from a uniform strain.
     strain: [[f64; 2]; 2],
 }
 
-/// What was read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -71,10 +71,11 @@ impl PartialEq for RelativeDisplacement {
 try_clone!(RelativeDisplacement { fields } { strain });
 
 impl RelativeDisplacement {
-    /// The displacements of the cells along x and along y.
+    /// Creates the displacements from their values in the cells along x and along y.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] if they are on two grids, [`Error::Sample`] at the first that is not finite.
+    /// - [`Error::GridMismatch`] if the grids of the two fields differ.
+    /// - [`Error::Sample`] at the first value that is not finite.
     pub fn new(fields: [Field; 2]) -> Result<Self> {
         let [x, y] = &fields;
         x.check("relative displacement along x", y.grid())?;
@@ -83,14 +84,15 @@ impl RelativeDisplacement {
         Ok(Self { fields, strain })
     }
 
-    /// That of a uniform strain of body 1 less that of body 2: $`w_i = \sum_j \varepsilon_{ij} x_j`$, zero at the origin
-    /// of the grid, with the components `[[xx, xy], [yx, yy]]`, positive where body 1 is stretched.
+    /// Creates the displacements $`w_i = \sum_j \varepsilon_{ij} x_j`$ of a uniform strain, zero at the origin of the
+    /// grid. `strain` is the strain of body 1 minus the strain of body 2, with the components `[[xx, xy], [yx, yy]]`.
+    /// It is positive if body 1 is stretched.
     ///
-    /// Problems and histories refuse it with [`Error::Sample`] where the grid repeats along an axis of the strain: the
-    /// displacement would jump from one period to the next.
+    /// On a grid that is periodic along an axis of the strain, problems and histories return [`Error::Sample`], because
+    /// the displacement would jump from one period to the next.
     ///
     /// # Errors
-    /// [`Error::Sample`] if a component is not finite.
+    /// - [`Error::Sample`] if a component is not finite.
     #[doc(alias = "bulk stress")]
     pub fn bulk_strain(grid: Grid, strain: [[f64; 2]; 2]) -> Result<Self> {
         all_finite("bulk strain", strain.as_flattened())?;
@@ -100,38 +102,38 @@ impl RelativeDisplacement {
         Ok(Self { fields, strain })
     }
 
-    /// None of all cells.
+    /// Creates zero displacements for all cells.
     pub(crate) fn zeros(grid: Grid) -> Result<Self> {
         let fields = [Field::try_zeros(grid)?, Field::try_zeros(grid)?];
         let strain = [[0.0; 2]; 2];
         Ok(Self { fields, strain })
     }
 
-    /// The displacements along x and along y (lengths).
+    /// Returns the displacements along x and along y (lengths).
     #[must_use]
     pub fn fields(&self) -> [&Field; 2] {
         self.fields.each_ref()
     }
 
-    /// The largest magnitude along an axis (a length).
+    /// Returns the largest magnitude along an axis (a length).
     pub(crate) fn largest(&self) -> f64 {
         let fields = self.fields.iter();
         let magnitudes = fields.map(|field| field.max().max(-field.min()));
         magnitudes.fold(0.0, f64::max)
     }
 
-    /// Along an axis in a cell of the grid.
+    /// Returns the displacement along an axis in a cell of the grid.
     pub(crate) fn at(&self, axis: usize, cell: usize) -> f64 {
         self.fields[axis].as_slice()[cell]
     }
 
-    /// To be read into; numbers must stay finite.
+    /// Returns the fields for restoring a saved state; the values must remain finite.
     pub(crate) fn fields_mut(&mut self) -> [&mut Field; 2] {
         self.fields.each_mut()
     }
 
-    /// `Ok` if it is on the grid of these bodies, repeats where that does, and is zero along an axis of which tractions
-    /// are not found.
+    /// Returns an error if the displacement is on a different grid, has a strain along a periodic axis, or is not zero
+    /// along an axis without tractions.
     pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
         let grid = bodies.grid();
         grid.expect("relative displacement", self.fields[0].grid())?;

@@ -1,4 +1,4 @@
-//! Rigid motion of one body over the other.
+//! Rigid motion of one body relative to the other.
 
 use crate::grid::Grid;
 
@@ -6,12 +6,12 @@ use crate::grid::Grid;
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct RigidMotion {
     pub(crate) shift: [f64; 2],
-    /// In radians, positive from x to y.
+    /// Rotation in radians, positive from x to y.
     pub(crate) twist: f64,
 }
 
 impl RigidMotion {
-    /// What it moves a point.
+    /// Returns the displacement of a point.
     pub(crate) fn at(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.shift[0] - self.twist * y,
@@ -19,7 +19,7 @@ impl RigidMotion {
         ]
     }
 
-    /// From the motion before to this.
+    /// Returns the motion from `before` to `self`.
     pub(crate) fn since(self, before: Self) -> Self {
         Self {
             shift: [0, 1].map(|axis| self.shift[axis] - before.shift[axis]),
@@ -28,7 +28,7 @@ impl RigidMotion {
     }
 }
 
-/// The centre of a cell.
+/// Returns the centre of a cell.
 pub(crate) fn centre(grid: Grid, index: usize) -> [f64; 2] {
     [grid.x(index % grid.nx()), grid.y(index / grid.nx())]
 }

@@ -1,4 +1,4 @@
-//! The answer to a tangential contact.
+//! Solution of a tangential contact.
 
 use crate::cgm::reduce;
 use crate::contact::map::ContactMap;
@@ -23,8 +23,8 @@ use crate::warning::{Resolution, Warning};
 
 /// Traction, slip, zones and shift of a tangential contact.
 ///
-/// Vectors are `[x, y]`; the scalar model leaves the component across the load at zero. Two are equal if their answers
-/// are, however they were found.
+/// Vectors are `[x, y]`. In the scalar model the component across the load is zero. Equality compares the results and
+/// ignores the report.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TangentialSolution {
@@ -36,12 +36,12 @@ pub struct TangentialSolution {
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
-    /// Dundurs' beta of the bodies, of a half of a coupled solution.
+    /// Dundurs' beta of the bodies, if this is part of a coupled solution.
     coupled: Option<f64>,
-    /// Whether a contact of dissimilar bodies with friction has grown to its size in one step.
+    /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     is_pressed_at_once: bool,
     report: Report,
-    /// Of a slab, what all ranks together have found.
+    /// Counts and sums over all ranks, if the fields are a slab.
     #[cfg_attr(feature = "serde", serde(skip))]
     whole: Option<Box<ShearSums>>,
 }
@@ -80,7 +80,7 @@ impl PartialEq for TangentialSolution {
     }
 }
 
-/// What is read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "TangentialSolution")]
@@ -118,7 +118,7 @@ impl<'de> serde::Deserialize<'de> for TangentialSolution {
 }
 
 impl TangentialSolution {
-    /// No contact yet.
+    /// Creates a solution without contact.
     pub(crate) fn empty(bodies: &HalfSpace) -> Result<Self> {
         let grid = bodies.grid();
         let zeros = || try_each(|_| Field::try_zeros(grid));
@@ -156,22 +156,23 @@ impl TangentialSolution {
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
     }
 
-    /// As the half of a solution of bodies in which the tractions have changed the pressure, of this Dundurs' beta.
+    /// Sets Dundurs' beta if the solution is part of a coupled solution, in which the tractions have changed the
+    /// pressure.
     pub(crate) fn set_coupled(&mut self, beta: Option<f64>) {
         self.coupled = beta;
     }
 
-    /// Sets whether a contact of dissimilar bodies with friction has grown to its size in one step.
+    /// Sets whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
     }
 
-    /// Returns the warning of a contact that was pressed at once.
+    /// Returns the warning for a contact that was pressed in one step.
     pub(crate) fn pressing_warning(&self) -> Option<Warning> {
         self.is_pressed_at_once.then_some(Warning::SingleLoadStep)
     }
 
-    /// `Ok` if the pressure does not follow from the tractions.
+    /// Returns an error if the pressure depends on the tractions.
     pub(crate) fn check_uncoupled(&self) -> Result<()> {
         match self.coupled {
             Some(beta) => Err(Error::CoupledMaterials { beta }),
@@ -179,7 +180,7 @@ impl TangentialSolution {
         }
     }
 
-    /// Takes what was found in the contact cells held here.
+    /// Writes the solution in the local contact cells.
     fn enter(&mut self, answer: &StepSolution<'_>) {
         let grid = self.grid();
         for (k, i) in answer.region.held().indices().enumerate() {
@@ -196,76 +197,78 @@ impl TangentialSolution {
         }
     }
 
-    /// `Ok` if the solution is one of bodies like these.
+    /// Returns an error if the solution does not belong to bodies like these.
     pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         let quantity = "tangential contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
         bodies.check_values(quantity, self.cell_value)
     }
 
-    /// The grid of all its fields.
+    /// Returns the grid of all fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.traction[0].grid()
     }
 
-    /// Shear traction q on body 1 along x and along y (pressures), positive along the axis; exactly
-    /// zero outside the contact.
+    /// Returns the shear traction q on body 1 along x and along y (pressures), positive along the axis; exactly zero
+    /// outside the contact.
     #[doc(alias = "shear stress")]
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
     }
 
-    /// Slip `s = u - delta` of the surface of body 1 over that of body 2 (lengths): against the traction in
-    /// slip cells, exactly zero in stick cells and outside the contact.
+    /// Returns the slip `s = u - delta` of the surface of body 1 over the surface of body 2 (lengths). It is opposite
+    /// to the traction in slip cells, and exactly zero in stick cells and outside the contact.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Returns the boundary condition at the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.boundary
     }
 
-    /// The meaning of the value of a cell.
+    /// Returns the meaning of the value of a cell.
     #[must_use]
     pub fn cell_value(&self) -> CellValue {
         self.cell_value
     }
 
-    /// The zone of every cell, row-major with x fastest.
+    /// Returns the zone of every cell, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
         &self.zones
     }
 
-    /// The axis of the load in the scalar model, `None` in that of the plane.
+    /// Returns the axis of the load in the scalar model; `None` in the vector model.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
         self.axis
     }
 
-    /// Shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force):
-    /// prescribed, or the multiplier of the force. On a periodic grid it is measured from the mean plane
-    /// of the surface.
-    /// Under a force that slides the whole contact it is the shift at which the last cell begins to slip (in the
-    /// vector model the displacement of that cell; the slip of the others is not yet parallel to it).
+    /// Returns the shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force): the
+    /// prescribed shift or the multiplier of the force. On a periodic grid it is measured from the mean plane of the
+    /// surface.
+    ///
+    /// Under a force that slides the whole contact it is the shift at which the last cell starts to slip. In the vector
+    /// model it is then the displacement of that cell, and the slip of the other cells is not yet parallel to the
+    /// traction.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Rotation of body 2 relative to body 1 about the origin of the grid, as prescribed (radians, positive from x to
-    /// y).
+    /// Returns the prescribed rotation of body 2 relative to body 1 about the origin of the grid (radians, positive
+    /// from x to y).
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
     }
 
-    /// Tangential force that body 2 exerts on body 1, the integral of the traction.
+    /// Returns the tangential force that body 2 exerts on body 1, the integral of the traction.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         match &self.whole {
@@ -274,30 +277,30 @@ impl TangentialSolution {
         }
     }
 
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
-    /// positive from x to y).
+    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 (force times
+    /// length, positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.sums().moment * self.grid().cell_area()
     }
 
-    /// Displacement of the surface of body 1 relative to that of body 2 by the tractions (lengths), of all cells, in
-    /// contact or not: one product with the operator of the bodies.
+    /// Computes the displacement of the surface of body 1 relative to the surface of body 2 by the tractions (lengths),
+    /// in all cells inside and outside the contact. This takes one product with the operator of the bodies.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    /// [`Error::CellValueMismatch`] for bodies that the solution is not of; as
-    /// [`HalfSpace::operator`].
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the solution belongs
+    ///   to other bodies.
+    /// - Errors of [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
         bodies.collective_result(self.check_bodies(bodies))?;
         let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
         displacement(bodies, axes, self.traction())
     }
 
-    /// Elastic energy of shear, $`\tfrac A2 \sum q \cdot u`$ (force times length).
+    /// Computes the elastic energy of shear, $`\tfrac A2 \sum q \cdot u`$ (force times length).
     ///
     /// # Errors
-    /// As [`TangentialSolution::displacement`].
+    /// Errors of [`TangentialSolution::displacement`].
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {
         let displacement = self.displacement(bodies)?;
         let pairs = self.traction.iter().zip(&displacement);
@@ -308,13 +311,13 @@ impl TangentialSolution {
         bodies.joint(Ok(0.5 * self.grid().cell_area() * energy))
     }
 
-    /// Whether the whole contact slips.
+    /// Returns whether the whole contact slips.
     #[must_use]
     pub fn is_gross_slip(&self) -> bool {
         self.stick_cells() == 0 && self.slip_cells() > 0
     }
 
-    /// Stick area over contact area, by counting cells; zero for an empty solution.
+    /// Returns the ratio of stick area to contact area from the number of cells; zero for an empty solution.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let (stick, slip) = (self.stick_cells(), self.slip_cells());
@@ -325,42 +328,42 @@ impl TangentialSolution {
         }
     }
 
-    /// Area of the stick zone, by counting cells.
+    /// Returns the area of the stick zone from the number of cells.
     #[must_use]
     pub fn stick_area(&self) -> f64 {
         self.stick_cells() as f64 * self.grid().cell_area()
     }
 
-    /// Area of the slip zone, by counting cells.
+    /// Returns the area of the slip zone from the number of cells.
     #[must_use]
     pub fn slip_area(&self) -> f64 {
         self.slip_cells() as f64 * self.grid().cell_area()
     }
 
-    /// Energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
+    /// Returns the energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
-        // Not the negative of it: full stick dissipates 0, not -0.
+        // A subtraction from zero gives 0 for full stick, whereas a negation would give -0.
         0.0 - self.sums().work * self.grid().cell_area()
     }
 
-    /// How the solve ended, what it cost, how large its error can be.
+    /// Returns the report of the solve: its status, cost and error bound.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// Remarks on the contact that a result may mislead; see [`Warning`].
+    /// Returns warnings that the result may be misleading; see [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())
     }
 
-    /// [`Self::warnings`] where memory may run out.
+    /// Returns the same warnings as [`Self::warnings`], or an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings();
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
@@ -372,7 +375,7 @@ impl TangentialSolution {
         Ok(warnings)
     }
 
-    /// Those of the zones that stick and slip.
+    /// Returns the warnings about the stick and slip zones.
     pub(crate) fn zone_warnings(&self) -> impl Iterator<Item = Warning> {
         let cells = [self.stick_cells(), self.slip_cells()];
         let contact = Resolution::of_contact(self.grid().whole(), cells[0] + cells[1]);
@@ -401,7 +404,7 @@ impl TangentialSolution {
         }
     }
 
-    /// Over all cells.
+    /// Returns the sums over all cells.
     fn sums(&self) -> TractionSums {
         let sums = || {
             TractionSums::of(
@@ -416,14 +419,14 @@ impl TangentialSolution {
 }
 
 impl TangentialSolution {
-    /// An estimate of the discretisation error of the tractions, as that of the pressure
-    /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)): the sum of the magnitudes
-    /// of the errors over that of the magnitudes of the tractions, both components together. `None` without traction, and on a
-    /// slab of a grid that ranks share.
+    /// Estimates the discretisation error of the tractions in the same way as that of the pressure
+    /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)). It is the sum of
+    /// the magnitudes of the errors over the sum of the magnitudes of the tractions, with both components together.
+    /// Returns `None` without traction and on a slab of a distributed grid.
     ///
-    /// The table lists the estimate over the error of the means in partial slip, on N x N cells over three contact radii. The
-    /// contacts are a sphere, a gap r^4 and an ellipse 2 : 1, each at six places between the cells and at 10 to 90 % of the
-    /// sliding force.
+    /// The table lists the ratio of the estimate to the error of the means in partial slip, on N x N cells over three
+    /// contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1, each at six positions between the
+    /// cells and at 10 to 90 % of the sliding force.
     ///
     /// | slip ring | N | values at the centres | uniform cells |
     /// |---|---|---|---|
@@ -433,9 +436,9 @@ impl TangentialSolution {
     /// | half a cell to one cell | 24 to 128 | 0.57 to 1.46 | 0.67 to 1.19 |
     /// | less than half a cell | 24 to 64 | 0.43 to 0.88 | 0.58 to 1.03 |
     ///
-    /// The ring of an ellipse is that at its longer half axis. Ratios of spheres lie between 0.81 and 1.23 for values at the
-    /// centres of 48 cells or more. A traction that changes its sign from cell to cell,
-    /// as after many reversals, has more error at its many edges than one of the same sum.
+    /// The ring of an ellipse is measured at its longer half axis. The ratios for spheres lie between 0.81 and 1.23 for
+    /// values at the centres of 48 cells or more. A traction that changes sign from cell to cell, for instance after
+    /// many reversals, has a larger error at its many edges than a smooth traction of the same sum.
     #[must_use]
     pub fn discretisation_estimate(&self) -> Option<f64> {
         estimate(self.traction(), self.boundary(), self.cell_value())

@@ -1,4 +1,4 @@
-//! The reusable solver of a tangential contact.
+//! Reusable solver of a tangential contact.
 
 use crate::cgm::solver_settings;
 use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
@@ -15,11 +15,11 @@ use crate::tangential::{
     TangentialProblem, TangentialSolution,
 };
 
-/// Solves tangential contacts again and again, each time from the last answer.
+/// Solver of a sequence of tangential contacts; each solve starts from the last solution.
 ///
-/// Owns plans, buffers and the last traction, all of the size of the contact's bounding box; load,
-/// friction and pressure may change between calls. Each solve is one monotonic step from the
-/// unsheared state: it does not remember slip.
+/// The solver owns plans, buffers and the last traction, all of the size of the contact's bounding box. Load, friction
+/// and pressure may change between calls. Each solve is one monotonic step from the unsheared state and does not depend
+/// on earlier slip.
 ///
 /// ```
 /// use stickslip::*;
@@ -45,9 +45,9 @@ use crate::tangential::{
 /// ```
 #[derive(Clone)]
 pub struct TangentialSolver {
-    /// Its pressure and limits are those under examination, not yet in force.
+    /// Problem to solve. Its pressure and limits are candidates for the next solve, which must pass a check before use.
     problem: TangentialProblem,
-    /// The step on the contact's bounding box, with the last traction, the start of the next.
+    /// Step on the bounding box of the contact, with the last traction as the start of the next solve.
     increment: TangentialIncrement,
     is_warm: bool,
     report: Report,
@@ -67,13 +67,17 @@ impl TangentialSolver {
         })
     }
 
-    /// Changes the load of the next solve. A load along the other axis brings in that axis's
-    /// operator, the one change that allocates.
+    /// Changes the load of the next solve. A load along the other axis needs the operator of that axis; no other change
+    /// of load allocates.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::ObliqueLoad`], [`Error::UnsupportedByModel`] or
-    /// [`Error::BeyondFrictionCapacity`]; for one along the other axis as
-    /// [`HalfSpace::operator`](crate::HalfSpace::operator); [`Error::Ranks`]; the load is then as it was.
+    /// - [`Error::NotFinite`] or [`Error::NotPositive`] if a number of the load is invalid.
+    /// - [`Error::ObliqueLoad`] or [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.
+    /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator) for a load along the other axis.
+    /// - [`Error::Ranks`] if ranks fail or pass different loads.
+    ///
+    /// The load is unchanged after an error.
     pub fn set_load(&mut self, load: TangentialLoad) -> Result<()> {
         let TangentialProblem {
             bodies, relative, ..
@@ -81,7 +85,7 @@ impl TangentialSolver {
         bodies.collective_result_checked(Ok(()), &[("tangential load", &load)])?;
         let (demand, boundary) = (load.demand(), bodies.boundary());
         let mut axes = load.axes(self.problem.model)?;
-        // A solver at rest keeps its axis.
+        // A load that fits the present axes keeps them; a zero load always does.
         if demand.check(self.increment.axes(), boundary).is_ok() {
             axes = self.increment.axes();
         }
@@ -103,8 +107,12 @@ impl TangentialSolver {
     /// Changes the friction of the next solve.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::NotFinite`] if the limits overflow, or [`Error::BeyondFrictionCapacity`] if
-    /// the present load is more than the new friction holds; [`Error::Ranks`]; the friction is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::NotFinite`] if the limits overflow.
+    /// - [`Error::BeyondFrictionCapacity`] if the present load exceeds the capacity of the new friction.
+    /// - [`Error::Ranks`] if ranks fail or pass different friction.
+    ///
+    /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.problem.bodies)?;
         let pressure = &self.increment.pressed.pressure;
@@ -116,15 +124,21 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the pressure of the next solve to that of a solved normal contact or a field, as wear or another
-    /// normal load does. Allocates only if the contact has left the bounding box it had.
+    /// Changes the pressure of the next solve, for instance after wear or a change of the normal load. The pressure
+    /// comes from a solved normal contact or a field. Allocates only if the contact has left its bounding box.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::MaterialMismatch`],
-    /// [`Error::NotConverged`], [`Error::Sample`], [`Error::EmptyContact`], [`Error::NotFinite`] if the limits
-    /// overflow, or [`Error::BeyondFrictionCapacity`] if the present load is more than friction now holds; as
-    /// [`HalfSpace::operator`](crate::HalfSpace::operator) where the contact has left its box; [`Error::Ranks`]; the
-    /// pressure is then as it was.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the pressure belongs to
+    ///   other bodies.
+    /// - [`Error::NotConverged`] if the normal contact has not converged.
+    /// - [`Error::Sample`] if a pressure is negative or not finite.
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - [`Error::NotFinite`] if the limits overflow.
+    /// - [`Error::BeyondFrictionCapacity`] if the present load exceeds the friction capacity under this pressure.
+    /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator) if the contact has left its bounding box.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The pressure is unchanged after an error.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
         let bodies = &self.problem.bodies;
         let samples = bodies.collective_result(pressure.into().checked(bodies))?;
@@ -136,7 +150,7 @@ impl TangentialSolver {
             self.increment.draw(self.problem.relative.as_ref());
             return Ok(());
         }
-        // A little wider than the contact, so that it may grow some more.
+        // The window is a little wider than the contact, so that the contact can grow.
         let mut pressed = PressureOnWindow::new(bodies, contact.widened(bodies.grid()))?;
         pressed.set(samples, &self.problem.friction);
         self.check_load(&pressed)?;
@@ -148,13 +162,16 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the displacement of body 1 relative to body 2 that the contact does not cause of the next solve. Allocates
+    /// Changes the relative displacement of the bodies that the contact does not cause for the next solve. Allocates
     /// only if there was none.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::UnsupportedByModel`] for one along an axis of which the model finds no traction;
-    /// [`Error::Sample`] for a bulk strain along an axis on which the grid repeats; [`Error::Ranks`]; the displacement is
-    /// then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::UnsupportedByModel`] if the displacement is not zero along an axis without tractions.
+    /// - [`Error::Sample`] for a bulk strain along an axis in which the grid is periodic.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The displacement is unchanged after an error.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.collective_result(relative.check(bodies, self.increment.axes()))?;
@@ -166,7 +183,7 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Puts pressure and limits under examination in force.
+    /// Makes the candidate pressure and limits current.
     fn take_candidate(&mut self) {
         std::mem::swap(&mut self.problem.pressed, &mut self.increment.pressed);
     }
@@ -178,7 +195,7 @@ impl TangentialSolver {
             .check(self.problem.load.demand().force(), cell_area)
     }
 
-    /// Largest tangential force friction holds: the integral of the friction limit.
+    /// Returns the largest tangential force that friction can carry, the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
         self.increment.pressed.limits.sum * self.problem.bodies.grid().cell_area()
@@ -188,17 +205,17 @@ impl TangentialSolver {
         solver.problem.model.check(settings)
     });
 
-    /// Forgets the last answer: the next solve starts as the first did.
+    /// Discards the last solution. The next solve starts as the first did.
     pub fn reset(&mut self) {
         self.is_warm = false;
     }
 
     solver_methods!(TangentialSolution, problem.bodies);
 
-    /// [`Self::new_solution`] where memory may run out.
+    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_new_solution(&self) -> Result<TangentialSolution> {
         let bodies = &self.problem.bodies;
         TangentialSolution::empty(bodies)
@@ -222,7 +239,7 @@ impl TangentialSolver {
             .increment
             .solve(&demand, RigidMotion::default(), start, &mut conditions);
         let is_answered = has_iterate(&outcome);
-        // Do not warm-start from NaN.
+        // The next solve must not start from NaN.
         self.is_warm = is_answered && self.increment.report().residual.is_finite();
         self.report.clone_from(self.increment.report());
         let bodies = &self.problem.bodies;

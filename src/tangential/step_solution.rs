@@ -1,4 +1,4 @@
-//! What a step has found in the cells of a window, however it was found.
+//! Solution of a step in the cells of a window.
 
 use crate::half_space::Region;
 use crate::numerics::cell_vector::{dot, minus, slices};
@@ -7,7 +7,7 @@ use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, PressureOnWindow, RigidMotion, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
-/// model leaves out has no cells.
+/// model omits has no cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepSolution<'a> {
     pub(crate) region: &'a Region,
@@ -16,14 +16,14 @@ pub(crate) struct StepSolution<'a> {
     pub(crate) limits: &'a [f64],
     pub(crate) traction: [&'a [f64]; 2],
     pub(crate) displacement: [&'a [f64]; 2],
-    /// What displacement less motion is in a cell while it sticks.
+    /// Displacement minus motion of a cell while it sticks.
     pub(crate) offset: [&'a [f64]; 2],
-    /// Of body 2, at the end of the step.
+    /// Motion of body 2 at the end of the step.
     pub(crate) motion: RigidMotion,
 }
 
 impl<'a> StepSolution<'a> {
-    /// Of traction, displacement and offset of the cells under this pressure.
+    /// Creates the solution from traction, displacement and offset of the cells under this pressure.
     pub(crate) fn new(
         pressed: &'a PressureOnWindow,
         axes: &'static [Axis],
@@ -42,7 +42,7 @@ impl<'a> StepSolution<'a> {
         }
     }
 
-    /// Works with the answer of the cells held here.
+    /// Calls `work` with the solution in the local cells of the grid.
     pub(crate) fn with_held<T>(&self, work: impl FnOnce(&StepSolution<'_>) -> T) -> T {
         let region = self.region;
         let give = |parts: [&[f64]; 2]| {
@@ -68,23 +68,23 @@ impl<'a> StepSolution<'a> {
         })
     }
 
-    /// The traction of a cell.
+    /// Returns the traction of a cell.
     pub(crate) fn traction(&self, cell: usize) -> [f64; 2] {
         at(&self.traction, cell)
     }
 
-    /// The displacement of a cell.
+    /// Returns the displacement of a cell.
     pub(crate) fn displacement(&self, cell: usize) -> [f64; 2] {
         at(&self.displacement, cell)
     }
 
-    /// The offset of a cell.
+    /// Returns the offset of a cell.
     pub(crate) fn offset(&self, cell: usize) -> [f64; 2] {
         at(&self.offset, cell)
     }
 
-    /// Slip of a cell in the step, if it slips: of a cell that carries all that friction holds and has moved against its
-    /// traction. A motion along the traction is residual of the solve.
+    /// Returns the slip of a cell in the step, or `None` if it does not slip. A cell slips if it is at its friction
+    /// limit and has moved against its traction. A motion along the traction is a residual of the solve.
     pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
         let moved = minus(self.displacement(cell), self.motion.at(centre));
         let moved = minus(moved, self.offset(cell));
@@ -92,7 +92,7 @@ impl<'a> StepSolution<'a> {
         slips.then_some(moved)
     }
 
-    /// What a cell does.
+    /// Returns the zone of a cell.
     pub(crate) fn zone(&self, cell: usize) -> Zone {
         match (self.pressure[cell] > 0.0, self.is_at_limit(cell)) {
             (false, _) => Zone::Separated,
@@ -101,7 +101,7 @@ impl<'a> StepSolution<'a> {
         }
     }
 
-    /// Whether a cell carries all that friction holds there.
+    /// Returns whether a cell is at its friction limit.
     pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
         let [x, y] = self.traction(cell);
         is_at_limit(x.hypot(y), self.limits[cell])

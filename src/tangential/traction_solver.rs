@@ -1,4 +1,4 @@
-//! The engine of a tangential contact behind one face, for one traction or two.
+//! Tangential solver with a common interface for one and two components of the traction.
 
 use std::borrow::Cow;
 use std::fmt::Debug;
@@ -17,10 +17,10 @@ use crate::report::Report;
 use crate::tangential::Axis;
 use crate::tangential::friction_problem::FrictionProblem;
 
-/// A vector of the plane on the cells of a window, `[x, y]`; a component that the model leaves out has no cells.
+/// Vector in the plane for the cells of a window, `[x, y]`; a component that the model omits has no cells.
 pub(crate) type TangentialVector = [Vec<f64>; 2];
 
-/// Zero in the components along these axes.
+/// Creates zero components along these axes.
 pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<TangentialVector> {
     let mut both = TangentialVector::default();
     for axis in axes {
@@ -29,30 +29,30 @@ pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<TangentialVector> {
     Ok(both)
 }
 
-/// `[x, y]` of a cell, zero where the model has no component.
+/// Returns `[x, y]` of a cell, with zero for a component that the model omits.
 pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
     let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
     [part(0), part(1)]
 }
 
-/// What is asked of a solve.
+/// Input of a tangential solve.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialRequest<'a> {
     pub(super) limits: &'a [f64],
-    /// Compliance that cells have of their own, if any do.
+    /// Entry compliance of the cells; empty if no cell comes into contact.
     pub(super) own: CellCompliance<'a>,
     pub(super) linear: &'a TangentialVector,
     pub(super) totals: [Total; 2],
-    /// The multipliers at which the start has been an answer, if it has.
+    /// Multipliers for which the start was a solution, if it was one.
     pub(super) known: Option<[f64; 2]>,
-    /// What tractions are to be measured in, if their squares would leave the range of numbers: the operator relates them
-    /// to displacements in any unit.
+    /// Unit of the tractions if their squares would otherwise overflow or underflow. The operator is linear, so
+    /// displacements scale with the unit.
     pub(super) unit: Option<f64>,
 }
 
-/// An engine, whatever the number of tractions.
+/// Interface of the tangential solver for any number of components.
 pub(super) trait TangentialEngine: Debug + Send + Sync {
-    /// Minimises from the tractions into them.
+    /// Minimises in place, starting from `traction`.
     fn minimise(
         &mut self,
         task: TangentialRequest<'_>,
@@ -61,8 +61,8 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         observer: Observer<'_>,
     ) -> Result<()>;
 
-    /// Tractions to start from: the answer on coarser cells, or the plain start of a method that has no other, and of
-    /// a contact that slides as a whole.
+    /// Returns the tractions to start from: the solution on coarser cells, or the plain start for a method without a
+    /// nested start and for a contact that slides as a whole.
     fn start(
         &self,
         bodies: &HalfSpace,
@@ -72,25 +72,25 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<TangentialVector>;
 
-    /// The displacements that tractions cause; the answer stays.
+    /// Computes the displacements that tractions cause; the last solution is unchanged.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     fn apply(
         &mut self,
         traction: &TangentialVector,
         displacement: &mut TangentialVector,
     ) -> Result<()>;
 
-    /// The displacements of the last answer.
+    /// Returns the displacements of the last solution.
     fn product(&self) -> [&[f64]; 2];
 
-    /// The shift that forces and springs cause beyond what is prescribed.
+    /// Returns the shift that forces and springs cause in addition to the prescribed shift.
     fn multiplier(&self) -> [f64; 2];
 
     fn report(&self) -> &Report;
 
-    /// Gives the buffers back, and the displacements of the answer with them.
+    /// Returns the buffers to their pools; the displacements of the solution are lost.
     fn rest(&mut self);
 
     fn boxed(&self) -> Box<dyn TangentialEngine>;
@@ -102,7 +102,7 @@ impl Clone for Box<dyn TangentialEngine> {
     }
 }
 
-/// The engine for tractions along these axes, x first: the one place that chooses.
+/// Creates the solver for tractions along these axes, x first.
 pub(super) fn engine_along(
     bodies: &HalfSpace,
     axes: &[Axis],
@@ -114,7 +114,8 @@ pub(super) fn engine_along(
     })
 }
 
-/// `Ok` if tractions along these axes can be found, and what pressure moves along them where that is modelled.
+/// Returns an error if the bodies lack an operator for tractions along these axes, or for the displacement by pressure
+/// along them if it is modelled.
 pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) -> Result<()> {
     match axes {
         [axis] => bodies.check_directions([axis.direction()], false)?,
@@ -128,7 +129,7 @@ pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) 
     Ok(())
 }
 
-/// The displacements that tractions along these axes cause on the whole grid.
+/// Computes the displacements of the whole grid that tractions along these axes cause.
 pub(crate) fn displacement(
     bodies: &HalfSpace,
     axes: &[Axis],
@@ -154,7 +155,7 @@ pub(crate) fn displacement(
     bodies.joint(Ok(displacement))
 }
 
-/// The engine for `N` tractions.
+/// Solver for `N` components of the traction.
 #[derive(Debug, Clone)]
 struct AxesEngine<const N: usize>
 where
@@ -173,7 +174,7 @@ where
         Ok(Self { axes, solver })
     }
 
-    /// `[x, y]` of these components, nothing where the model has none.
+    /// Returns `[x, y]` of these components, with the default value for a component that the model omits.
     fn both<T: Default>(&self, values: [T; N]) -> [T; 2] {
         let mut both = <[T; 2]>::default();
         for (axis, value) in self.axes.iter().zip(values) {
@@ -183,12 +184,12 @@ where
     }
 }
 
-/// The components along these axes.
+/// Returns the components along these axes.
 fn of<const N: usize>(axes: [Axis; N], both: &TangentialVector) -> [&[f64]; N] {
     axes.map(|axis| both[axis.index()].as_slice())
 }
 
-/// What is asked for along these axes, in the unit of the tractions.
+/// Returns the input of the solve along these axes, in the unit of the tractions.
 fn scene<const N: usize>(
     axes: [Axis; N],
     task: TangentialRequest<'_>,
@@ -205,7 +206,7 @@ fn scene<const N: usize>(
     })
 }
 
-/// A field in a unit, if there is one.
+/// Returns a field in a unit; the field itself without a unit.
 fn measured(field: &[f64], unit: Option<f64>) -> Result<Cow<'_, [f64]>> {
     let Some(unit) = unit else {
         return Ok(field.into());
@@ -220,10 +221,10 @@ fn rescale(vector: &mut TangentialVector, factor: f64) {
     }
 }
 
-/// The components along these axes, to write to.
+/// Returns mutable components along these axes.
 fn of_mut<const N: usize>(axes: [Axis; N], both: &mut TangentialVector) -> [&mut [f64]; N] {
     let mut parts = both.each_mut().map(Some);
-    // Each axis occurs once.
+    // Each axis occurs at most once.
     axes.map(|axis| parts[axis.index()].take().map_or(&mut [][..], |part| part))
 }
 
@@ -308,7 +309,7 @@ where
 }
 
 impl Axis {
-    /// The direction of tractions along it.
+    /// Returns the direction of tractions along the axis.
     pub(crate) const fn direction(self) -> Direction {
         match self {
             Self::X => Direction::X,

@@ -1,13 +1,13 @@
-//! What a cell does, along which axis, and which tractions a model has.
+//! Zones of the cells, axes and models of a tangential contact.
 
-/// The state of a cell under a tangential load.
+/// State of a cell under a tangential load.
 ///
-/// As a number for a file (`zone as u8`), and as a byte in memory: 0 separated, 1 stick, 2 slip.
+/// As a number in a file (`zone as u8`) and as a byte in memory: 0 separated, 1 stick, 2 slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u8)]
 pub enum Zone {
-    /// No pressure: out of contact.
+    /// Out of contact, without pressure.
     Separated,
     /// In contact, below the friction limit, without slip.
     Stick,
@@ -15,20 +15,20 @@ pub enum Zone {
     Slip,
 }
 
-/// The axis of a tangential load in the scalar model.
+/// Axis of a tangential load in the scalar model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Axis {
-    /// Along x.
+    /// x axis.
     X,
-    /// Along y.
+    /// y axis.
     Y,
 }
 
 impl Axis {
     pub(crate) const BOTH: &'static [Self] = &[Self::X, Self::Y];
 
-    /// Its place in a pair `[x, y]`.
+    /// Returns the index of the axis in a pair `[x, y]`.
     #[must_use]
     pub const fn index(self) -> usize {
         match self {
@@ -37,7 +37,7 @@ impl Axis {
         }
     }
 
-    /// The axes of tractions along this one alone.
+    /// Returns the axes of tractions along this axis only.
     pub(crate) const fn alone(self) -> &'static [Self] {
         match self {
             Self::X => &[Self::X],
@@ -45,7 +45,7 @@ impl Axis {
         }
     }
 
-    /// The one axis of the tractions, if there is one.
+    /// Returns the single axis of the tractions, or `None` if there are two.
     pub(crate) fn only(axes: &[Self]) -> Option<Self> {
         match axes {
             [axis] => Some(*axis),
@@ -54,25 +54,25 @@ impl Axis {
     }
 }
 
-/// Which tractions are found under a tangential load.
+/// Components of the traction that a tangential problem solves for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum TangentialModel {
-    /// The traction along the load alone, as in the paper (default); the traction across it is neglected.
+    /// Traction along the load (default). The traction across it is neglected, as in the paper.
     #[default]
     Scalar,
-    /// Both components, within `hypot(q_x, q_y) <= m`: slip opposes traction in direction, and loads may have any.
-    /// It takes about three times the time. The coupling of pressure and traction that dissimilar bodies have is another
-    /// matter, see [`coupled`](crate::coupled).
+    /// Both components, with `hypot(q_x, q_y) <= m`. Slip is opposite to the traction, and loads may have any
+    /// direction. A solve takes about three times as long as a scalar solve. The coupling of pressure and traction of
+    /// dissimilar bodies is separate from this choice, see [`coupled`](crate::coupled).
     Vector,
 }
 
 impl TangentialModel {
-    /// What to do about a load that only the vector model has.
+    /// Remedy in the error for a load that only the vector model supports.
     pub(crate) const VECTOR_REMEDY: &str = "build it with the vector model";
 
-    /// The model of tractions along these axes.
+    /// Returns the model of tractions along these axes.
     pub(crate) fn of(axes: &[Axis]) -> Self {
         match axes {
             [_] => Self::Scalar,

@@ -1,16 +1,18 @@
-//! The driver of a fretting loop.
+//! Driver of a fretting loop.
 
 use std::ops::ControlFlow;
 
 use crate::error::{Error, Result};
 use crate::history::{Cycle, History, LoadPath, LoadStep};
 
-/// A path of load, taken again and again.
+/// Load path that is repeated for a number of cycles.
 ///
-/// `load` turns each value of the path into a [`LoadStep`]: [`LoadStep::force`] and [`LoadStep::shift`] do, a
-/// closure makes a [`LoadStep::spring`], or adds normal load or twist. A history along an axis takes a path along
-/// that axis. In a loop that changes the gap, give the normal load in every step, `.normal(NormalControl::Force(w))`:
-/// else the pressure stays that of the old gap, and the [step](crate::history::StepResult::warnings) says so.
+/// `load` turns each value of the path into a [`LoadStep`]. Use [`LoadStep::force`] or [`LoadStep::shift`], or a
+/// closure that returns a [`LoadStep::spring`] or adds a normal load or a twist. A history along one axis accepts a
+/// path along this axis.
+///
+/// If the loop changes the gap, prescribe the normal load in every step, `.normal(NormalControl::Force(w))`. Otherwise
+/// the pressure of the old gap remains, and the [step](crate::history::StepResult::warnings) has a warning.
 ///
 /// ```
 /// use stickslip::history::{FrettingLoop, LoadPath, StopReason, Regime};
@@ -21,14 +23,14 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
 ///
-/// // To and fro by 2 um under 100 N, for as many as ten cycles.
+/// // Back and forth by 2 um under 100 N, for at most ten cycles.
 /// let path = LoadPath::sine([2e-6, 0.0], 20)?;
 /// let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(100.0));
 /// let outcome = FrettingLoop::new(path, load)
 ///     .until_steady(1e-4)
 ///     .run(&mut history, 10)?;
 ///
-/// // The first cycle holds the first loading, the second is a loop that closes.
+/// // The first cycle includes the first loading; the second is a closed loop.
 /// assert_eq!((outcome.ending, outcome.cycles), (StopReason::Steady, 2));
 /// assert_eq!(outcome.last.regime(), Regime::PartialSlip);
 /// assert!(outcome.last.energy_ratio() < 0.2);
@@ -43,7 +45,7 @@ pub struct FrettingLoop<F> {
 }
 
 impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
-    /// A loop along this path, by the step that `load` makes of each value `[x, y]` of it.
+    /// Creates a loop along this path, with the step that `load` returns for each value `[x, y]`.
     pub fn new(path: LoadPath, load: F) -> Self {
         Self {
             path,
@@ -52,38 +54,40 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         }
     }
 
-    /// Stops after the first cycle whose [closure](Cycle::cyclic_residual) is no more than `tolerance`, in `(0, 1)`
-    /// (default: never). That is the largest of all cells: energies stand still cycles earlier.
+    /// Stops after the first cycle whose [closure](Cycle::cyclic_residual) is at most `tolerance`, in `(0, 1)`
+    /// (default: never). The closure is the largest over all cells; energies become steady cycles earlier.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
         self
     }
 
-    /// Takes one cycle and adds it up in `cycle`, which begins anew. After a step that fails, history
-    /// and `cycle` are as they were after the last good one.
+    /// Takes one cycle and accumulates it in `cycle`, which is restarted. If a step fails, history and `cycle` remain
+    /// in the state after the last successful step.
     ///
     /// # Errors
-    /// As [`History::step`]; [`Error::GridMismatch`] for the cycle.
+    /// - [`Error::GridMismatch`] if the grid of `cycle` differs.
+    /// - Errors of [`History::step`].
     pub fn cycle(&self, history: &mut History, cycle: &mut Cycle) -> Result<()> {
         let mut unobserved = |_: &mut History, _: &Cycle| Ok(ControlFlow::Continue(()));
         self.pass(history, cycle, &mut unobserved).map(|_| ())
     }
 
-    /// Takes `cycles` cycles, or fewer if one is steady before.
+    /// Takes `cycles` cycles, or fewer if a cycle is steady.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] before any step; as [`History::step`], with the history as it was after the last
-    /// good one.
+    /// - [`Error::Tolerance`] before any step if the tolerance is not in `(0, 1)`.
+    /// - Errors of [`History::step`]; the history remains in its state after the last successful step.
     pub fn run(&self, history: &mut History, cycles: usize) -> Result<FrettingResult> {
         self.run_observed(history, cycles, |_, _| Ok(ControlFlow::Continue(())))
     }
 
-    /// [`FrettingLoop::run`] with an observer that is called after every step, with the history and the cycle so
-    /// far. It may wear the gap, change friction, write, or break off. Steps that it takes itself enter no
-    /// cycle.
+    /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step with the history and the cycle
+    /// so far. The observer may wear the gap, change friction, write output, or stop the loop. Steps that the observer
+    /// takes do not count in any cycle.
     ///
     /// # Errors
-    /// As [`FrettingLoop::run`], and what the observer returns.
+    /// - Errors of [`FrettingLoop::run`].
+    /// - Errors of the observer.
     pub fn run_observed(
         &self,
         history: &mut History,
@@ -91,7 +95,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         mut observer: impl FnMut(&mut History, &Cycle) -> Result<ControlFlow<()>>,
     ) -> Result<FrettingResult> {
         if let Some(tolerance) = self.tolerance {
-            // Not a number is refused too.
+            // This form also rejects NaN.
             if !(tolerance > 0.0 && tolerance < 1.0) {
                 return Err(Error::Tolerance(tolerance));
             }
@@ -119,7 +123,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         })
     }
 
-    /// One cycle, as far as the observer lets it go.
+    /// Takes one cycle, unless the observer stops it.
     fn pass(
         &self,
         history: &mut History,
@@ -140,29 +144,29 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 }
 
-/// Why a fretting loop ended.
+/// Reason why a fretting loop ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum StopReason {
-    /// The last cycle closed, to the tolerance asked for.
+    /// The last cycle closed to the requested tolerance.
     Steady,
-    /// All cycles were taken, and none was steady, or none had to be.
+    /// All cycles were taken without a steady cycle, or without a tolerance.
     CycleLimit,
-    /// The observer broke off.
+    /// The observer stopped the loop.
     Stopped,
 }
 
-/// What a fretting loop came to.
+/// Result of a fretting loop.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct FrettingResult {
-    /// Whole cycles taken.
+    /// Number of whole cycles taken.
     pub cycles: usize,
-    /// Why there were no more.
+    /// Reason for the end of the loop.
     pub ending: StopReason,
-    /// The last cycle, with the [warnings](Cycle::warnings) of its steps. It is incomplete if the observer broke off,
-    /// and has no steps if none were asked for.
+    /// Last cycle, with the [warnings](Cycle::warnings) of its steps. It is incomplete if the observer stopped the
+    /// loop, and empty if no cycles were requested.
     pub last: Cycle,
 }

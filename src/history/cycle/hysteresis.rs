@@ -1,10 +1,10 @@
-//! The loop that force and shift describe in a cycle, and cycles in tables.
+//! Loop of force and shift in a cycle, and tables of cycles.
 
 use std::fmt::Write;
 
 use crate::history::{Cycle, History};
 
-/// A point of the loop of force and shift: the beginning of a cycle, or the end of a step.
+/// Point of the loop of force and shift, at the start of a cycle or the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -20,7 +20,7 @@ pub struct LoopPoint {
 }
 
 impl LoopPoint {
-    /// Where the history is.
+    /// Returns the present point of a history.
     pub(in crate::history) fn of(history: &History) -> Self {
         Self {
             force: history.tangential_force(),
@@ -32,15 +32,14 @@ impl LoopPoint {
 }
 
 impl Cycle {
-    /// Work of the tangential force and of the moment, $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n +
-    /// M_{n+1})\,\Delta\varphi`$ (a force times a length): the area that the loop of the [points](Cycle::points) encloses
-    /// where it closes.
+    /// Returns the work of the tangential force and of the moment,
+    /// $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$ (a force times a
+    /// length). For a closed loop it is the area that the [points](Cycle::points) enclose.
     ///
-    /// The [`work`](crate::history::EnergyBalance::work) of the balance, which slip dissipates around a closed loop, is this
-    /// as long as nothing else works: it has in addition the work of a changing
-    /// [relative displacement](crate::tangential::RelativeDisplacement), such as that of bulk stress, that of the pressure
-    /// where pressure and traction are coupled, and, where the contact grows, less of the motion that new cells have not
-    /// followed.
+    /// Around a closed loop slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. That work
+    /// also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such as
+    /// that of a bulk stress, and for coupled bodies the work of the pressure. If the contact grows, it excludes the
+    /// motion that new cells have not followed.
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
@@ -54,7 +53,7 @@ impl Cycle {
     /// let mut cycle = Cycle::new(&history);
     /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 8)?, LoadStep::shift);
     /// fretting.cycle(&mut history, &mut cycle)?;
-    /// // A force alone: the loop encloses all work.
+    /// // Only a force acts, so the loop encloses all work.
     /// assert!((cycle.work_of_loads() / cycle.energy().work - 1.0).abs() < 1e-9);
     /// # Ok::<(), Error>(())
     /// ```
@@ -72,22 +71,22 @@ impl Cycle {
         steps.map(work).sum()
     }
 
-    /// Energy ratio $`E_d / (4\,Q^*\delta^*)`$ of the energy dissipated, by tractions at the end of each step,
-    /// to that of a rectangle around the loop; zero where nothing was dissipated, infinite where force or shift
-    /// stood still meanwhile.
+    /// Returns the energy ratio $`E_d / (4\,Q^*\delta^*)`$. It relates the energy dissipated, from the tractions at the
+    /// end of each step, to the energy of a rectangle around the loop. It is zero without dissipation, and infinite if
+    /// energy was dissipated while the force or the shift was constant.
     ///
-    /// $`Q^*`$ is half the longest chord of the path of force in the plane, and $`\delta^*`$ half the range
-    /// of the shift along it; where body 2 turns, the product of the half ranges of moment and twist comes to
-    /// theirs. On a sphere pressed by a constant force the ratio grows to 1/5 at the limit of sliding
-    /// (Mindlin & Deresiewicz), and by sliding to one: Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
-    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, take 1/5 for the transition from partial to gross
-    /// slip. Loops round an ellipse may exceed one.
+    /// $`Q^*`$ is half the longest chord of the path of the force in the plane, and $`\delta^*`$ half the range of the
+    /// shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to their
+    /// product. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of sliding (Mindlin &
+    /// Deresiewicz), and to one by sliding. Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
+    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross slip. The ratio
+    /// of loops around an ellipse may exceed one.
     #[must_use]
     pub fn energy_ratio(&self) -> f64 {
         part_of(self.energy().dissipated_energy, total_energy(self.points()))
     }
 
-    /// The [loop](Cycle::points) of force and shift as CSV: one line for each point, behind a line of names.
+    /// Returns the [loop](Cycle::points) of force and shift as CSV: a line of names, then one line for each point.
     ///
     /// ```
     /// use stickslip::history::Cycle;
@@ -118,13 +117,14 @@ impl Cycle {
         text
     }
 
-    /// The names of the columns of [`Cycle::summary_as_csv`], without the end of the line.
+    /// Names of the columns of [`Cycle::summary_as_csv`], without a line ending.
     pub const SUMMARY_NAMES: &str = "steps,force_amplitude_x,force_amplitude_y,shift_amplitude_x,shift_amplitude_y,\
          dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
 
-    /// The cycle as a line of CSV without its end, for a table of cycles: number of steps, half the ranges of force and
-    /// shift, energy dissipated by the tractions at the ends of steps, [energy ratio](Cycle::energy_ratio),
-    /// [residual](Cycle::cyclic_residual) and [stick ratios](Cycle::stick_ratios).
+    /// Returns the cycle as a line of CSV without a line ending, for a table of cycles. The columns are the number of
+    /// steps, half the ranges of force and shift, and the energy dissipated, from the tractions at the ends of steps.
+    /// They are followed by the [energy ratio](Cycle::energy_ratio), the [residual](Cycle::cyclic_residual) and the
+    /// [stick ratios](Cycle::stick_ratios).
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
@@ -159,7 +159,7 @@ impl Cycle {
     }
 }
 
-/// Half of what lies between the least and the largest value over the loop.
+/// Returns half the difference between the largest and the least value over the loop.
 pub(in crate::history) fn half_range(
     points: &[LoopPoint],
     value: impl Fn(&LoopPoint) -> f64,
@@ -171,9 +171,10 @@ pub(in crate::history) fn half_range(
     0.5 * (ends[1] - ends[0])
 }
 
-/// $`4 (Q^* \delta^* + M^* \varphi^*)`$: what the loop would dissipate if it filled the rectangles around it.
+/// Returns $`4 (Q^* \delta^* + M^* \varphi^*)`$, the energy that the loop would dissipate if it filled the rectangles
+/// around it.
 ///
-/// Force and shift are taken along the longest chord of the path of force.
+/// Force and shift are measured along the longest chord of the path of the force.
 fn total_energy(points: &[LoopPoint]) -> f64 {
     let chord = longest_chord(points);
     let length = chord[0].hypot(chord[1]);
@@ -186,7 +187,7 @@ fn total_energy(points: &[LoopPoint]) -> f64 {
     4.0 * (0.5 * length * shift + moment * twist)
 }
 
-/// From one point of the path of force to that farthest from it, of all pairs.
+/// Returns the vector between the two points of the path of the force that are farthest apart.
 fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
     let mut longest = [0.0_f64; 2];
     for (later, to) in points.iter().enumerate() {
@@ -200,7 +201,7 @@ fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
     longest
 }
 
-/// A part over the whole; no part is zero, and a part of nothing infinite.
+/// Returns the ratio of a part to the whole: zero if the part is zero, and infinite if only the whole is zero.
 pub(in crate::history) fn part_of(part: f64, whole: f64) -> f64 {
     if part > 0.0 { part / whole } else { 0.0 }
 }

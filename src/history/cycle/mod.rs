@@ -1,4 +1,4 @@
-//! What the steps of a cycle add up to.
+//! Results accumulated over the steps of a cycle.
 
 use crate::cgm::reduce;
 #[cfg(feature = "serde")]
@@ -18,13 +18,20 @@ use crate::support::serialise::checked;
 pub(super) mod fretting_loop;
 pub(super) mod hysteresis;
 
-/// Slip, energy and the loop of force and shift, added up over the steps of a cycle.
+/// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
 ///
-/// It begins where the history is, and [takes](Self::add) each step once, after it was done; a
-/// [`FrettingLoop`](crate::history::FrettingLoop) does so by itself. It holds nine numbers per cell, and
-/// allocates nothing in a cycle of no more steps than one before. Of [distributed](crate::HalfSpace::distributed) bodies
-/// all ranks [begin](Self::begin) and [add](Self::add) together. Each rank then has the numbers of the whole cycle, without
-/// further messages, and in the fields the cells that it holds.
+/// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step; a
+/// [`FrettingLoop`](crate::history::FrettingLoop) does so itself.
+///
+/// # Memory
+/// A cycle stores nine numbers per cell. It does not allocate in a cycle with at most as many steps as an earlier
+/// cycle.
+///
+/// # Distributed bodies
+/// On [distributed](crate::HalfSpace::distributed) bodies [begin](Self::begin) and [add](Self::add) are collective.
+/// Each rank then has the numbers of the whole cycle, without further messages, and the fields of its local cells.
+///
+/// # Examples
 ///
 /// ```
 /// use stickslip::history::{Cycle, LoadPath, Regime};
@@ -47,7 +54,7 @@ pub(super) mod hysteresis;
 /// }
 /// assert_eq!(cycle.regime(), Regime::PartialSlip);
 /// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
-/// // The second cycle ends as it began, and all its work is dissipated.
+/// // The second cycle ends as it started, and all its work is dissipated.
 /// assert!(cycle.cyclic_residual() < 1e-6);
 /// let energy = cycle.energy();
 /// assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-6);
@@ -57,22 +64,22 @@ pub(super) mod hysteresis;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Cycle {
     sums: CycleSums,
-    /// The largest magnitude of a traction in the cycle.
+    /// Largest magnitude of a traction in the cycle.
     largest_traction: f64,
-    /// The largest magnitude of what a traction has changed since the beginning.
+    /// Largest magnitude of a change of traction since the start.
     traction_change: f64,
     energy: EnergyBalance,
     points: Vec<LoopPoint>,
     stick_ratios: [f64; 2],
     regime: Regime,
     pub(super) remarks: StepDiagnostics,
-    /// The number of the last step in it, or of that it begins after.
+    /// Number of the last step in the cycle, or of the last step before it.
     last_step: u64,
 }
 
 shown!(Cycle: steps(), regime, stick_ratios, energy);
 
-/// What the steps of a cycle add up to in every cell.
+/// Sums and ranges in every cell over the steps of a cycle.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct CycleSums {
@@ -80,7 +87,7 @@ struct CycleSums {
     slip_pressure: Field,
     dissipated_energy: Field,
     slip_amplitude: [Field; 2],
-    /// The least slip since the start of the history, which the amplitude rises from.
+    /// Least slip since the start of the history, the lower end of the range of the slip.
     least_slip: [Field; 2],
     first_traction: [Field; 2],
 }
@@ -98,7 +105,7 @@ impl CycleSums {
     }
 }
 
-/// What is read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "Cycle")]
@@ -128,16 +135,16 @@ impl<'de> serde::Deserialize<'de> for Cycle {
 }
 
 impl Cycle {
-    /// No steps yet, from where the history is.
+    /// Creates a cycle without steps that starts at the present state of the history.
     #[must_use]
     pub fn new(history: &History) -> Self {
         unwrap_or_abort(Self::try_new(history))
     }
 
-    /// [`Self::new`] where memory may run out.
+    /// Creates a cycle like [`Self::new`], but returns an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_new(history: &History) -> Result<Self> {
         let zeros = || Field::try_zeros(history.grid());
         let mut cycle = Self {
@@ -162,10 +169,13 @@ impl Cycle {
         Ok(cycle)
     }
 
-    /// Forgets all steps and begins anew where the history is.
+    /// Removes all steps and restarts the cycle at the present state of the history.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the cycle is then as it was.
+    /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The cycle is unchanged after an error.
     pub fn begin(&mut self, history: &History) -> Result<()> {
         history.bodies.collective_result(self.check(history))?;
         self.restart(history);
@@ -195,12 +205,15 @@ impl Cycle {
         self.last_step = history.steps();
     }
 
-    /// Adds the last step of the history: to be called once after each. Steps that are never added are left out.
+    /// Adds the last step of the history. Call it once after each step; steps that are not added do not count.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::StepAlreadyCounted`] if the history has taken no step since the last one added, or
-    /// since the beginning. That is known by [`History::steps`] alone: a step of another history that has taken more
-    /// passes. [`Error::Ranks`]. The cycle is then as it was.
+    /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::StepAlreadyCounted`] if the history has not taken a step since the last added step or the start of the cycle.
+    ///   The check uses [`History::steps`] only; it does not detect a step of a different history with a larger number.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The cycle is unchanged after an error.
     pub fn add(&mut self, history: &History) -> Result<()> {
         let (bodies, step) = (&history.bodies, history.last_step());
         let (number, last) = (history.steps(), self.last_step);
@@ -210,7 +223,7 @@ impl Cycle {
             Err(Error::StepAlreadyCounted { step: number, last })
         };
         bodies.collective_result(self.check(history).and(is_new))?;
-        // What ranks find together comes first: where they lose each other the cycle is as it was.
+        // The collective reductions come first, so that the cycle is unchanged if a rank fails.
         let [largest_traction, traction_change] = self.compare_traction(history);
         let regime = self.regime_with(history);
         bodies.joint(Ok(()))?;
@@ -246,7 +259,7 @@ impl Cycle {
         grid.expect("history of the cycle", history.grid())
     }
 
-    /// The regime of the cycle with the last step.
+    /// Returns the regime of the cycle including the last step.
     fn regime_with(&self, history: &History) -> Regime {
         let (step, layout) = (history.last_step(), history.bodies.grid_layout());
         let slip = step.slip_distance().as_slice();
@@ -259,7 +272,7 @@ impl Cycle {
         }
     }
 
-    /// Takes the step into the mean of the pressure, which weighs by the length of slip.
+    /// Adds the step to the mean pressure, weighted by the length of slip.
     fn average_pressure(&mut self, history: &History) {
         let [pressure, slip, path] = [
             history.pressure(),
@@ -276,7 +289,7 @@ impl Cycle {
         });
     }
 
-    /// The largest traction, at the beginning too if this is the first step, and the largest change since.
+    /// Returns the largest traction, including the start for the first step, and the largest change since the start.
     fn compare_traction(&self, history: &History) -> [f64; 2] {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
@@ -289,50 +302,50 @@ impl Cycle {
         [traction, change]
     }
 
-    /// Steps added.
+    /// Returns the number of steps added.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.points.len() - 1
     }
 
-    /// Length of the path that each cell slipped in the cycle (lengths, non-negative).
+    /// Returns the length of the slip path of each cell in the cycle (lengths, non-negative).
     #[must_use]
     pub fn slip_distance(&self) -> &Field {
         &self.sums.slip_distance
     }
 
-    /// Pressure that each cell slipped under, the mean over the length of its path
-    /// $`\sum p\,|s| / \sum |s|`$; zero where nothing slipped.
+    /// Returns the slip pressure of each cell, the mean over its slip path $`\sum p\,|s| / \sum |s|`$; zero in cells
+    /// without slip.
     ///
-    /// [`wear::archard`](crate::history::wear::archard) of this and of [`slip_distance`](Self::slip_distance) is
-    /// the sum over the steps, whatever the pressure did.
+    /// [`wear::archard`](crate::history::wear::archard) with this pressure and [`slip_distance`](Self::slip_distance)
+    /// equals the sum over the steps for any variation of the pressure.
     #[must_use]
     pub fn slip_pressure(&self) -> &Field {
         &self.sums.slip_pressure
     }
 
-    /// Slip amplitude: half the range of each component of the slip of each cell (lengths, non-negative).
+    /// Returns the slip amplitude, half the range of each component of the slip of each cell (lengths, non-negative).
     #[must_use]
     pub fn slip_amplitude(&self) -> [&Field; 2] {
         self.sums.slip_amplitude.each_ref()
     }
 
-    /// Energy that each cell dissipated in the cycle, by its traction at the end of each step (energies): what
-    /// [`wear::energy`](crate::history::wear::energy) takes.
+    /// Returns the energy that each cell dissipated in the cycle, from its traction at the end of each step (energies).
+    /// [`wear::energy`](crate::history::wear::energy) accepts this field.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.sums.dissipated_energy
     }
 
-    /// Work, elastic energy and dissipation of the cycle.
+    /// Returns work, elastic energy and dissipation of the cycle.
     #[must_use]
     pub fn energy(&self) -> &EnergyBalance {
         &self.energy
     }
 
-    /// The loop of force and shift: the beginning, and the end of each step. It encloses the
-    /// [work of the loads](Self::work_of_loads).
+    /// Returns the loop of force and shift: the start, and the end of each step. It encloses the [work of the
+    /// loads](Self::work_of_loads).
     #[doc(alias = "friction loop")]
     #[doc(alias = "fretting loop")]
     #[doc(alias = "hysteresis")]
@@ -341,35 +354,36 @@ impl Cycle {
         &self.points
     }
 
-    /// Half the range of each component of the force.
+    /// Returns half the range of each component of the force.
     #[must_use]
     pub fn force_amplitude(&self) -> [f64; 2] {
         [0, 1].map(|axis| half_range(&self.points, |point| point.force[axis]))
     }
 
-    /// Half the range of each component of the shift (lengths).
+    /// Returns half the range of each component of the shift (lengths).
     #[must_use]
     pub fn shift_amplitude(&self) -> [f64; 2] {
         [0, 1].map(|axis| half_range(&self.points, |point| point.shift[axis]))
     }
 
-    /// The least and the largest stick ratio at the end of a step; one and zero before the first.
+    /// Returns the least and the largest stick ratio at the end of a step; one and zero before the first step.
     #[must_use]
     pub fn stick_ratios(&self) -> [f64; 2] {
         self.stick_ratios
     }
 
-    /// Whether the contact stuck, slipped in part, or slid.
+    /// Returns the sliding regime of the cycle: full stick, partial slip or gross slip.
     #[doc(alias = "fretting map")]
     #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
-    /// How far the cycle is from closing: the largest change of a traction from beginning to end over the
-    /// largest traction in between, or that of the shift over its half range, whichever is more.
+    /// Returns the deviation of the cycle from a closed loop. It is the larger of two ratios: the largest change of a
+    /// traction from start to end over the largest traction in the cycle, and the change of the shift over its half
+    /// range.
     ///
-    /// A cycle that closes repeats itself under the same loads.
+    /// A closed cycle repeats itself under the same loads.
     #[must_use]
     pub fn cyclic_residual(&self) -> f64 {
         let (first, last) = (self.points[0], self.points[self.steps()]);
@@ -379,13 +393,13 @@ impl Cycle {
         of_shift.max(part_of(self.traction_change, self.largest_traction))
     }
 
-    /// Room for the points of a cycle of so many steps.
+    /// Reserves memory for the points of a cycle of `steps` steps.
     pub(super) fn reserve(&mut self, steps: usize) {
         self.points.reserve(steps);
     }
 }
 
-/// Takes a slip into the range that reaches from the least by twice the amplitude.
+/// Extends the range of a slip, which is stored as its least value and its amplitude.
 fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
     let slip = slip.as_slice();
     let work = |task: usize, (least, amplitude): (Blocks<'_, f64>, Blocks<'_, f64>)| {
@@ -406,14 +420,14 @@ fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
     parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
 }
 
-/// The sliding regime of a cycle.
+/// Sliding regime of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
     /// No cell slipped.
     FullStick,
-    /// Some cells slipped, but some stuck at the end of each step.
+    /// Some cells slipped, and some cells stuck at the end of each step.
     PartialSlip,
     /// The whole contact was at its friction limit at the end of a step.
     GrossSlip,

@@ -1,4 +1,4 @@
-//! The primitives of the format, each for both directions: what is written from a value is read back into it.
+//! Primitives of the format; each of them writes a value and reads it back.
 
 use std::fmt::Debug;
 use std::ops::RangeBounds;
@@ -8,7 +8,7 @@ use crate::error::{Error, Result, samples_obey};
 use crate::files::Cursor;
 use crate::memory::fallible::out_of_memory;
 
-/// A rule for numbers, in words and in code.
+/// Rule for numbers: its text and its test.
 pub(super) type NumberRule = (&'static str, fn(f64) -> bool);
 
 pub(super) const FINITE: NumberRule = ("must be finite", f64::is_finite);
@@ -18,7 +18,7 @@ pub(super) const NOT_NEGATIVE: NumberRule = ("must be non-negative and finite", 
 pub(super) const POSITIVE: NumberRule = ("must be positive and finite", |value| {
     value > 0.0 && value.is_finite()
 });
-/// An error that was not measured is infinite.
+/// The value is infinite for an error that was not measured.
 pub(super) const NOT_NEGATIVE_OR_INFINITE: NumberRule =
     ("must be non-negative", |value| value >= 0.0);
 /// The modulus of a rigid body is infinite.
@@ -27,10 +27,11 @@ pub(super) const TOLERANCE: NumberRule = ("must lie strictly between 0 and 1", |
     value > 0.0 && value < 1.0
 });
 
-/// Writes or reads values, one after another. Numbers are little-endian; rules and ranges are those of reading, and
-/// what is written obeys them.
+/// Writes or reads consecutive values. Numbers are little-endian. Rules and ranges are checked on reading; written
+/// values must satisfy them.
 pub(super) trait Codec {
-    /// The next `N` bytes: written from the value, or read into it unless `from` tells a problem.
+    /// Writes the next `N` bytes from the value, or reads them into it. `from` may return the description of a problem
+    /// instead.
     fn value<T, const N: usize>(
         &mut self,
         what: &str,
@@ -39,7 +40,7 @@ pub(super) trait Codec {
         from: impl FnOnce([u8; N]) -> Result<T, String>,
     ) -> Result<()>;
 
-    /// The next numbers, as many as there are values.
+    /// Visits the next numbers, one for each value.
     fn numbers(&mut self, what: &'static str, values: &mut [f64], rule: NumberRule) -> Result<()>;
 
     fn number(&mut self, what: &str, value: &mut f64, rule: NumberRule) -> Result<()> {
@@ -71,7 +72,7 @@ pub(super) trait Codec {
         })
     }
 
-    /// An integer that counts something in memory.
+    /// Visits an integer that counts something in memory.
     fn count(
         &mut self,
         what: &str,
@@ -84,7 +85,7 @@ pub(super) trait Codec {
         Ok(())
     }
 
-    /// A value by its place in a table, one byte.
+    /// Visits a value by its index in a table, stored in one byte.
     fn kind<T: Copy + PartialEq>(&mut self, what: &str, value: &mut T, table: &[T]) -> Result<()> {
         let to = |value: &T| {
             let place = table.iter().position(|kind| kind == value);
@@ -97,7 +98,7 @@ pub(super) trait Codec {
         })
     }
 
-    /// Whether there is a value; one that is to be read is made first.
+    /// Visits whether an optional value is present. If it is present in the bytes only, `make` creates it first.
     fn option<T>(
         &mut self,
         what: &str,
@@ -113,7 +114,7 @@ pub(super) trait Codec {
     }
 }
 
-/// Bytes that grow.
+/// Writer into a growing vector of bytes.
 #[derive(Default)]
 pub(super) struct Writer(pub(super) Vec<u8>);
 
@@ -147,11 +148,11 @@ impl Codec for Writer {
     }
 }
 
-/// Bytes, read in order.
+/// Reader of bytes in order.
 pub(super) struct Reader<'a>(pub(super) Cursor<'a>);
 
 impl Reader<'_> {
-    /// `Ok` if so many bytes are left, else the error of a file that ends.
+    /// Returns an error for a truncated file if fewer than `count` bytes are left.
     pub(super) fn expect(&self, what: &str, count: usize) -> Result<()> {
         let found = self.0.rest().len();
         if found >= count {
@@ -161,7 +162,7 @@ impl Reader<'_> {
         Err(FORMAT.at_byte(self.0.position(), problem))
     }
 
-    /// `Ok` if nothing is left.
+    /// Returns an error if any bytes are left.
     pub(super) fn end(&self) -> Result<()> {
         if self.0.rest().is_empty() {
             return Ok(());

@@ -1,11 +1,11 @@
-//! The file of a history: the bytes of its state, or of the slabs of all ranks, behind a table of them.
+//! File of a history: the bytes of its state, or a table followed by the slabs of all ranks.
 //!
-//! | bytes | hold |
+//! | bytes | content |
 //! |---|---|
 //! | 8 | `\x93STKSLAB` |
 //! | 4 | version of the table |
 //! | 8 | number of slabs |
-//! | 8 each | numbers of their bytes |
+//! | 8 each | numbers of bytes of the slabs |
 //! | | the slabs, each a saved state |
 //!
 //! Numbers are little-endian.
@@ -25,18 +25,19 @@ use crate::history::state::State;
 
 const MAGIC: &[u8; 8] = b"\x93STKSLAB";
 const VERSION: u32 = 1;
-/// Magic, version and number of slabs.
+/// Number of bytes of magic, version and number of slabs.
 const TABLE: usize = 20;
-/// Bytes at the beginning of a slab that tell which rows it has.
+/// Number of bytes at the start of a slab that contain its range of rows.
 const BEGINNING: u64 = 256;
 
 impl History {
-    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all: if the program is
-    /// interrupted while it saves, or the disk is full, the previous file is kept. The bytes are on the disk when it returns.
+    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all. If the program is
+    /// interrupted or the disk is full, the previous file is kept. The bytes are on the disk when the call returns.
     ///
-    /// All ranks that share a contact call this alike, with the path of one file: each writes its slab, and the file takes
-    /// its name when every rank has written to the end. Until then all is in `NAME.PID.NUMBER.part` beside it, as with
-    /// [`HalfSpace::write_npy`]. [`History::load`] continues from it on any number of ranks, or on none.
+    /// The call is collective for distributed bodies, with the path of one file. Each rank writes its slab, and the
+    /// file receives its name when every rank has finished. Until then the data are in `NAME.PID.NUMBER.part` next to
+    /// it, as with [`HalfSpace::write_npy`]. [`History::load`] continues from the file on any number of ranks, or on
+    /// bodies that are not distributed.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -53,7 +54,7 @@ impl History {
     ///     history.save(&path)?;
     ///     Ok(history.step(&LoadStep::force([0.1, 0.0]))?.shift())
     /// });
-    /// // One process loads what three ranks have saved.
+    /// // One process loads the file that three ranks have saved.
     /// let mut history = History::load(&HalfSpace::new(grid, pair)?, &path)?;
     /// let shift = history.step(&LoadStep::force([0.1, 0.0]))?.shift();
     /// for outcome in outcomes {
@@ -64,7 +65,8 @@ impl History {
     /// ```
     ///
     /// # Errors
-    /// [`Error::File`](crate::Error::File); [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
+    /// - [`Error::File`](crate::Error::File) if the file cannot be written.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     #[doc(alias = "checkpoint")]
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let (path, bytes) = (path.as_ref(), self.to_bytes());
@@ -85,13 +87,15 @@ impl History {
         })
     }
 
-    /// A history from the file of [`History::save`], on the bodies it had; it continues to the same bits. Bodies that ranks
-    /// share may have been shared by as many as [saved](History::save) it, by others or by none, and the other way round: all
-    /// ranks call this, and each reads the slabs that have rows held here.
+    /// Creates a history from the file of [`History::save`], on the bodies it belongs to; it continues with bitwise
+    /// identical results. The number of ranks may differ from the number that [saved](History::save) the file, and
+    /// either side may be a single process without ranks. The call is collective: each rank reads the slabs that
+    /// contain its local rows.
     ///
     /// # Errors
-    /// [`Error::File`](crate::Error::File) if the file cannot be read; as [`History::from_bytes`] and, of slabs,
-    /// [`State::from_slabs`].
+    /// - [`Error::File`](crate::Error::File) if the file cannot be read.
+    /// - Errors of [`History::from_bytes`].
+    /// - Errors of [`State::from_slabs`] for a file of slabs.
     pub fn load(bodies: &HalfSpace, path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let parts = bodies.collective_result(parts_of(path))?;
@@ -103,7 +107,7 @@ impl History {
     }
 }
 
-/// What stands before slabs of these numbers of bytes.
+/// Returns the table in front of slabs with these numbers of bytes.
 fn table_of(lengths: &[u64]) -> Vec<u8> {
     let mut table = MAGIC.to_vec();
     table.extend(VERSION.to_le_bytes());
@@ -112,7 +116,7 @@ fn table_of(lengths: &[u64]) -> Vec<u8> {
     table
 }
 
-/// The first of the slabs in a file, which tells what they have in common, and those that have some of the rows.
+/// Returns the first slab of a file, which contains the common data, and the slabs with some of the local rows.
 fn local_slabs<'a>(
     path: &'a Path,
     parts: &'a [Range<u64>],
@@ -128,7 +132,7 @@ fn local_slabs<'a>(
     })
 }
 
-/// Where the slabs of a file lie; of a file of one state, that.
+/// Returns the byte ranges of the slabs in a file; the whole range for a file with a single state.
 fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
     let about = std::fs::metadata(path).map_err(|error| refused(path, &error))?;
     let length = about.len();
@@ -165,13 +169,13 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
     parts().map_err(|error| in_file(path, error))
 }
 
-/// The state in a part of a file.
+/// Reads the state in a part of a file.
 fn state_in(path: &Path, part: &Range<u64>) -> Result<State> {
     let bytes = bytes_in(path, part)?;
     State::from_bytes(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// The rows of the state in a part of a file.
+/// Reads the range of rows of the state in a part of a file.
 fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
     let beginning = bytes_in(path, &(part.start..part.end.min(part.start + BEGINNING)))?;
     let rows = || {
@@ -185,7 +189,7 @@ fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
     rows().map_err(|error| in_file(path, error))
 }
 
-/// Bytes of a file, as many of them as it has.
+/// Reads bytes of a file, fewer if the file ends before.
 fn bytes_in(path: &Path, part: &Range<u64>) -> Result<Vec<u8>> {
     let read = || -> IoResult<Vec<u8>> {
         let mut bytes = Vec::new();

@@ -1,4 +1,4 @@
-//! The order of the parts of a saved state, written down once for both directions.
+//! Order of the parts of a saved state, defined once for reading and writing.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -29,19 +29,20 @@ use crate::report::{EigenvalueBound, Status};
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 
-/// Counts of steps and products beyond this are damage: no machine reaches it, and one more never overflows.
+/// Largest valid count of steps or products. No run reaches it, so a larger count means damage, and an increment cannot
+/// overflow.
 const LARGEST_COUNT: u64 = 1 << 53;
 
-/// Bytes of each cell at the least: gap, pressure, gap under load, traction, slip, accumulated slip, dissipated
-/// energy and zone.
+/// Least number of bytes per cell: gap, pressure, gap under load, traction, slip, accumulated slip, dissipated energy
+/// and zone.
 pub(super) const LEAST_PER_CELL: usize = 7 * 8 + 1;
 
-/// What tells the bodies of a state from others.
+/// Properties that identify the bodies of a state.
 #[derive(Default)]
 pub(super) struct SnapshotHeader {
-    /// Of the whole grid.
+    /// Size of the whole grid.
     cells: [usize; 2],
-    /// First of the rows held, and their number.
+    /// First local row and number of local rows.
     rows: [usize; 2],
     sides: [f64; 2],
     boundary: Boundary,
@@ -50,7 +51,7 @@ pub(super) struct SnapshotHeader {
     materials: [[f64; 3]; 2],
     /// Young's modulus, Poisson's ratio and thickness of each layer of each body, the outermost first.
     layers: [Vec<[f64; 3]>; 2],
-    /// Of a kernel.
+    /// Mark of the kernel for bodies with a user-defined kernel.
     kernel: Option<KernelMark>,
 }
 
@@ -111,8 +112,8 @@ impl SnapshotHeader {
         Ok(())
     }
 
-    /// A state to read into, of which only the bodies are right. Its memory is that of the cells, so their
-    /// number must have been checked against the bytes at hand.
+    /// Creates a state to read into, in which only the bodies are set. It allocates memory for all cells, so their
+    /// number must have been checked against the available bytes.
     pub(super) fn blank(&self, grid: Grid) -> Result<State> {
         let body = |n: usize| {
             let [modulus, ratio, hardness] = self.materials[n];
@@ -152,7 +153,7 @@ impl SnapshotHeader {
         Ok(grid.slab(self.rows()))
     }
 
-    /// The rows held.
+    /// Returns the range of local rows.
     pub(super) fn rows(&self) -> Range<usize> {
         let [first, rows] = self.rows;
         first..first + rows
@@ -160,7 +161,7 @@ impl SnapshotHeader {
 }
 
 impl State {
-    /// Everything after the bodies.
+    /// Visits all parts of the state after the bodies.
     pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let grid = self.grid();
         let models = [Axis::X.alone(), Axis::Y.alone(), Axis::BOTH];
@@ -375,7 +376,7 @@ fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<()
     Ok(())
 }
 
-/// One number that obeys the rule `uniform`, or one for each cell, where zero is allowed.
+/// Visits one number that satisfies the rule `uniform`, or one number for each cell, which may be zero.
 fn visit_per_cell<C: Codec>(
     codec: &mut C,
     what: &'static str,
@@ -399,7 +400,7 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
     codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
     codec.number("approach", approach, FINITE)?;
-    // A step that ends otherwise does not enter a state.
+    // The state contains only reports with these statuses; a step that ends otherwise does not change it.
     let statuses = [Status::Unsolved, Status::Converged];
     codec.kind("status", &mut report.status, &statuses)?;
     for count in [
@@ -453,7 +454,7 @@ fn visit_window<C: Codec>(codec: &mut C, window: &mut Window, grid: Grid) -> Res
         let left = cells - corner[axis] as u64;
         codec.count("side of a window", &mut size[axis], 1..=left)?;
     }
-    // What is in these ranges lies in the grid.
+    // A window within these ranges lies in the grid.
     *window = Window::at(grid, corner, size).unwrap_or(*window);
     Ok(())
 }

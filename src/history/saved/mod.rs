@@ -1,12 +1,12 @@
-//! A history as bytes, to continue from later.
+//! Serialisation of a history, from which it can be continued later.
 //!
-//! | bytes | holds |
+//! | bytes | content |
 //! |---|---|
 //! | 8 | `\x93STKSLIP` |
 //! | 4 | version of the format |
 //! | 8 | number of all bytes |
 //! | | bodies, then the parts of the state in the order of its `visit` |
-//! | 8 | FNV-1a sum of all bytes before |
+//! | 8 | FNV-1a checksum of all preceding bytes |
 //!
 //! Numbers are little-endian; counts take 8 bytes, samples are doubles.
 
@@ -29,54 +29,55 @@ use format::{LEAST_PER_CELL, SnapshotHeader};
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
 const VERSION: u32 = 16;
-/// Magic, version and length; and the sum at the end.
+/// Number of bytes of magic, version and length; `SUM` is the size of the checksum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
 
 impl State {
-    /// Returns the state as bytes, from which [`State::from_bytes`] makes it again.
+    /// Returns the state as bytes, from which [`State::from_bytes`] restores it.
     ///
     /// # Memory
-    /// | part | bytes, one axis | bytes, in the plane |
+    /// | part | bytes, scalar model | bytes, vector model |
     /// |---|---|---|
     /// | each cell of the grid | 57 | 73 |
     /// | each cell of the window of the contact | 24 | 64 |
-    /// | each cell of the window of the contact, if cells entered it in the last step | 8 | 8 |
+    /// | each cell of the window of the contact, if cells came into contact in the last step | 8 | 8 |
     /// | each cell of the window of the pressure, once the normal load has changed | 8 | 8 |
-    /// | each cell of the grid, if the gap has changed since it was pressed | 8 | 8 |
+    /// | each cell of the grid, if the gap has changed since the last pressure solve | 8 | 8 |
     /// | each cell of the grid, for a friction per cell | 8 | 8 |
     /// | each cell of the grid, for a hardness per cell | 8 | 8 |
     /// | each cell of the grid, for a permanent set | 8 | 8 |
     /// | each cell of the grid, for a relative displacement | 32 | 32 |
     ///
-    /// A contact that fills the grid takes 89 to 121 bytes per cell, and 145 to 177 in the plane, without a relative
-    /// displacement. Pressure and traction that are found together take 129 bytes per cell of the grid. The rest is less than
-    /// a kilobyte.
+    /// A contact that fills the grid takes 89 to 121 bytes per cell in the scalar model and 145 to 177 in the vector
+    /// model, without a relative displacement. Coupled pressure and traction take 129 bytes per cell of the grid. The
+    /// remaining data take less than a kilobyte. The call temporarily needs the same amount of memory again for a copy
+    /// of the state.
     ///
-    /// # What is kept
-    /// All numbers keep their bits. Of the report of the pressure, the wall time and the course of the iteration
-    /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are left out. While
-    /// it is written, as much memory again holds a copy of the state. Of a slab they are those of its rows; from the bytes of
-    /// all slabs [`State::from_slabs`] makes the state again, on any number of ranks.
+    /// # Content
+    /// All numbers are stored exactly. The wall time and the convergence history of the report of the pressure
+    /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are omitted. The bytes
+    /// of a slab contain its rows only. [`State::from_slabs`] restores the state from the bytes of all slabs, on any
+    /// number of ranks.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         unwrap_or_abort(self.try_to_bytes())
     }
 
-    /// [`State::to_bytes`] where memory may run out.
+    /// Returns the same bytes as [`State::to_bytes`], or an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_to_bytes(&self) -> Result<Vec<u8>> {
         self.try_clone()?.into_bytes()
     }
 
-    /// The codec takes what it visits by mutable reference, in both directions: so this takes the state.
+    /// Converts the state by value, because the codec takes mutable references even for writing.
     fn into_bytes(mut self) -> Result<Vec<u8>> {
         let mut writer = Writer::default();
         writer.extend(MAGIC.len(), *MAGIC)?;
         writer.extend(size_of_val(&VERSION), VERSION.to_le_bytes())?;
-        // The length, which is known at the end only.
+        // Placeholder for the length, which is known only at the end.
         writer.extend(8, [0; 8])?;
         SnapshotHeader::of(&self).visit(&mut writer)?;
         self.visit(&mut writer)?;
@@ -88,14 +89,14 @@ impl State {
         Ok(writer.0)
     }
 
-    /// A state saved by [`State::to_bytes`].
+    /// Restores a state saved by [`State::to_bytes`].
     ///
-    /// Of a slab, force, contact area and the like of the [normal contact](State::normal) are those of its rows until
-    /// [`State::from_slabs`] or a history takes it, on the bodies that ranks share: then they are those of the whole grid.
+    /// For a slab, force, contact area and similar sums of the [normal contact](State::normal) cover its rows only.
+    /// They cover the whole grid as soon as [`State::from_slabs`] or a history takes the slab on distributed bodies.
     ///
     /// # Errors
-    /// [`Error::Format`](crate::Error::Format), with the byte, if the bytes are no such state, of another version,
-    /// truncated or changed. It takes no more than twice the memory of the bytes.
+    /// - [`Error::Format`](crate::Error::Format), with the byte, if the bytes are not a saved state, have a different
+    ///   version, are truncated or were changed. The check takes at most twice the memory of the bytes.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut reader = Reader(opened(bytes)?);
         let mut host = SnapshotHeader::default();
@@ -130,19 +131,20 @@ impl TryFrom<Vec<u8>> for State {
 }
 
 impl History {
-    /// The bytes of the [state](History::state): all that the next step needs but the bodies, which are known again
-    /// by grid, boundary, meaning of the values and elastic constants. See [`State::to_bytes`].
+    /// Returns the bytes of the [state](History::state), which contain everything that the next step needs except for
+    /// the bodies. Grid, boundary, meaning of the values and elastic constants identify the bodies. See
+    /// [`State::to_bytes`].
     #[doc(alias = "checkpoint")]
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         self.state().to_bytes()
     }
 
-    /// A history saved by [`History::to_bytes`], on the bodies it had; it continues to the same bits. Its [last
-    /// step](History::last_step) is empty.
+    /// Creates a history from the bytes of [`History::to_bytes`], on the bodies it belongs to; it continues with
+    /// bitwise identical results. Its [last step](History::last_step) is empty.
     ///
     /// # Errors
-    /// As [`State::from_bytes`] and [`History::from_state`].
+    /// Errors of [`State::from_bytes`] and [`History::from_state`].
     ///
     /// ```
     /// use stickslip::*;
@@ -163,7 +165,7 @@ impl History {
     }
 }
 
-/// Passes the magic and the version, which must be those of this format.
+/// Reads the magic and the version and returns an error if they do not match this format.
 fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
     if start.take("the magic string", MAGIC.len())? != MAGIC {
         return Err(FORMAT.at_byte(0, "the bytes do not begin with \\x93STKSLIP"));
@@ -176,7 +178,7 @@ fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
     Ok(())
 }
 
-/// The contents of the bytes, whose magic, version, length and sum are right.
+/// Checks magic, version, length and checksum, and returns the content.
 fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
     let mut start = Cursor::new(FORMAT, bytes);
     check_kind(&mut start)?;

@@ -1,4 +1,4 @@
-//! The state of a contact that ranks share, put together from the slabs that others had.
+//! State of a distributed contact, assembled from the slabs of any number of ranks.
 
 use crate::error::{Error, RankFailure, Result};
 use crate::grid::Grid;
@@ -16,13 +16,16 @@ use crate::support::checksum;
 use crate::tangential::{Axis, Zone};
 
 impl State {
-    /// The state of the cells held here of these bodies, put together from slabs: from the states that any number of ranks
-    /// had, in any order, or from that of the whole grid. Slabs without rows held here may be left out. All ranks call it.
+    /// Assembles the state of the local cells of these bodies from slabs. The slabs are the states of any number of
+    /// ranks, in any order, or the state of the whole grid. Slabs without local rows may be omitted. The call is
+    /// collective.
     ///
     /// # Errors
-    /// The first error among the slabs; [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    /// [`Error::MaterialMismatch`] for other bodies; [`Error::Ranks`] with [`RankFailure::MissingSlab`] if a row is missing, with
-    /// [`RankFailure::InconsistentSlabs`] for slabs that were not saved together.
+    /// - The first error among the slabs.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if a slab belongs to other
+    ///   bodies.
+    /// - [`Error::Ranks`] with [`RankFailure::MissingSlab`] if a row is missing, or with [`RankFailure::InconsistentSlabs`] if the
+    ///   slabs were not saved together.
     ///
     /// ```
     /// use std::{sync::Arc, time::Duration};
@@ -34,7 +37,7 @@ impl State {
     /// let slide = LoadStep::force([0.1, 0.0]);
     /// let patience = Duration::from_secs(60);
     ///
-    /// // Three ranks begin, and save their slabs.
+    /// // Three ranks start and save their slabs.
     /// let slabs = Threads::run(3, patience, |rank| {
     ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
     ///     let ball = surface::sphere(bodies.grid(), 10.0)?;
@@ -44,7 +47,7 @@ impl State {
     /// });
     /// let slabs = slabs.into_iter().collect::<Result<Vec<_>, _>>()?;
     ///
-    /// // Two continue, and so does one process, to the same bits.
+    /// // Two ranks continue, and so does a single process, with bitwise identical results.
     /// let states = || slabs.iter().map(|bytes| State::from_bytes(bytes));
     /// let shifts = Threads::run(2, patience, |rank| {
     ///     let bodies = HalfSpace::distributed(grid, pair, boundary, Arc::new(rank))?;
@@ -68,7 +71,7 @@ impl State {
         bodies.joint(Ok(state))
     }
 
-    /// The same, with all cells of another slab at zero.
+    /// Returns the state with zero fields on the grid of another slab.
     fn blank_on(mut self, grid: Grid) -> Self {
         self.zones = vec![Zone::Separated; grid.cells()];
         for (window, part) in self.parts_mut() {
@@ -80,7 +83,7 @@ impl State {
         self
     }
 
-    /// Takes over the rows of a slab that are held here.
+    /// Copies the local rows of a slab.
     fn take_rows(&mut self, slab: &mut Self) {
         let (grid, from) = (self.grid(), slab.grid());
         let parts = self.parts_mut().into_iter().zip(slab.parts_mut());
@@ -95,12 +98,14 @@ impl State {
         copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
     }
 
-    /// A sum of all that is not in cells, which slabs of one state have in common; zero where nothing is to be compared.
+    /// Returns a checksum of all data outside the cells, which slabs of one state have in common; zero if the bodies
+    /// are not distributed.
     pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
         if bodies.is_shared() { self.digest() } else { 0 }
     }
 
-    /// The same of those numbers alone that tell the states of one history from each other.
+    /// Returns a checksum of the numbers that distinguish the states of one history; zero if the bodies are not
+    /// distributed.
     pub(in crate::history) fn numbers_on(&self, bodies: &HalfSpace) -> u64 {
         if !bodies.is_shared() {
             return 0;
@@ -123,7 +128,7 @@ impl State {
         checksum::of_bytes(&writer.0)
     }
 
-    /// All fields of the grid.
+    /// Returns all fields of the grid.
     fn fields_mut(&mut self) -> Vec<&mut Field> {
         let (pressure, under_load, ..) = self.normal.parts_mut();
         let mut fields = vec![
@@ -150,7 +155,7 @@ impl State {
         fields
     }
 
-    /// All fields of windows, in the cells held here.
+    /// Returns all fields of windows, for the local cells.
     fn parts_mut(&mut self) -> Vec<(Window, &mut Vec<f64>)> {
         let is_joint = self.is_joint();
         let mut parts = Vec::new();
@@ -224,7 +229,7 @@ fn assemble(bodies: &HalfSpace, slabs: impl IntoIterator<Item = Result<State>>) 
     }
 }
 
-/// Copies the rows of a window that both slabs have.
+/// Copies the rows of a window that both slabs contain.
 fn copy_rows<T: Copy>(
     window: Window,
     (to_grid, to): (Grid, &mut [T]),

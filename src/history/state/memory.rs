@@ -1,4 +1,4 @@
-//! The memory of the cells in and around the contact.
+//! Memory of the cells in and around the contact.
 
 use crate::contact::LoadTrend;
 use crate::error::Result;
@@ -11,23 +11,22 @@ use crate::tangential::{
     Axis, RigidMotion, TangentialIncrement, TangentialTarget, TangentialVector, centre, zeros,
 };
 
-/// Displacement and offset of the cells of a window that are held here.
+/// Displacement and offset of the local cells of a window.
 #[derive(Debug)]
 pub(crate) struct Memory {
     pub(crate) window: Window,
     /// Displacement u after the last step.
     pub(in crate::history) displacement: TangentialVector,
-    /// What u less the motion is in a cell while it sticks: where its last slip has left it or, outside
-    /// the contact, where it would touch now.
+    /// Value of u minus the motion in a cell while it sticks. In the contact it results from the last slip of the cell.
+    /// Outside the contact it is the value that the cell would have if it touched now.
     pub(in crate::history) offset: TangentialVector,
-    /// How the tractions changed in the last step, and force and shift with them; nothing where pressure and traction are
-    /// found together.
+    /// Change of the tractions in the last step with the changes of force and shift; empty for coupled bodies.
     pub(in crate::history) trend: LoadTrend<2>,
-    /// Slip of the last step, which resists turning; of no cells in the scalar model.
+    /// Slip of the last step, which determines the stiffness against a change of direction; empty in the scalar model.
     pub(crate) slip: TangentialVector,
-    /// Compliance of their own of the cells that entered the contact in the last step; of no cells where none did.
+    /// Entry compliance of the cells that came into contact in the last step; empty if no cell did.
     pub(crate) entered: Vec<f64>,
-    /// Whether cells entered, here or on another rank.
+    /// Whether a cell of any rank came into contact.
     pub(in crate::history) has_entered: bool,
 }
 
@@ -44,7 +43,7 @@ clone_in_place!(Memory {
 try_clone!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
 
 impl Memory {
-    /// At the first touch, of bodies that have no displacement.
+    /// Creates the memory at the first touch of bodies without displacement.
     pub(in crate::history) fn first(
         grid: Grid,
         axes: &[Axis],
@@ -77,7 +76,7 @@ impl Memory {
         })
     }
 
-    /// Forgets the last step, after one without contact.
+    /// Clears the data of the last step, after a step without contact.
     pub(in crate::history) fn forget_step(&mut self) {
         for part in &mut self.slip {
             part.fill(0.0);
@@ -86,10 +85,12 @@ impl Memory {
         self.has_entered = false;
     }
 
-    /// Takes the window of an increment, which is wider; what it knew of its own cells stays, bit for bit.
+    /// Extends the memory to the wider window of an increment. The values of the present cells remain bitwise
+    /// unchanged.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory); to [narrow](Self::narrow) it to the window it had then makes it what it was.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out. A call of [`Self::narrow`] with the earlier window
+    ///   then restores the memory.
     pub(in crate::history) fn widen(
         &mut self,
         grid: Grid,
@@ -120,8 +121,8 @@ impl Memory {
         Ok(())
     }
 
-    /// Takes a smaller window around all contact. What a cell apart remembers is lost with it: [`Self::widen`] finds it
-    /// again.
+    /// Reduces the memory to a smaller window around the whole contact. The values of the removed separated cells are
+    /// lost; [`Self::widen`] recomputes them.
     pub(in crate::history) fn narrow(&mut self, grid: Grid, window: Window) {
         let (held, old) = (window.held(grid), self.window.held(grid));
         let fields = self.fields_mut(Axis::BOTH);
@@ -131,7 +132,7 @@ impl Memory {
         self.window = window;
     }
 
-    /// Returns the fields of the window of tractions along these axes.
+    /// Returns the fields of the window along these axes.
     fn fields_mut(&mut self, axes: &[Axis]) -> impl Iterator<Item = &mut Vec<f64>> {
         let has_slip = axes == Axis::BOTH;
         let vectors = [
@@ -149,8 +150,8 @@ impl Memory {
         parts.chain(self.has_entered.then_some(&mut self.entered))
     }
 
-    /// How many times the last step the load continues in the same direction; `None` where it does not, or turns without
-    /// rolling.
+    /// Returns the remaining change of the load relative to the last step; `None` if the load does not continue in the
+    /// same direction, or turns without rolling.
     pub(in crate::history) fn parts_ahead(
         &self,
         state: &State,
@@ -163,7 +164,7 @@ impl Memory {
         parts.filter(|parts| *parts > 0.0 && !turns)
     }
 
-    /// The displacements of all cells, of a window that is the grid.
+    /// Returns the displacements of all cells. The window must be the whole grid.
     pub(in crate::history) fn fields(&self, grid: Grid) -> Result<[Field; 2]> {
         try_each(|axis| Field::from_vec(grid, self.displacement[axis].try_clone()?))
     }

@@ -1,4 +1,4 @@
-//! What survives from one step to the next.
+//! State of a history, which persists from one step to the next.
 
 pub(super) mod memory;
 pub(super) mod over_ranks;
@@ -28,12 +28,12 @@ use crate::support::debug::shown;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 
-/// The state of a [`History`](crate::History): everything that its next step starts from, apart from the bodies and
-/// the buffers.
+/// State of a [`History`](crate::History): everything that its next step starts from, except for the bodies and the
+/// buffers.
 ///
-/// [`History::state`](crate::History::state) lends it. A clone keeps it, and
-/// [`History::set_state`](crate::History::set_state) returns to it; `clone_from` and `set_state` copy into the memory
-/// that is there. Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
+/// [`History::state`](crate::History::state) returns a reference to it. A clone saves it, and
+/// [`History::set_state`](crate::History::set_state) restores it; `clone_from` and `set_state` copy into existing
+/// memory. Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
 ///
 /// ```
 /// use stickslip::*;
@@ -44,54 +44,54 @@ use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
 /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
 ///
-/// // Try a step, and take it back.
+/// // Try a step, and undo it.
 /// let mut kept = history.state().clone();
 /// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
 /// history.step(&shear(40.0))?;
 /// history.set_state(&kept)?;
 /// assert_eq!((history.steps(), history.tangential_force()), (1, [0.0, 0.0]));
 ///
-/// // Take a smaller one, and keep it.
+/// // Take a smaller step, and keep it.
 /// history.step(&shear(20.0))?;
 /// kept.clone_from(history.state());
 /// assert!(kept.tangential_force()[0] > 19.9 && kept.shift()[0] > 0.0);
 ///
-/// // Continue elsewhere, or later, to the same bits.
+/// // Continue elsewhere or later, with bitwise identical results.
 /// let mut other = History::from_state(&bodies, kept)?;
 /// assert_eq!(other.step(&shear(0.0))?.shift(), history.step(&shear(0.0))?.shift());
 /// # Ok::<(), Error>(())
 /// ```
 ///
-/// With the feature `serde` a state is written as the bytes of [`State::to_bytes`], in any format.
+/// The feature `serde` serialises a state as the bytes of [`State::to_bytes`] in any format.
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(into = "Vec<u8>", try_from = "Vec<u8>")
 )]
 pub struct State {
-    /// The axes of the tractions.
+    /// Axes of the tractions.
     pub(super) axes: &'static [Axis],
     pub(super) settings: Settings,
     pub(super) friction: Friction,
     pub(super) gap: Field,
-    /// Of the pressure of all steps.
+    /// Hardness that limits the pressure of all steps.
     pub(crate) hardness: Option<Hardness>,
-    /// What has yielded, if it is to stay.
+    /// Accumulated plastic depth if it is permanent.
     pub(super) yielded: Option<Field>,
-    /// What displaces the bodies beside the contact.
+    /// Relative displacement that the contact does not cause.
     pub(super) relative: Option<RelativeDisplacementState>,
-    /// The normal contact after the last step.
+    /// Normal contact after the last step.
     pub(super) normal: NormalSolution,
-    /// The gap that the pressure belongs to; another than `gap` after wear.
+    /// Gap of the present pressure; it differs from `gap` after wear.
     pub(super) pressed_gap: Field,
     pub(super) is_pressure_stale: bool,
-    /// The load that the pressure was found under; `Hold` before the first.
+    /// Load of the present pressure; `Hold` before the first pressure solve.
     pub(super) pressed_by: NormalControl,
-    /// Where the pressure was found; `None` before the first contact.
+    /// Window of the last pressure solve; `None` before the first contact.
     pub(crate) press_window: Option<Window>,
-    /// How the pressure changed with the load there.
+    /// Change of the pressure with the load on that window.
     pub(super) trend: LoadTrend<1>,
-    /// What the cells in and around the contact remember; `None` before the first contact.
+    /// Memory of the cells in and around the contact; `None` before the first contact.
     pub(crate) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],
@@ -104,7 +104,7 @@ pub struct State {
     pub(super) steps: u64,
     pub(super) entry_rule: EntryRule,
     pub(crate) coupling: Coupling,
-    /// What friction holds in all, where ranks share the contact.
+    /// Friction capacity of the whole contact if the grid is distributed.
     pub(super) capacity: Option<f64>,
 }
 
@@ -149,7 +149,7 @@ try_clone!(State {
 const QUANTITY: &str = "state of a history";
 
 impl State {
-    /// Unsheared, nothing in contact.
+    /// Creates an unloaded state without contact.
     pub(super) fn new(
         gap: Field,
         (boundary, cell_value): (Boundary, CellValue),
@@ -192,7 +192,7 @@ impl State {
         })
     }
 
-    /// With pressures limited by this hardness, and a permanent set if what yields is to stay.
+    /// Sets the hardness and creates the permanent depth if `stays` is set.
     pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Result<Self> {
         let yielded = stays.then(|| Field::try_zeros(self.grid()));
         self.yielded = yielded.transpose()?;
@@ -200,7 +200,7 @@ impl State {
         Ok(self)
     }
 
-    /// Whether the pressure is the answer under this load, as certain as is asked now.
+    /// Returns whether the pressure is the solution under this load within the present tolerance.
     pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
         let report = self.normal.report();
         load == self.pressed_by
@@ -210,13 +210,13 @@ impl State {
             && report.is_within(self.settings.tolerance)
     }
 
-    /// Makes what finds a pressure alone continue from here.
+    /// Makes the pressure solver continue from this state.
     pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
         let window = self.press_window.filter(|_| !self.is_joint());
         press.resume(bodies, self.approach(), window, &self.trend)
     }
 
-    /// Makes what the cells remember that of this window again, which was widened since; `None` if there was none.
+    /// Restores the memory to this window after a later widening; `None` if there was no memory.
     pub(super) fn crop_memory(&mut self, window: Option<Window>) {
         let grid = self.grid();
         match (&mut self.contact, window) {
@@ -225,7 +225,7 @@ impl State {
         }
     }
 
-    /// `Ok` if the state is one of the cells held here of these bodies.
+    /// Returns an error if the state does not belong to the local cells of these bodies.
     pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         bodies.grid().expect(QUANTITY, self.grid())?;
         self.check_origin(bodies)?;
@@ -236,7 +236,7 @@ impl State {
         check_axes(bodies, self.axes, self.coupling)
     }
 
-    /// `Ok` if the state is one of these bodies, or of some rows of them.
+    /// Returns an error if the state does not belong to these bodies or to some rows of them.
     pub(super) fn check_origin(&self, bodies: &HalfSpace) -> Result<()> {
         let whole = bodies.grid().whole();
         whole.expect(QUANTITY, self.grid().whole())?;
@@ -251,127 +251,128 @@ impl State {
         }
     }
 
-    /// The grid of all fields.
+    /// Returns the grid of all fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.gap.grid()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Returns the boundary condition at the edge of the grid.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
         self.normal.boundary()
     }
 
-    /// The two bodies.
+    /// Returns the materials of the two bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         self.normal.pair()
     }
 
-    /// The axis of tangential load and tractions in the scalar model, `None` in that of the plane.
+    /// Returns the axis of tangential load and tractions in the scalar model; `None` in the vector model.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
         Axis::only(self.axes)
     }
 
-    /// The settings of the next step.
+    /// Returns the settings of the next step.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// The friction of the next step.
+    /// Returns the friction of the next step.
     #[must_use]
     pub fn friction(&self) -> &Friction {
         &self.friction
     }
 
-    /// The hardness, which limits the pressure of every step; `None` without a hardness.
+    /// Returns the hardness, which limits the pressure of every step; `None` without a hardness.
     #[must_use]
     pub fn hardness(&self) -> Option<&Hardness> {
         self.hardness.as_ref()
     }
 
-    /// The [displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 relative to body 2 beside that by
-    /// the contact, after the last step (lengths, `[x, y]`); `None` unless the history has one.
+    /// Returns the [displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 relative to body 2
+    /// that the contact does not cause, after the last step (lengths, `[x, y]`). Returns `None` if the history has no
+    /// such displacement.
     #[must_use]
     pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
         let relative = self.relative.as_ref();
         relative.map(|relative| relative.reached.fields())
     }
 
-    /// How deep the surfaces have yielded since the start (lengths, non-negative); `None` unless it
-    /// [stays](crate::history::HistoryBuilder::permanent_set).
+    /// Returns the accumulated plastic depth since the start (lengths, non-negative); `None` unless it is
+    /// [permanent](crate::history::HistoryBuilder::permanent_set).
     #[must_use]
     pub fn yielded(&self) -> Option<&Field> {
         self.yielded.as_ref()
     }
 
-    /// The gap before loading (lengths), as last set, and what the surfaces have [yielded](Self::yielded).
+    /// Returns the gap before loading (lengths): the last gap set, plus the [plastic depth](Self::yielded).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
     }
 
-    /// How far a cell that comes into contact within a step follows its motion.
+    /// Returns the rule for the motion of cells that come into contact within a step.
     #[must_use]
     pub fn entry_rule(&self) -> EntryRule {
         self.entry_rule
     }
 
-    /// How much is modelled of the coupling between pressure and traction, if the bodies have any
+    /// Returns the model of the coupling between pressure and traction, which matters if the bodies are coupled
     /// ([`ElasticPair::is_coupled`]).
     #[must_use]
     pub fn coupling(&self) -> Coupling {
         self.coupling
     }
 
-    /// Whether the gap has changed since the pressure was found. A step that holds the pressure then carries
-    /// [`Warning::StalePressure`](crate::Warning::StalePressure).
+    /// Returns whether the gap has changed since the pressure was solved for. A step that holds the pressure then has
+    /// the warning [`Warning::StalePressure`](crate::Warning::StalePressure).
     #[must_use]
     pub fn is_pressure_stale(&self) -> bool {
         self.is_pressure_stale
     }
 
-    /// The normal contact: pressure, approach, gap under load, contact area, warnings.
+    /// Returns the normal contact: pressure, approach, gap under load, contact area, warnings.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Pressure p >= 0; exactly zero outside the contact.
+    /// Returns the pressure p >= 0; exactly zero outside the contact.
     #[must_use]
     pub fn pressure(&self) -> &Field {
         self.normal.pressure()
     }
 
-    /// Approach of the bodies from the datum of the gap (a length).
+    /// Returns the approach of the bodies from the datum of the gap (a length).
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.normal.approach()
     }
 
-    /// Shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    /// Returns the shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
     }
 
-    /// Sum of the slips of all steps, with their signs (lengths), of the particles where those roll.
+    /// Returns the sum of the signed slips of all steps (lengths). In rolling it belongs to the particles.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// Accumulated slip: length of the path slipped in all steps (lengths, non-negative), of the particles where those
-    /// roll.
+    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative). In rolling it
+    /// belongs to the particles.
     #[must_use]
     pub fn accumulated_slip(&self) -> &Field {
         &self.accumulated_slip
     }
 
-    /// Energy each cell has dissipated in all steps, the sum of
+    /// Returns the energy that each cell has dissipated in all steps, the sum of
     /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
     /// non-negative).
     #[must_use]
@@ -379,38 +380,38 @@ impl State {
         &self.dissipated_energy
     }
 
-    /// The zone of every cell after the last step, row-major with x fastest.
+    /// Returns the zone of every cell after the last step, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
         &self.zones
     }
 
-    /// Shift of body 2 relative to body 1 since the start (lengths).
+    /// Returns the shift of body 2 relative to body 1 since the start (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.motion.shift
     }
 
-    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
+    /// Returns the rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.motion.twist
     }
 
-    /// Tangential force that body 2 exerts on body 1.
+    /// Returns the tangential force that body 2 exerts on body 1.
     #[must_use]
     pub fn tangential_force(&self) -> [f64; 2] {
         self.force
     }
 
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length,
-    /// positive from x to y).
+    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 (force times
+    /// length, positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
     }
 
-    /// Steps taken since the start.
+    /// Returns the number of steps taken since the start.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.steps

@@ -1,4 +1,4 @@
-//! What all ranks together know of a state, kept with the slab of each.
+//! Counts and sums of a state over all ranks, stored with the slab of each rank.
 
 use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
@@ -6,7 +6,7 @@ use crate::history::state::State;
 use crate::tangential::Friction;
 
 impl State {
-    /// Takes note of what all ranks know together, which is not among the fields of a slab.
+    /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
     pub(in crate::history) fn gather_whole(&mut self, bodies: &HalfSpace) {
         self.normal.gather_whole(bodies);
         if let Some(hardness) = &self.hardness {
@@ -17,12 +17,13 @@ impl State {
         self.gather_capacity(bodies);
     }
 
-    /// The same of what friction holds, under another pressure than before.
+    /// Computes the friction capacity over all ranks after a change of the pressure.
     pub(in crate::history) fn gather_capacity(&mut self, bodies: &HalfSpace) {
         self.capacity = self.capacity_on_ranks(bodies, &self.friction);
     }
 
-    /// [`Self::capacity_with`], of bodies that ranks share: without, it is found when it is asked for.
+    /// Returns [`Self::capacity_with`] for distributed bodies; `None` for other bodies, for which it is computed on
+    /// request.
     pub(in crate::history) fn capacity_on_ranks(
         &self,
         bodies: &HalfSpace,
@@ -32,7 +33,7 @@ impl State {
         is_shared.then(|| self.capacity_with(bodies, friction))
     }
 
-    /// Largest tangential force that this friction holds at the present pressure.
+    /// Returns the largest tangential force that this friction can carry at the present pressure.
     pub(in crate::history) fn capacity_with(&self, bodies: &HalfSpace, friction: &Friction) -> f64 {
         let pressure = self.pressure().as_slice();
         let sum = reduce::sum(&bodies.grid_layout(), |i| friction.limit(i, pressure[i]));

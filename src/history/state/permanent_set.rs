@@ -1,9 +1,9 @@
-//! What yields under the hardness of a history and stays.
+//! Permanent plastic deformation under the hardness of a history.
 
 use crate::history::state::State;
 
-/// Takes out of the surfaces what overlaps where the pressure just found is at the hardness: the same load then finds
-/// them fitting, and a smaller one an elastic contact.
+/// Removes the overlap from the surfaces of the cells whose new pressure is at the hardness. The surfaces then fit each
+/// other under the same load, and a smaller load finds an elastic contact.
 pub(in crate::history) fn update_permanent_set(state: &mut State) {
     let (Some(yielded), Some(hardness)) = (&mut state.yielded, &state.hardness) else {
         return;
@@ -21,7 +21,7 @@ pub(in crate::history) fn update_permanent_set(state: &mut State) {
     }
 }
 
-/// Adds to a gap that was set what the surfaces have yielded.
+/// Adds the accumulated plastic depth to a gap that the caller has set.
 pub(in crate::history) fn add_yielded(state: &mut State) {
     if let Some(yielded) = &state.yielded {
         let cells = state.gap.as_mut_slice().iter_mut();

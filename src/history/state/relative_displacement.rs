@@ -1,4 +1,4 @@
-//! What displaces one body relative to the other beside the contact, step by step.
+//! Relative displacement of the bodies that the contact does not cause, in the steps of a history.
 
 use crate::error::{Error, Result, finite};
 use crate::grid::field::clone_in_place;
@@ -7,12 +7,13 @@ use crate::history::{History, LoadStep};
 use crate::memory::fallible::{TryClone, try_clone};
 use crate::tangential::RelativeDisplacement;
 
-/// A pattern of relative displacement, how much of it is reached, and what that is in each cell.
+/// Pattern of relative displacement, its present amount, and the resulting displacement of each cell.
 #[derive(Debug)]
 pub(in crate::history) struct RelativeDisplacementState {
     pub(in crate::history) pattern: RelativeDisplacement,
     pub(in crate::history) amount: f64,
-    /// The displacement that is in the offsets: of another pattern, if it has been changed since.
+    /// Displacement that is included in the offsets. It belongs to an earlier pattern if the pattern has changed since
+    /// the last step.
     pub(in crate::history) reached: RelativeDisplacement,
 }
 
@@ -25,7 +26,7 @@ clone_in_place!(RelativeDisplacementState {
 try_clone!(RelativeDisplacementState { pattern, reached } { amount });
 
 impl RelativeDisplacementState {
-    /// None of it reached.
+    /// Creates a state with zero displacement.
     pub(in crate::history) fn new(pattern: RelativeDisplacement) -> Result<Self> {
         let [along_x, _] = pattern.fields();
         Ok(Self {
@@ -35,14 +36,14 @@ impl RelativeDisplacementState {
         })
     }
 
-    /// How much a step reaches.
+    /// Returns the amount at the end of a step.
     fn end(&self, load: &LoadStep) -> f64 {
         load.relative_amount().unwrap_or(self.amount)
     }
 }
 
 impl State {
-    /// `Ok` if an amount is asked of a history that has a pattern for it.
+    /// Returns an error if a step prescribes an amount but the history has no pattern.
     pub(in crate::history) fn check_relative(&self, load: &LoadStep) -> Result<()> {
         let Some(amount) = load.relative_amount() else {
             return Ok(());
@@ -66,7 +67,7 @@ impl State {
         Ok(())
     }
 
-    /// How far a step displaces a cell along an axis.
+    /// Returns the displacement of a cell along an axis in a step.
     pub(in crate::history) fn displaced_by(
         &self,
         load: &LoadStep,
@@ -79,7 +80,7 @@ impl State {
         Some(move |axis, cell| amount * pattern.at(axis, cell) - reached.at(axis, cell))
     }
 
-    /// A step has displaced the cells.
+    /// Sets the displacement at the end of a step.
     pub(in crate::history) fn reach(&mut self, load: &LoadStep) {
         let Some(relative) = &mut self.relative else {
             return;
@@ -96,15 +97,19 @@ impl State {
 }
 
 impl History {
-    /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement): the next
-    /// step leads from what was reached of the old one to its amount of the new one, also if it is the first of
-    /// [adaptive](crate::history::AdaptiveSteps) ones, and the first of them then takes up all of the change. Copies without allocating, unless the
-    /// history had none.
+    /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement). The
+    /// next step leads from the displacement reached with the old pattern to its amount of the new pattern. The first
+    /// of several [adaptive](crate::history::AdaptiveSteps) steps takes the whole change of the pattern. Copies without
+    /// allocating, unless the history had no pattern.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::UnsupportedByModel`] for one along an axis of which the model finds no traction; [`Error::Sample`] for a
-    /// bulk strain along an axis on which the grid repeats; [`Error::Memory`]; [`Error::Ranks`]; the
-    /// pattern is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::UnsupportedByModel`] for a displacement along an axis without tractions.
+    /// - [`Error::Sample`] for a bulk strain along a periodic axis.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The pattern is unchanged after an error.
     pub fn set_relative_displacement(&mut self, pattern: &RelativeDisplacement) -> Result<()> {
         let checked = pattern.check(&self.bodies, self.state.axes);
         self.bodies.collective_result(checked)?;

@@ -1,22 +1,22 @@
-//! A contact that has become small is worked on in smaller windows.
+//! Reduction of the windows of a contact that has become small.
 
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 
-/// Times the cells needed that a window has when it is left: to return to it costs no more than what a few steps in the
-/// smaller one have saved.
+/// Ratio of the cells of a window to the cells needed at which a smaller window replaces it. A later return to the
+/// larger window costs no more than a few steps on the smaller window have saved.
 const WASTE: f64 = 2.0;
-/// The same of a window that the last step had to widen: that was a guess from an answer on too few cells.
+/// Ratio for a window that the last step had to widen, since its size was estimated from a solution on too few cells.
 const OVERSHOOT: f64 = 1.5;
 
-/// Makes windows smaller that are much too large for the contact before the last step and after it. `before` is the
-/// pressure that the step has changed, if it has, and `press_window` where that was found; `margins` is what rolling needs
-/// beside the contact.
+/// Reduces windows that are much too large for the contact before and after the last step. `before` is the earlier
+/// pressure if the step has changed the pressure, and `press_window` the window of the pressure solve before the step.
+/// `margins` are the additional cells that rolling needs next to the contact.
 ///
-/// Nothing is lost: outside both contacts there is neither traction nor a memory of slip, and what a cell apart would
-/// touch at follows from the tractions. The solvers of the next step follow the state.
+/// No information is lost: cells outside both contacts have no traction and no earlier slip, and the offset of a
+/// separated cell follows from the tractions. The solvers of the next step adopt the windows of the state.
 pub(in crate::history) fn narrow(
     bodies: &HalfSpace,
     state: &mut State,
@@ -35,7 +35,7 @@ pub(in crate::history) fn narrow(
         let is_left = window.cells() as f64 >= waste * needed.cells() as f64;
         needed.intersection(window).filter(|_| is_left)
     };
-    // Pressure and traction found together remember all of the grid.
+    // The memory of coupled bodies always covers the whole grid.
     if let Some(memory) = state.contact.as_mut().filter(|_| !is_joint) {
         if let Some(window) = smaller(memory.window, WASTE) {
             memory.narrow(grid, window);

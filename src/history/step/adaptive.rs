@@ -1,4 +1,4 @@
-//! The error of a step, and steps short enough for a tolerance.
+//! Error estimate of a step, and adaptive step sizes for a tolerance.
 
 use crate::cgm::reduce;
 use crate::error::{Error, Result};
@@ -7,13 +7,13 @@ use crate::history::{History, LoadStep, State, StepResult};
 use crate::memory::fallible::{TryClone, try_each};
 use crate::support::debug::shown;
 
-/// Shortest step, as a part of the load.
+/// Shortest step as a fraction of the load.
 const SHORTEST: f64 = 1.0 / 4096.0;
 
-/// What one step differs by from the same load in two.
+/// Difference between one step and two half steps of the same load.
 ///
-/// If the error is of second order in the length of the step, the two halves have a third of this difference as their
-/// error; if it is of first order, all of it.
+/// If the error is of second order in the length of the step, the error of the two halves is a third of this
+/// difference. If the error is of first order, it equals the difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -25,27 +25,34 @@ pub struct StepErrorEstimate {
     pub force: [f64; 2],
     /// Difference of the shift `[x, y]` (lengths).
     pub shift: [f64; 2],
-    /// Difference of the energy dissipated, by the tractions at the ends of the steps.
+    /// Difference of the dissipated energy, from the tractions at the ends of the steps.
     pub dissipated_energy: f64,
 }
 
-/// Takes a load in steps short enough for a tolerance, and tells the error of a step.
+/// Adaptive step control: divides a load into steps that are short enough for a tolerance, and estimates the error of a
+/// step.
 ///
-/// The state after a step is that of a load that went straight from beginning to end, up to an error whose order is
-/// told by [growing contacts](crate::guide::load_steps). A step is compared with the same load in two halves,
-/// and the halves count. They are taken if [`StepErrorEstimate::traction`] is at most the tolerance times the root of the
-/// step's part of the load, else the step is shortened: an estimate, no bound. On a ball that turns its shift while
-/// it grows, the error after the load was up to 2.5 times the tolerance.
+/// The state after a step belongs to a load that varied linearly from start to end, up to an error whose order is given
+/// in [growing contacts](crate::guide::load_steps). Each step is compared with two half steps of the same load,
+/// and the result of the halves is used. The halves are accepted if [`StepErrorEstimate::traction`] is at most the tolerance
+/// times the square root of the step's fraction of the load; otherwise the step is shortened. This is an estimate and
+/// not a bound. For a ball whose shift turned while the contact grew, the error after the load was up to 2.5 times the
+/// tolerance.
 ///
-/// Dissimilar bodies that are pressed from zero load need [`History::press`]. Their first step has an error that is large
-/// for the friction limits it has then, however short it is, and ends here as [`Error::StepTooLong`]. The error of the whole
-/// load does not depend on it as strongly, since the contact outgrows it.
+/// For dissimilar bodies that are pressed from zero load use [`History::press`]. The error of their first step is large
+/// compared with its friction limits, for any length of the step, and this type would return [`Error::StepTooLong`].
+/// The error of the whole load depends less on the first step, since the contact grows far beyond it.
 ///
-/// The tolerance is that of tractions. Where cells slip while the contact grows, the energy they dissipate converges
-/// more slowly: compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
+/// The tolerance applies to the tractions. If cells slip while the contact grows, their dissipated energy converges
+/// more slowly. Compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
 ///
-/// All that is prescribed goes from its value before to that of the load in proportion. The buffers take the memory of
-/// four states. A step allocates where the contact outgrows its box, each time that the step is tried.
+/// All prescribed quantities change in proportion from their previous value to the value of the load.
+///
+/// # Memory
+/// The buffers take the memory of four states. A step allocates if the contact outgrows its bounding box, in each
+/// attempt of the step.
+///
+/// # Examples
 ///
 /// ```
 /// use stickslip::history::AdaptiveSteps;
@@ -58,7 +65,7 @@ pub struct StepErrorEstimate {
 /// let mut history = builder.model(TangentialModel::Vector).build()?;
 /// history.step(&LoadStep::hold().normal(NormalControl::Force(50.0)))?;
 ///
-/// // The force turns while the contact grows: the direction of slip changes on the way.
+/// // The force turns while the contact grows, so that the direction of slip changes during the load.
 /// history.step(&LoadStep::force([20.0, 0.0]))?;
 /// let load = LoadStep::force([0.0, 20.0]).normal(NormalControl::Force(100.0));
 /// let mut steps = AdaptiveSteps::new(&history, 0.003)?;
@@ -71,27 +78,28 @@ pub struct StepErrorEstimate {
 #[derive(Clone)]
 pub struct AdaptiveSteps {
     tolerance: f64,
-    /// The state that the load began from.
+    /// State at the start of the load.
     beginning: State,
-    /// The state that the step under way began from.
+    /// State at the start of the present step.
     kept: State,
     /// State and result after the first half of the step.
     middle: (State, StepResult),
-    /// Tractions after the step as a whole.
+    /// Tractions after the step in one piece.
     whole: [Field; 2],
 }
 
 shown!(AdaptiveSteps: tolerance);
 
 impl AdaptiveSteps {
-    /// For histories on the grid of this one, with the tolerance of [`StepErrorEstimate::traction`] for a whole load, in `(0,
-    /// 1)`.
+    /// Creates the step control for histories on the grid of `history`. `tolerance` is the limit of
+    /// [`StepErrorEstimate::traction`] for a whole load, in `(0, 1)`.
     ///
-    /// A tolerance below about a hundred times that of the history's [settings](History::settings) cannot be met: the
-    /// error of the solves then dominates, however short the steps.
+    /// A tolerance below about a hundred times the tolerance of the history's [settings](History::settings) cannot be
+    /// met, because the error of the solves then dominates for any length of the steps.
     ///
     /// # Errors
-    /// [`Error::Tolerance`], [`Error::Memory`].
+    /// - [`Error::Tolerance`] if the tolerance is not in `(0, 1)`.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn new(history: &History, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(Error::Tolerance(tolerance));
@@ -106,11 +114,12 @@ impl AdaptiveSteps {
         })
     }
 
-    /// The error that [`History::step`] makes with this load. The history is then as it was; its
-    /// [last step](History::last_step) is the second half of this one.
+    /// Estimates the error of [`History::step`] for this load. The state of the history is unchanged afterwards; its
+    /// [last step](History::last_step) is the second half step.
     ///
     /// # Errors
-    /// As [`History::step`], and [`Error::GridMismatch`] for a history on another grid.
+    /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - Errors of [`History::step`].
     pub fn error(&mut self, history: &mut History, load: &LoadStep) -> Result<StepErrorEstimate> {
         self.begin(history, load)?;
         let outcome = self.compare(history, load, [0.0, 1.0]);
@@ -118,21 +127,26 @@ impl AdaptiveSteps {
         outcome
     }
 
-    /// Takes a load, in as many steps as it needs, and returns how many.
+    /// Takes a load in as many steps as needed and returns their number.
     ///
     /// # Errors
-    /// As [`History::step`]; [`Error::GridMismatch`] for a history on another grid; [`Error::StepTooLong`] if steps of
-    /// 1/4096 of the load are not short enough; [`Error::UnsupportedByModel`] for a load that rolls. The state is then as it
-    /// was; the [last step](History::last_step) is that of the last attempt.
+    /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::StepTooLong`] if steps of 1/4096 of the load are not short enough.
+    /// - [`Error::UnsupportedByModel`] if the load rolls.
+    /// - Errors of [`History::step`].
+    ///
+    /// The state is unchanged after an error; the [last step](History::last_step) is the step of the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }
 
-    /// [`AdaptiveSteps::step`] with an observer that sees the history after every step taken, for example to
-    /// [add](crate::history::Cycle::add) it to a cycle. What it gathered before an error belongs to no load.
+    /// Takes a load as [`AdaptiveSteps::step`] does and calls an observer with the history after every accepted step,
+    /// for example to [add](crate::history::Cycle::add) it to a cycle. If the call returns an error, the steps observed
+    /// so far have been undone.
     ///
     /// # Errors
-    /// As [`AdaptiveSteps::step`], and those of the observer.
+    /// - Errors of [`AdaptiveSteps::step`].
+    /// - Errors of the observer.
     pub fn step_observed(
         &mut self,
         history: &mut History,
@@ -169,13 +183,14 @@ impl AdaptiveSteps {
     ) -> Result<usize> {
         let (mut start, mut part, mut steps) = (0.0, 1.0_f64, 0);
         while start < 1.0 {
-            // Parts are powers of two, and never pass the end.
+            // Fractions are powers of two, so that steps end exactly at the end of the load.
             let end = start + part;
             let error = self.compare(history, load, [start, end])?.traction;
-            // Less than in proportion to the part: later slip covers much of what early steps did wrong.
+            // The limit decreases less than in proportion to the fraction, because later slip erases much of the error
+            // of earlier steps.
             let allowed = part.sqrt() * self.tolerance;
             if error <= allowed {
-                // The error replaces the growth as the measure of the steps.
+                // The error estimate replaces the criterion for the growth of the contact.
                 for step in [&mut self.middle.1, &mut history.step] {
                     step.remarks.is_pressed_at_once = false;
                 }
@@ -199,7 +214,8 @@ impl AdaptiveSteps {
         Ok(steps)
     }
 
-    /// Takes the step from one part of the load to another as a whole, then again in two halves, and stays there.
+    /// Takes the step between two fractions of the load in one piece, then again in two halves. The history remains at
+    /// the result of the halves.
     fn compare(
         &mut self,
         history: &mut History,
@@ -229,7 +245,8 @@ impl AdaptiveSteps {
         })
     }
 
-    /// Shows the observer the history after the first half of the step, then after the second, and stays there.
+    /// Calls the observer with the history after the first half of the step and after the second half. The history
+    /// remains at the second half.
     fn show(
         &mut self,
         history: &mut History,

@@ -1,21 +1,21 @@
-//! Many contacts in one call.
+//! Steps of many contacts in one call.
 
 use crate::error::{Error, Result, length};
 use crate::history::{History, LoadStep};
 use crate::parallel::{self, Blocks};
 
 impl History {
-    /// Takes a step of each of many contacts, `loads[i]` for `histories[i]`, on the threads of the caller's pool; returns
-    /// the errors of those that did not take theirs, each with its place.
+    /// Takes one step of each contact, `loads[i]` for `histories[i]`, on the threads of the caller's pool. Returns the
+    /// indices and errors of the contacts whose step failed.
     ///
-    /// Each contact comes to the bits that it has alone. Those that fail are as they were, and the others take
-    /// their steps. Contacts of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) cells are solved on one
-    /// thread each, larger ones share; the time limit of a larger one may then run while its thread works on
-    /// another; contacts that ranks share are solved one after the other. A call allocates what the steps do, and
-    /// the list of failures if there are any.
+    /// The result of each contact is bitwise identical to its result alone. A contact whose step fails is unchanged,
+    /// and the other contacts take their steps. Contacts of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT)
+    /// cells are solved on one thread each; larger contacts share the threads. The time limit of a larger contact may
+    /// therefore run while its thread works on another contact. Distributed contacts are solved one after the other. A
+    /// call allocates the memory of its steps, and a list if there are failures.
     ///
     /// # Errors
-    /// [`Error::Length`] if there are not as many loads as contacts, before any step.
+    /// - [`Error::Length`] before any step if the number of loads differs from the number of contacts.
     ///
     /// ```
     /// use stickslip::*;
@@ -29,11 +29,11 @@ impl History {
     /// }
     /// let press = LoadStep::hold().normal(NormalControl::Force(50.0));
     /// assert!(History::step_all(&mut contacts, &[press; 3])?.is_empty());
-    /// // Hertz: the approach goes with the inverse cube root of the radius.
+    /// // Hertz: the approach is proportional to the inverse cube root of the radius.
     /// let ratio = contacts[0].approach() / contacts[2].approach();
     /// assert!((ratio / 2_f64.cbrt() - 1.0).abs() < 2e-3);
     ///
-    /// // Friction holds 25 newtons of each.
+    /// // Friction carries 25 newtons in each contact.
     /// let drag = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
     /// let failed = History::step_all(&mut contacts, &[drag(10.0), drag(30.0), drag(20.0)])?;
     /// assert!(matches!(failed[..], [(1, Error::BeyondFrictionCapacity { .. })]));
@@ -59,7 +59,7 @@ impl History {
             one.extend(other);
             one
         };
-        // Ranks share one contact after the other, each in the same order.
+        // All ranks must solve distributed contacts in the same order.
         Ok(if is_shared {
             parallel::in_turn(0..count, contacts, &step, &both)
         } else {

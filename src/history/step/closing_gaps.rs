@@ -1,4 +1,4 @@
-//! The gaps that cells close as they come into contact within a step.
+//! Gaps of the cells that come into contact within a step.
 
 use crate::cgm::reduce;
 use crate::grid::field::Field;
@@ -9,9 +9,9 @@ use crate::report::Status;
 use crate::tangential::EntryRule;
 
 impl State {
-    /// The gap that a cell closes as it comes into contact in a step under this load, zero of one that was in contact;
-    /// `None` where cells follow the whole step. Where the bodies roll the gap that was set is that of other particles:
-    /// what is new of it counts only before the first step.
+    /// Returns the gap that a cell closes when it comes into contact in a step under this load; zero for a cell in
+    /// contact. Returns `None` if cells follow the motion of the whole step. In a rolled step the new gap belongs to
+    /// other particles, so that a change of the gap counts only before the first step.
     pub(crate) fn closing(
         &self,
         bodies: &HalfSpace,

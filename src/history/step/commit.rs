@@ -1,4 +1,4 @@
-//! A solved step enters state and account.
+//! Commit of a solved step to the state and the results.
 
 use crate::cgm::reduce::Reduction;
 use crate::grid::Grid;
@@ -14,9 +14,9 @@ use crate::parallel::ranks::WireFormat;
 use crate::rolling::RollingShift;
 use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
 
-/// Makes a step that ended with the motion part of the state, and writes down what it did, of bodies that have rolled
-/// along `travel`, under a pressure that was `pressure_before` if it has changed; `written` is the window that its fields
-/// were last written in.
+/// Commits a step that ended with `motion` to the state and writes its results. `travel` is the path of rolling bodies,
+/// and `pressure_before` the earlier pressure if the step has changed it. `written` is the window of the fields that
+/// were last written.
 pub(in crate::history) fn commit(
     answer: Option<&StepSolution<'_>>,
     motion: RigidMotion,
@@ -26,7 +26,7 @@ pub(in crate::history) fn commit(
     step: &mut StepResult,
     written: &mut Option<Window>,
 ) {
-    // A state that was returned to may have another window than the last step.
+    // After a return to an earlier state, the window may differ from the window of the last step.
     let window = answer.map(|answer| answer.region.window());
     if *written != window {
         step.clear_fields();
@@ -35,7 +35,7 @@ pub(in crate::history) fn commit(
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
     if let Some(travel) = travel {
-        // The next step starts from how the tractions of the cells change, whichever particles are there.
+        // The trend of the next step describes the tractions of cells, not of particles.
         state.keep_traction(travel, pressure_before);
         state.shift_with_particles(travel, motion);
     }
@@ -43,7 +43,7 @@ pub(in crate::history) fn commit(
     (step.stick_cells, step.slip_cells) = (0, 0);
     step.energy = EnergyBalance::default();
     state.motion = motion;
-    // Out of the state and back, so that both can be written.
+    // The memory is taken out of the state so that both can be written.
     let mut contact = state.contact.take();
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
         answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
@@ -54,7 +54,7 @@ pub(in crate::history) fn commit(
     let shifted: f64 = (0..2)
         .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
         .sum();
-    // About the middle of the way of each particle.
+    // The moment acts about the middle of the path of each particle.
     let [x, y] = [0, 1].map(|axis| state.force[axis] - force[axis]);
     let turned = 0.5 * (moment + state.moment) + 0.25 * (back[0] * y - back[1] * x);
     step.energy.work += shifted + turned * change.twist;
@@ -63,8 +63,8 @@ pub(in crate::history) fn commit(
     state.steps += 1;
 }
 
-/// Enters the cells held here of the window, whose step led from the motion `before` to that of the state, and their
-/// particles from `back` to where they are.
+/// Commits the local cells of the window in a step from the motion `before` to the motion of the state. `back` is the
+/// displacement from a cell to the earlier position of its particle.
 fn enter(
     answer: &StepSolution<'_>,
     (before, back): (RigidMotion, [f64; 2]),
@@ -147,7 +147,7 @@ fn enter(
     }
 }
 
-/// Writes to a cell the components that there are.
+/// Writes the components of a vector that the model has to a cell.
 fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     for (part, value) in parts.iter_mut().zip(values) {
         if let Some(place) = part.items.get_mut(cell) {
@@ -156,32 +156,32 @@ fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     }
 }
 
-/// The parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities;
-/// zones, offsets, trends and slip of the step.
+/// Parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
+/// offsets, trends and slip of the step.
 type RowParts<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
-/// A step that was taken, as its cells see it.
+/// Committed step as seen from its cells.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
     grid: Grid,
     held: Window,
-    /// Of body 2 at the end of the step, and in it.
+    /// Motion of body 2 at the end of the step; `change` is its motion in the step.
     motion: RigidMotion,
     change: RigidMotion,
-    /// From where a particle is to the middle of its way.
+    /// Vector from a particle to the middle of its path.
     middle: [f64; 2],
-    /// Whether the trend of a cell holds the traction that it had before.
+    /// Whether the trend of a cell contains its earlier traction.
     is_rolled: bool,
     /// Displacement before the step.
     displacement: [&'a [f64]; 2],
 }
 
 impl CommittedStep<'_> {
-    /// What the step did to a cell that had a traction and an offset before.
+    /// Computes the result of the step in a cell with this earlier traction and offset.
     fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
         let (answer, cell_area) = (self.answer, self.grid.cell_area());
         let centre = centre(self.grid, self.held.index(k));
@@ -193,7 +193,7 @@ impl CommittedStep<'_> {
         }
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
         let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
-        // What a cell that came into contact was spared of the motion of the step.
+        // Part of the motion that a cell has not followed because it came into contact within the step.
         let lag = minus(offset_before, offset);
         let found = answer.slip(k, centre).filter(|_| is_contact);
         let slip = found.unwrap_or([0.0; 2]);
@@ -223,7 +223,7 @@ impl CommittedStep<'_> {
     }
 }
 
-/// What a step did to a cell.
+/// Result of a step in a cell.
 struct CellStep {
     centre: [f64; 2],
     traction: [f64; 2],
@@ -234,7 +234,7 @@ struct CellStep {
 }
 
 impl CellStep {
-    /// Of a cell that was and is apart, `relative` to the other body.
+    /// Creates the result for a cell that remains separated, with the displacement `relative` to the other body.
     fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
         Self {
             centre,
@@ -257,13 +257,13 @@ impl CellStep {
     }
 }
 
-/// What cells add up to.
+/// Sums over cells.
 #[derive(Debug, Clone, Copy)]
 struct StepTotals {
     traction: [f64; 2],
     moment: f64,
     energy: EnergyBalance,
-    /// Those that stick and those that slip.
+    /// Numbers of cells that stick and that slip.
     cells: [usize; 2],
 }
 
@@ -292,7 +292,7 @@ impl WireFormat for StepTotals {
     }
 }
 
-/// What travels of an account.
+/// Parts of the sums that ranks exchange.
 type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
 
 impl StepTotals {

@@ -1,4 +1,4 @@
-//! The steps of bodies whose pressure and traction are found together.
+//! Steps of bodies with coupled pressure and traction.
 
 use crate::bodies::coupling::Coupling;
 use crate::contact::{LoadTrend, SolveContext};
@@ -17,8 +17,7 @@ use crate::rolling::entry::compliance;
 use crate::tangential::{Axis, EntryCompliance, RigidMotion};
 
 impl State {
-    /// With this much coupling. Where pressure and traction are found together, that is on all of the grid and along both
-    /// axes.
+    /// Sets the coupling. The memory of a coupled solve covers the whole grid and both axes.
     pub(in crate::history) fn coupled(mut self, coupling: Coupling) -> Result<Self> {
         self.coupling = coupling;
         if self.is_joint() {
@@ -30,12 +29,12 @@ impl State {
         Ok(self)
     }
 
-    /// Whether pressure and traction are found together.
+    /// Returns whether pressure and traction are coupled and solved together.
     pub(crate) fn is_joint(&self) -> bool {
         self.coupling.is_joint(self.pair())
     }
 
-    /// Whether what a state of coupled bodies remembers is all there.
+    /// Returns whether the memory of coupled bodies covers the whole grid and both axes.
     pub(in crate::history) fn is_whole(&self) -> bool {
         let whole = Window::whole(self.grid());
         let remembers = |memory: &Memory| memory.window == whole;
@@ -44,8 +43,8 @@ impl State {
 }
 
 impl History {
-    /// Solves a step whose pressure and traction are coupled without a trace in the state; returns the motion of body 2 at
-    /// its end, `None` if they are not.
+    /// Solves a step with coupled pressure and traction without a change of the state. Returns the motion of body 2 at
+    /// its end, or `None` if the bodies are not coupled.
     pub(in crate::history) fn find_jointly(
         &mut self,
         load: &LoadStep,
@@ -97,7 +96,7 @@ impl History {
     }
 }
 
-/// Poses a step that moves other particles into the cells. Body 2 has turned by `twist` at its end.
+/// Sets up a step that moves other particles into the cells; `twist` is the twist of body 2 at its end.
 fn roll(
     joint: &mut CoupledIncrement,
     state: &State,
@@ -111,14 +110,14 @@ fn roll(
     let Some(gap) = state.closing(bodies, control, true) else {
         return joint.enter(None::<fn(usize) -> f64>);
     };
-    // The compliance under a unit pressure, since the solve has yet to find the pressure of the cell.
+    // The compliance is set for a unit pressure, since the solve has yet to find the pressure of the cell.
     joint.set_rolling_entry_compliance(Some(|i: usize| {
         let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
         travel.before(i).map_or(EntryCompliance::NONE, entered)
     }))
 }
 
-/// What solves the steps of a coupled state.
+/// Creates the solver for the steps of a coupled state; `None` if the state is not coupled.
 pub(in crate::history) fn new_joint(
     bodies: &HalfSpace,
     state: &State,

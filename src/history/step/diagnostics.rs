@@ -1,10 +1,10 @@
-//! What a step has to be warned of, and a cycle of steps.
+//! Diagnostics behind the warnings of a step or a cycle.
 
 use crate::history::Cycle;
 use crate::normal::Scale;
 use crate::warning::{Resolution, Warning};
 
-/// What is wrong with a step, or with any step of a cycle.
+/// Diagnostics of a step, or of all steps of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -16,30 +16,30 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) is_pressure_stale: bool,
     /// Whether a contact of dissimilar bodies grew too much in the step.
     pub(in crate::history) is_pressed_at_once: bool,
-    /// Contact cells on the edge of the grid, the most of any step.
+    /// Largest number of contact cells on the edge of the grid in any step.
     pub(in crate::history) edge_cells: usize,
-    /// Whether nothing touched.
+    /// Whether the bodies did not touch.
     pub(in crate::history) is_apart: bool,
-    /// Cells pressed beyond the hardness a material states, the most of any step.
+    /// Largest number of cells above the hardness of a material in any step.
     pub(in crate::history) overloaded_cells: usize,
-    /// Approach, contact radius and slope, the largest of any step.
+    /// Largest approach, contact radius and slope in any step.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) scale: Scale,
-    /// Part of the tangential force that a held shift has lost, in per cent, the most of any step.
+    /// Largest loss of tangential force under a held shift in any step, in per cent.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
-    /// Lift by the tractions of a rolled step that the pressure ignores, in millionths of the normal displacement, the most
-    /// of any step.
+    /// Largest lift by the tractions of a rolled step that the pressure ignores, in millionths of the normal
+    /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
-    /// Cells in contact and its zones: the fewest that stick and the widest zone that slips.
+    /// Resolution of the contact and its zones: the fewest stick cells and the widest slip zone.
     pub(in crate::history) resolution: Resolution,
 }
 
-/// Largest part of the tangential force that a held shift may lose without a warning, in per cent.
+/// Largest loss of tangential force under a held shift without a warning, in per cent.
 const LARGEST_LOSS: usize = 50;
 
 impl StepDiagnostics {
-    /// With those of another step.
+    /// Combines the diagnostics with those of another step.
     pub(in crate::history) fn and(self, other: Self) -> Self {
         Self {
             is_pressure_stale: self.is_pressure_stale || other.is_pressure_stale,
@@ -83,8 +83,9 @@ impl StepDiagnostics {
 }
 
 impl Cycle {
-    /// The [warnings](crate::history::StepResult::warnings) of any of its steps, each once, with the largest count; of the
-    /// zone that slips, only if it was too narrow in all steps. What concerns the grid and the spots of the contact is in those of [`History::normal`](crate::History::normal).
+    /// Returns the [warnings](crate::history::StepResult::warnings) of all steps, each once, with the largest count.
+    /// The warning for a narrow slip zone appears only if the zone was too narrow in all steps.
+    /// [`History::normal`](crate::History::normal) has the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

@@ -1,4 +1,4 @@
-//! A history: its state, and how it takes a step.
+//! History of a contact: its state and its steps.
 
 pub(super) mod adaptive;
 pub(super) mod batch;
@@ -42,24 +42,28 @@ use crate::support::debug::shown;
 use crate::tangential::{Friction, RigidMotion, TangentialIncrement, TangentialModel};
 use crate::warning::Resolution;
 
-/// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
+/// Two bodies in contact with a load history: pressure, traction, slip and energy after each step.
 ///
-/// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero.
+/// Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
 ///
-/// Beside its bodies it takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding box,
-/// in the vector model ([`HistoryBuilder::model`]) 590 there, operators included. Most of it is borrowed for a step at a
-/// time: further histories of the same bodies, with boxes of the same size, take 121 and 51 (91) each, as long as they
-/// are not stepped at once. A relative displacement adds 32 bytes per cell of the grid. For bodies of different materials
-/// it takes several times that.
+/// # Memory
+/// In addition to its bodies a history takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding
+/// box, including operators. In the vector model ([`HistoryBuilder::model`]) it takes 590 per cell of the box. Most of
+/// this memory is borrowed for the duration of a step. If they are not stepped concurrently, further histories of the
+/// same bodies with boxes of the same size take 121 bytes per cell of the grid and 51 (91) per cell of the box. A
+/// relative displacement adds 32 bytes per cell of the grid. Bodies of different materials take several times as much.
 ///
-/// A contact that outgrows the box takes a wider one; one that needs at most half its cells, before a step and after it,
-/// takes a smaller one. What was made for other boxes is kept for 256 steps, while it serves no more than twice the cells
-/// of the largest: a contact that goes to and fro between such boxes allocates nothing after the first cycles. Its state
-/// keeps room for the largest; a clone of it does not.
+/// A contact that outgrows its box moves to a wider box. A contact that needs at most half of the cells of its box,
+/// before and after a step, moves to a smaller box. Data for other boxes are kept for 256 steps, as long as they cover
+/// at most twice the cells of the largest box. A contact that alternates between such boxes allocates nothing after the
+/// first cycles. Its state keeps memory for the largest box, but a clone of the state does not.
 ///
-/// Its [`state`](Self::state) is a value: a clone of it keeps what to return to ([`set_state`](Self::set_state)) or to
-/// continue from ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it.
-/// Many histories may share one [`HalfSpace`] on many threads: each comes to the bits it has alone.
+/// # State and threads
+/// The [`state`](Self::state) is a value. A clone of it can be restored ([`set_state`](Self::set_state)) or continued
+/// ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it. Many histories may share one
+/// [`HalfSpace`] on many threads; the result of each is bitwise identical to its result alone.
+///
+/// # Examples
 ///
 /// ```
 /// use stickslip::*;
@@ -69,7 +73,7 @@ use crate::warning::Resolution;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
 ///
-/// // Press, then shear to and fro.
+/// // Press, then shear back and forth.
 /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
 /// let shear = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
 /// history.step(&shear(30.0))?;
@@ -77,12 +81,12 @@ use crate::warning::Resolution;
 /// for force in [-30.0, 30.0] {
 ///     cycle += history.step(&shear(force))?.energy().dissipated_energy;
 /// }
-/// // A full cycle dissipates four times what the first quarter did.
+/// // A full cycle dissipates four times as much as the first quarter.
 /// let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// let quarter = analytical::CattaneoMindlin::new(hertz, 0.5, 30.0)?.energy_of_first_quarter();
 /// assert!((cycle / (4.0 * quarter) - 1.0).abs() < 0.01);
 ///
-/// // Without force the contact is not without shear.
+/// // The contact retains traction without a force.
 /// history.step(&shear(0.0))?;
 /// assert!(history.shift()[0] > 0.0 && history.traction()[0].max() > 0.0);
 /// # Ok::<(), Error>(())
@@ -92,23 +96,24 @@ pub struct History {
     pub(crate) bodies: HalfSpace,
     pub(crate) state: State,
     pub(super) press: PressureSolver,
-    /// The normal contact of the step under way.
+    /// Normal contact of the present step.
     pub(super) candidate: PooledBuffer<NormalSolution>,
     pub(super) increments: IncrementPool,
-    /// The tangential contact of the step under way.
+    /// Tangential contact of the present step.
     pub(super) increment: Option<TangentialIncrement>,
-    /// Pressure and traction found together, instead of the above; none where they are not coupled.
+    /// Solver of coupled pressure and traction, which replaces the two contacts above; `None` for bodies without
+    /// coupling.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
     /// Lift by the tractions of rolled steps with one-way coupling; `None` before the first such step.
     pub(super) lifting: Option<NeglectedLift>,
-    /// Where the fields of the step are not all zero, if anywhere.
+    /// Window in which the fields of the step may be non-zero; `None` if all fields are zero.
     written: Option<Window>,
 }
 
 shown!(History: bodies, state);
 
-/// How the parts of a state that slabs have in common are called.
+/// Name in error messages of the parts of a state that slabs have in common.
 const ALL_BUT_FIELDS: &str = "state but for its fields";
 
 const _: () = {
@@ -117,9 +122,9 @@ const _: () = {
 };
 
 impl History {
-    /// Starts from what is required: bodies, gap before loading (lengths, on the grid of the bodies) and
-    /// friction. The gap is copied from a reference, and from an [`Arc`] that others hold; given by value it is not. Nothing
-    /// touches and no traction acts before the first step.
+    /// Starts a builder from the required input: bodies, gap before loading (lengths, on the grid of the bodies) and
+    /// friction. A gap passed by reference or in an [`Arc`] with other owners is copied; a gap passed by value is not.
+    /// Before the first step there is neither contact nor traction.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -128,14 +133,14 @@ impl History {
         HistoryBuilder::new(bodies, gap.into(), friction)
     }
 
-    /// Starts from a state on the bodies it belongs to, to the same bits as the history that had it. Its
-    /// [last step](Self::last_step) is empty.
+    /// Creates a history from a state, on the bodies the state belongs to. It continues with results bitwise identical
+    /// to those of the original history. Its [last step](Self::last_step) is empty.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`],
-    /// [`Error::BoundaryMismatch`] or
-    /// [`Error::MaterialMismatch`] for other bodies;
-    /// [`Error::Memory`]; [`Error::Ranks`].
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the state belongs to
+    ///   other bodies.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if ranks fail or pass different states.
     pub fn from_state(bodies: &HalfSpace, mut state: State) -> Result<Self> {
         bodies.collective_result_checked(
             state.check_bodies(bodies),
@@ -159,25 +164,25 @@ impl History {
         })
     }
 
-    /// The state after the last step, without a copy.
+    /// Returns a reference to the state after the last step.
     #[must_use]
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// Returns to a state, one of this history or of another on equal bodies: gap, friction and settings are those
-    /// of the state too. It copies into the buffers that are there, and allocates only if the contact has had
-    /// another box since, or where only one of the two states has a relative displacement.
-    /// [`last_step`](Self::last_step) still is the step taken last.
+    /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
+    /// settings. The state is copied into the existing buffers. The call allocates only if the contact has moved to a
+    /// different box since, or if only one of the two states has a relative displacement.
+    /// [`last_step`](Self::last_step) remains the step taken last.
     ///
     /// # Errors
-    /// As [`History::from_state`]; the history is then as it was.
+    /// Errors of [`History::from_state`]. The history is unchanged after an error.
     pub fn set_state(&mut self, state: &State) -> Result<()> {
         self.bodies.collective_result_checked(
             state.check_bodies(&self.bodies),
             &[(ALL_BUT_FIELDS, &state.numbers_on(&self.bodies))],
         )?;
-        // Ranks that lose each other on the way keep what they have.
+        // On distributed bodies a copy is restored, so that a rank failure leaves the present state unchanged.
         let is_copied = self.bodies.is_shared() || !self.state.has_room_for(state);
         let mut whole = is_copied.then(|| state.try_clone()).transpose()?;
         if let Some(whole) = &mut whole {
@@ -193,7 +198,7 @@ impl History {
             self.state = whole;
         } else {
             self.state.clone_from(state);
-            // A state that was read from bytes has no scale.
+            // A state that was read from bytes does not contain the scale.
             let State {
                 normal,
                 pressed_gap,
@@ -204,7 +209,7 @@ impl History {
         Ok(())
     }
 
-    /// Returns to a state that this history had, also where ranks have lost each other.
+    /// Restores an earlier state of this history, even after a rank failure.
     pub(super) fn go_back(&mut self, state: &mut State) -> Result<()> {
         if self.state.has_room_for(state) {
             self.state.clone_from(state);
@@ -215,35 +220,38 @@ impl History {
         self.take_back()
     }
 
-    /// Makes what finds the pressure start from the state again.
+    /// Makes the solvers of the pressure start from the state again.
     pub(super) fn take_back(&mut self) -> Result<()> {
         let Self { press, joint, .. } = self;
         resume(&self.bodies, &self.state, press, joint)
     }
 
-    /// Takes a step, and returns what it did; also [`History::last_step`] afterwards.
+    /// Takes a step and returns its result; [`History::last_step`] returns it later.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NegativeOrNotFinite`],
-    /// [`Error::NotPositive`],
-    /// [`Error::ApproachBeyondMeanGap`] or
-    /// [`Error::UnsupportedByModel`] for the load; [`Error::GridTooShort`] if the grid ends less than a rolled step ahead of
-    /// the contact or behind it; [`Error::BeyondFrictionCapacity`] if friction does not hold the force;
-    /// [`Error::EmptyContact`] for a tangential force while no cell carries pressure;
-    /// [`Error::NotConverged`]; [`Error::Ranks`]. The history is then as it was, bit for bit.
+    /// - [`Error::NotFinite`], [`Error::NegativeOrNotFinite`], [`Error::NotPositive`] or [`Error::ApproachBeyondMeanGap`] if a
+    ///   number of the load is invalid.
+    /// - [`Error::UnsupportedByModel`] if the model does not support the load.
+    /// - [`Error::GridTooShort`] if the grid ends less than a rolled step in front of or behind the contact.
+    /// - [`Error::BeyondFrictionCapacity`] if the force exceeds the friction capacity.
+    /// - [`Error::EmptyContact`] for a tangential force while no cell carries pressure.
+    /// - [`Error::NotConverged`] if a solve does not converge.
+    /// - [`Error::Ranks`] if ranks fail or pass different loads.
+    ///
+    /// After an error the history is bitwise unchanged.
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }
 
-    /// [`History::step`] with an observer that sees every iteration and may cancel. Should it panic, the history is as it
-    /// was too, for a caller that catches that.
+    /// Takes a step as [`History::step`] does, with an observer that receives every iteration and may cancel. If the
+    /// observer panics and the caller catches the panic, the history is unchanged.
     ///
-    /// Once the observer has cancelled a step, the step returns [`Error::NotConverged`] with [`Status::Cancelled`], even if
-    /// the tractions are within the tolerance. The history is then unchanged. If ranks share a history, the observer of the
-    /// first rank decides.
+    /// Once the observer has cancelled a step, the step returns [`Error::NotConverged`] with [`Status::Cancelled`],
+    /// even if the tractions are within the tolerance. The history is then unchanged. On distributed bodies the
+    /// observer of the first rank decides.
     ///
     /// # Errors
-    /// As [`History::step`].
+    /// Errors of [`History::step`].
     pub fn step_observed(
         &mut self,
         load: &LoadStep,
@@ -267,11 +275,11 @@ impl History {
         Ok(&self.step)
     }
 
-    /// Takes a step that has been checked.
+    /// Takes a step whose load has been checked.
     fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
         let remembered = self.state.contact.as_ref().map(|memory| memory.window);
         let motion = self.attempt(load, observer)?;
-        // Ranks that lose each other on the way into the state go back.
+        // On distributed bodies a copy of the state is kept, which is restored if a rank fails during the commit.
         let is_shared = self.bodies.is_shared();
         let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
         let kept = is_shared.then(keep).transpose()?;
@@ -284,7 +292,7 @@ impl History {
         entered
     }
 
-    /// Makes a step that was solved part of the state.
+    /// Commits a solved step to the state.
     fn enter(&mut self, load: &LoadStep, motion: RigidMotion) {
         let Self { state, step, .. } = self;
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
@@ -386,14 +394,19 @@ impl History {
         narrow(&self.bodies, state, before, press_window, margins);
     }
 
-    /// Changes the gap before loading, as wear does; all else stays, the pressure too until a step that does not
-    /// hold it: give the normal load in the next step again. Before a step that [rolls](crate::history#rolling) it is the
-    /// gap of that step, with a texture moved on. What has [yielded](State::yielded) is added to it. A step that holds the
-    /// pressure carries [`Warning::StalePressure`](crate::Warning::StalePressure). Copies without allocating.
+    /// Changes the gap before loading, for instance after wear. Everything else is kept, including the pressure until a
+    /// step that does not hold it; prescribe the normal load again in the next step. A step that holds the pressure has
+    /// the warning [`Warning::StalePressure`]. The [plastic depth](State::yielded) is added to the gap.
+    ///
+    /// Before a step that [rolls](crate::history#rolling), pass the gap of that step, in which the texture has moved
+    /// with the particles. Copies without allocating.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] or [`Error::Sample`];
-    /// [`Error::Ranks`]; the gap is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         self.bodies
             .collective_result(gap.check("gap", self.grid()))?;
@@ -412,11 +425,13 @@ impl History {
         Ok(())
     }
 
-    /// Changes the friction from the next step on; all else stays.
+    /// Changes the friction of the following steps; everything else is kept.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; [`Error::Ranks`]; the friction is then as
-    /// it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Ranks`] if ranks fail or pass different friction.
+    ///
+    /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
         let capacity = self.state.capacity_on_ranks(&self.bodies, friction);
@@ -426,12 +441,15 @@ impl History {
         Ok(())
     }
 
-    /// Changes tolerance, method and limits from the next step on, as after a restart; the state stays. A tolerance
-    /// that is tightened bounds what is still to come, not the errors of steps done.
+    /// Changes tolerance, method and limits of the following steps, for instance after a restart; the state is kept. A
+    /// tighter tolerance bounds the errors of later steps only.
     ///
     /// # Errors
-    /// As [`Settings::check`], and [`Error::Method`] for a method that the tangential model does
-    /// not have; [`Error::Ranks`]; the settings are then as they were.
+    /// - Errors of [`Settings::check`].
+    /// - [`Error::Method`] if the tangential model does not support the method.
+    /// - [`Error::Ranks`] if ranks fail or pass different settings.
+    ///
+    /// The settings are unchanged after an error.
     pub fn set_settings(&mut self, settings: Settings) -> Result<()> {
         let model = TangentialModel::of(self.state.axes);
         let checked = settings.check().and_then(|()| model.check(&settings));
@@ -442,7 +460,7 @@ impl History {
     }
 }
 
-/// The clone takes the same steps, bit for bit. Its first step allocates the buffers that it works in.
+/// The clone takes the same steps with bitwise identical results. Its first step allocates its buffers.
 impl TryClone for History {
     fn try_clone(&self) -> Result<Self> {
         let (bodies, state) = (&self.bodies, self.state.try_clone()?);
@@ -467,8 +485,8 @@ impl TryClone for History {
     }
 }
 
-/// Returns the part of the tangential force that a step lost, in per cent; zero for a force that is round-off of the normal
-/// force.
+/// Returns the fraction of the tangential force that a step lost, in per cent; zero for a force that is round-off of
+/// the normal force.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -485,7 +503,7 @@ fn lost_per_cent(before: f64, step: &StepResult) -> usize {
     }
 }
 
-/// Makes what finds the pressure continue from a state, in the buffers there are if they are of its window.
+/// Makes the solvers of the pressure continue from a state. Existing buffers are reused if they belong to its window.
 fn resume(
     bodies: &HalfSpace,
     state: &State,

@@ -1,5 +1,7 @@
-//! The tangential contact of the step under way: had for its time alone, from a pool of all histories of the same bodies
-//! whose contacts have a window of the same size. The pools of sizes that a contact has left are kept for its return.
+//! Pool of the tangential contacts of steps.
+//!
+//! A step borrows a contact for its duration from a pool, which serves all histories of the same bodies with windows of
+//! the same size. Pools for earlier window sizes are kept in case a contact returns to them.
 
 use std::sync::Arc;
 
@@ -12,10 +14,10 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::pool::Pool;
 use crate::tangential::{Axis, PressureOnWindow, TangentialIncrement};
 
-/// Where a history has its increments from.
+/// Source of the increments of a history.
 #[derive(Debug, Clone, Default)]
 pub(in crate::history) struct IncrementPool {
-    /// What all of them are made for.
+    /// Axes and coupling of the increments.
     kind: Option<IncrementKind>,
     sources: SizeCache<Source>,
 }
@@ -32,11 +34,11 @@ impl HasSize for Source {
     }
 }
 
-/// What an increment is made for.
+/// Axes and coupling for which an increment is created.
 pub(in crate::history) type IncrementKind = (&'static [Axis], Coupling);
 
 impl IncrementPool {
-    /// An increment on a window, with the content of its last use.
+    /// Takes an increment on a window, with arbitrary content from its last use.
     pub(in crate::history) fn take(
         &mut self,
         bodies: &HalfSpace,
@@ -70,7 +72,7 @@ impl IncrementPool {
         }
     }
 
-    /// Takes back what [`Self::take`] gave last.
+    /// Returns the increment last taken from [`Self::take`] to its pool.
     pub(in crate::history) fn give_back(&self, mut increment: TangentialIncrement) {
         increment.rest();
         if let Some(source) = &self.sources.present {
@@ -79,7 +81,7 @@ impl IncrementPool {
     }
 }
 
-/// The components of the half-space that an increment works with.
+/// Returns the components of the half-space that an increment uses.
 fn components(bodies: &HalfSpace, (axes, coupling): IncrementKind) -> &'static [Component] {
     use Component::{XX, XY, XZ, YY, YZ};
     match (axes, coupling.is_one_way(bodies.pair())) {

@@ -1,4 +1,4 @@
-//! Pressing in as many steps as a tolerance needs.
+//! Pressing in as many steps as a tolerance requires.
 
 use std::ops::ControlFlow;
 
@@ -13,26 +13,29 @@ use crate::memory::fallible::{TryClone, try_each};
 use crate::normal::NormalControl;
 use crate::parallel::layout::Layout;
 
-/// Most steps that a load is taken in.
+/// Largest number of steps of a load.
 const MOST_STEPS: usize = 1024;
 
 impl History {
-    /// Takes a load in as many steps of equal growth of the contact as a tolerance needs, and returns their number.
+    /// Takes a load in steps of equal growth of the contact, as many as a tolerance requires, and returns their number.
     ///
-    /// The contact of dissimilar bodies must be pressed so: which cells stick and slip depends on how the contact grows
+    /// Use this method to press dissimilar bodies, because their stick and slip zones depend on how the contact grows
     /// ([dissimilar bodies](crate::guide::dissimilar_bodies#load-steps)). The history takes the load in 1, 2, 4, 8, ...
     /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
     /// tractions of half as many steps by at most the tolerance. The difference is
-    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction). The tolerance lies in `(0, 1)`: 0.01 is a good
-    /// choice. The error of tractions falls with an order between 1 and 1.5, so that the steps taken have about half of the
-    /// tolerance as their error, or less. This is an estimate, not a bound. The stick ratio has a first-order error
+    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction). The tolerance lies in `(0, 1)`; 0.01 is a good
+    /// choice.
+    ///
+    /// The error of tractions decreases with an order between 1 and 1.5, so that the error of the steps taken is at
+    /// most about half of the tolerance. This is an estimate, not a bound. The stick ratio has a first-order error
     /// ([table](crate::guide::dissimilar_bodies#load-steps)).
     ///
-    /// Between its ends, a normal force goes as the cube of a length that grows in equal steps, and an approach beyond
-    /// the first touch as its square: on a sphere this length is the contact radius. All else that is prescribed goes in
-    /// proportion to the normal load, as in [`AdaptiveSteps`](crate::history::AdaptiveSteps). For n steps the history
-    /// solves 2n - 1 steps. Bodies whose materials are not coupled, a contact that does not grow (a flat punch), and a
-    /// contact without friction end at two steps, since one is exact there.
+    /// Between its ends, a normal force grows as the cube of a length that grows in equal steps, and an approach beyond
+    /// the first touch as its square. On a sphere this length is the contact radius. All other prescribed quantities
+    /// change in proportion to the normal load, as in [`AdaptiveSteps`](crate::history::AdaptiveSteps).
+    ///
+    /// For n steps the history solves 2n - 1 steps. Bodies without coupling, a contact that does not grow (a flat
+    /// punch), and a contact without friction end at two steps, since one step is exact.
     ///
     /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) cannot be met. The
     /// call allocates the memory of one state.
@@ -58,9 +61,10 @@ impl History {
     /// - [`Error::UnsupportedByModel`] for a load that rolls.
     /// - [`Error::StepTooLong`] if 1024 steps are too few.
     /// - [`Error::Memory`] if memory runs out.
-    /// - The errors of [`History::step`] for the load or one of the steps.
+    /// - Errors of [`History::step`] for the load or one of the steps.
     ///
-    /// The state is then unchanged, bit for bit. The [last step](History::last_step) is then the last one that succeeded.
+    /// After an error the state is bitwise unchanged, and the [last step](History::last_step) is the last step that
+    /// succeeded.
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }
@@ -69,8 +73,9 @@ impl History {
     /// the call.
     ///
     /// # Errors
-    /// As [`History::press`]; [`Error::NotConverged`] with the status [`Status::Cancelled`](crate::Status::Cancelled) if the
-    /// observer cancels. The state is then unchanged, bit for bit.
+    /// - Errors of [`History::press`].
+    /// - [`Error::NotConverged`] with the status [`Status::Cancelled`](crate::Status::Cancelled) if the observer
+    ///   cancels. The state is then bitwise unchanged.
     pub fn press_observed(
         &mut self,
         load: &LoadStep,
@@ -99,7 +104,7 @@ impl History {
     }
 }
 
-/// A load that is taken in more and more steps.
+/// Load that is taken in an increasing number of steps.
 struct LoadRamp<'a> {
     load: &'a LoadStep,
     course: LoadPath,
@@ -109,7 +114,7 @@ struct LoadRamp<'a> {
 }
 
 impl LoadRamp<'_> {
-    /// Takes the load in twice as many steps each time, until the tractions differ by no more than the tolerance.
+    /// Takes the load in twice as many steps each time, until the tractions differ by at most the tolerance.
     fn refine(
         &mut self,
         history: &mut History,
@@ -127,7 +132,7 @@ impl LoadRamp<'_> {
             self.take(history, steps, observer)?;
             let error = traction_distance(history, self.coarse.each_ref());
             if error <= tolerance {
-                // The difference replaces the growth as the measure of the steps.
+                // The difference replaces the criterion for the growth of the contact.
                 history.step.remarks.is_pressed_at_once = false;
                 return Ok(steps);
             }
@@ -141,7 +146,7 @@ impl LoadRamp<'_> {
         }
     }
 
-    /// Takes the load in this many steps.
+    /// Takes the load in `steps` steps.
     fn take(
         &self,
         history: &mut History,
@@ -156,19 +161,19 @@ impl LoadRamp<'_> {
     }
 }
 
-/// The normal load between its ends.
+/// Variation of the normal load between its ends.
 #[derive(Debug, Clone, Copy)]
 enum LoadPath {
     /// In proportion to the number of the step.
     Linear,
-    /// With a power of a length that grows in equal steps.
+    /// As a power of a length that grows in equal steps.
     Power {
         exponent: i32,
-        /// Normal load of the length zero.
+        /// Normal load at length zero.
         origin: f64,
-        /// Normal load at both ends.
+        /// Normal loads at both ends.
         ends: [f64; 2],
-        /// Length at both ends.
+        /// Lengths at both ends.
         lengths: [f64; 2],
     },
 }
@@ -198,7 +203,7 @@ impl LoadPath {
         }
     }
 
-    /// Returns the part of the load that is reached after this part of the steps.
+    /// Returns the fraction of the load that is reached after a fraction of the steps.
     fn part(self, steps: f64) -> f64 {
         match self {
             Self::Power {
@@ -216,7 +221,7 @@ impl LoadPath {
 }
 
 impl State {
-    /// Returns whether too much of the contact of dissimilar bodies came in a step that began with this pressure.
+    /// Returns whether the contact of dissimilar bodies grew too much in a step that started with this pressure.
     pub(in crate::history) fn has_grown_at_once(&self, before: &Field, layout: &Layout) -> bool {
         let growth = SensitivityInput {
             gap: self.pressed_gap.as_slice(),

@@ -1,4 +1,4 @@
-//! What one step of a history did.
+//! Result of one step of a history.
 
 use crate::error::Result;
 #[cfg(feature = "serde")]
@@ -16,8 +16,8 @@ use crate::warning::Warning;
 
 /// Slip, energies, forces and reports of one step.
 ///
-/// Vectors are `[x, y]`; the scalar model leaves the component across its axis at zero. The state after
-/// the step is in the [`History`](crate::history::History).
+/// Vectors are `[x, y]`; in the scalar model the component across its axis is zero. The
+/// [`History`](crate::history::History) has the state after the step.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StepResult {
@@ -47,7 +47,7 @@ try_clone!(StepResult { slip, slip_distance, dissipated_energy, dissipated_energ
     normal_report, tangential_report,
 });
 
-/// What is read, before it is checked.
+/// Deserialised value before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "StepResult")]
@@ -103,7 +103,7 @@ impl<'de> serde::Deserialize<'de> for StepResult {
 }
 
 impl StepResult {
-    /// Nothing done yet.
+    /// Creates an empty result.
     pub(in crate::history) fn new(grid: Grid) -> Result<Self> {
         let zeros = || Field::try_zeros(grid);
         Ok(Self {
@@ -127,7 +127,7 @@ impl StepResult {
         })
     }
 
-    /// Zero in every cell.
+    /// Sets all fields to zero.
     pub(in crate::history) fn clear_fields(&mut self) {
         let fields = [
             &mut self.slip_distance,
@@ -139,114 +139,122 @@ impl StepResult {
         }
     }
 
-    /// Slip of the step, the change of `u - delta` (lengths): against the traction, exactly zero in stick
-    /// cells and outside the contact.
+    /// Returns the slip of the step, the change of `u - delta` (lengths). It is opposite to the traction, and exactly
+    /// zero in stick cells and outside the contact.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// Length of the slip of the step (lengths, non-negative).
+    /// Returns the length of the slip of the step (lengths, non-negative).
     #[must_use]
     pub fn slip_distance(&self) -> &Field {
         &self.slip_distance
     }
 
-    /// Energy each cell dissipates in the step by its traction at the end, `-A q s >= 0`.
+    /// Returns the energy that each cell dissipates in the step, from its traction at the end, `-A q s >= 0`.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy
     }
 
-    /// Energy each cell dissipates in the step by the mean of its tractions before and after,
-    /// `-A (q_n + q_{n+1})/2 s`: the measure that closes the [`EnergyBalance`].
+    /// Returns the energy that each cell dissipates in the step, from the mean of its tractions before and after,
+    /// `-A (q_n + q_{n+1})/2 s`. This energy closes the [`EnergyBalance`].
     #[must_use]
     pub fn dissipated_energy_midpoint(&self) -> &Field {
         &self.dissipated_energy_midpoint
     }
 
-    /// Work, elastic energy and dissipation of the step.
+    /// Returns work, elastic energy and dissipation of the step.
     #[must_use]
     pub fn energy(&self) -> &EnergyBalance {
         &self.energy
     }
 
-    /// Normal force W at the end of the step.
+    /// Returns the normal force W at the end of the step.
     #[must_use]
     pub fn normal_force(&self) -> f64 {
         self.normal_force
     }
 
-    /// Approach at the end of the step (a length).
+    /// Returns the approach at the end of the step (a length).
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Tangential force that body 2 exerts on body 1 at the end of the step.
+    /// Returns the tangential force that body 2 exerts on body 1 at the end of the step.
     #[must_use]
     pub fn tangential_force(&self) -> [f64; 2] {
         self.force
     }
 
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 at the end of the
-    /// step (force times length, positive from x to y).
+    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 at the end of
+    /// the step (force times length, positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
     }
 
-    /// Shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
+    /// Returns the shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Rotation of body 2 relative to body 1 at the end of the step, since the start of the history (radians).
+    /// Returns the rotation of body 2 relative to body 1 at the end of the step, since the start of the history
+    /// (radians).
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
     }
 
-    /// The creepages $`[\xi, \eta]`$ of a step that rolled, what body 2 has moved over body 1 for each length rolled,
-    /// given or caused by the force (dimensionless); `None` where the step did not roll.
+    /// Returns the creepages $`[\xi, \eta]`$ of a rolled step, the motion of body 2 over body 1 per length rolled,
+    /// prescribed or caused by the force (dimensionless). Returns `None` if the step did not roll.
     #[must_use]
     pub fn creepage(&self) -> Option<[f64; 2]> {
         self.creepage
     }
 
-    /// Stick cells over contact cells at the end of the step; zero without contact.
+    /// Returns the ratio of stick cells to contact cells at the end of the step; zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let contact = self.stick_cells + self.slip_cells;
         self.stick_cells as f64 / contact.max(1) as f64
     }
 
-    /// Whether the whole contact is at its friction limit at the end of the step.
+    /// Returns whether the whole contact is at its friction limit at the end of the step.
     #[must_use]
     pub fn is_gross_slip(&self) -> bool {
         self.stick_cells == 0 && self.slip_cells > 0
     }
 
-    /// How the normal contact was solved; `None` if the pressure was held. Under the load and the gap of the step before
-    /// the pressure is known: the report then says what was shown of it, and counts no work.
+    /// Returns the report of the normal contact; `None` if the pressure was held. If load and gap are those of the
+    /// previous step, the pressure is reused. The report then contains the earlier error bounds and no work.
     #[must_use]
     pub fn normal_report(&self) -> Option<&Report> {
         solved(&self.normal_report)
     }
 
-    /// How the tangential contact was solved; `None` before anything has touched.
+    /// Returns the report of the tangential contact; `None` before the first contact.
     #[must_use]
     pub fn tangential_report(&self) -> Option<&Report> {
         solved(&self.tangential_report)
     }
 
-    /// Remarks on the step: [`Warning::StalePressure`] if it held the pressure although
-    /// [`set_gap`](crate::History::set_gap) had changed the gap, [`Warning::ContactAtEdge`], those of contacts and zones
-    /// of too few cells, such as [`Warning::UnderresolvedSlipZone`], those of large approaches and slopes,
-    /// [`Warning::HeldShiftLostForce`], and [`Warning::NeglectedLift`] of a rolled step with one-way coupling. Others, such as spots too small to resolve, are among the warnings
-    /// of [`History::normal`](crate::History::normal) only.
+    /// Returns the warnings of the step:
+    ///
+    /// - [`Warning::StalePressure`] if it held the pressure although [`set_gap`](crate::History::set_gap) had changed
+    ///   the gap,
+    /// - [`Warning::ContactAtEdge`],
+    /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
+    /// - the warnings about large approaches and slopes,
+    /// - [`Warning::HeldShiftLostForce`],
+    /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.
+    ///
+    /// Other warnings, for example about spots too small to resolve, are returned by
+    /// [`History::normal`](crate::History::normal) only.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

@@ -1,4 +1,4 @@
-//! A step in which the bodies roll.
+//! Step in which the bodies roll.
 
 use crate::error::{Error, Result, finite};
 use crate::grid::field::Field;
@@ -9,10 +9,10 @@ use crate::rolling::LeadingEdge;
 use crate::rolling::RollingShift;
 use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
 
-/// How the bodies roll in a step: by how many cells, where their particles enter the contact, and what body 2 moves over
-/// body 1 on the way.
+/// Rolling in a step: the number of cells, the side at which particles enter the contact, and the creepages and spin of
+/// body 2.
 ///
-/// The default is free rolling to the [leading edge](LeadingEdge) at the largest x: no creepage, no spin.
+/// The default is free rolling to the [leading edge](LeadingEdge) at the largest x, with zero creepage and spin.
 ///
 /// ```
 /// use stickslip::history::{LeadingEdge, Rolling};
@@ -26,7 +26,7 @@ use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, T
 /// let mut history = builder.build()?;
 /// history.step(&LoadStep::hold().normal(NormalControl::Force(1.0)))?;
 ///
-/// // The creepage is given, and the force grows towards that of steady rolling.
+/// // The creepage is prescribed, and the force approaches the force of steady rolling.
 /// let rolling = Rolling::new(1).leading_edge(LeadingEdge::PlusX).creepage([0.05, 0.0]);
 /// let mut last = 0.0;
 /// for _ in 0..20 {
@@ -34,7 +34,7 @@ use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, T
 ///     assert!(force > last && force < 0.3);
 ///     last = force;
 /// }
-/// // The force is given, and the creepage follows.
+/// // The force is prescribed, and the creepage follows.
 /// let load = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.5 * last));
 /// let step = history.step(&load.roll(Rolling::new(1)))?;
 /// assert!(step.creepage().is_some_and(|[along, _]| along < 0.05));
@@ -57,8 +57,9 @@ pub struct Rolling {
 }
 
 impl Rolling {
-    /// Rolling by so many cells, one or more: particles of both surfaces move by as many through the contact. The guide has
-    /// the [remedies for parts of a cell](crate::guide::rolling#steps-of-whole-cells).
+    /// Creates rolling by `cells` cells, at least 1. The particles of both surfaces move by this number of cells
+    /// through the contact. The guide has [remedies for fractions of a
+    /// cell](crate::guide::rolling#steps-of-whole-cells).
     #[must_use]
     pub fn new(cells: usize) -> Self {
         Self {
@@ -69,36 +70,37 @@ impl Rolling {
         }
     }
 
-    /// With the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
+    /// Sets the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
     #[must_use]
     pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
         self.leading_edge = edge;
         self
     }
 
-    /// With the creepages $`[\xi, \eta]`$ along x and y, what body 2 moves over body 1 for each length rolled
-    /// (dimensionless, default zero). Positive ones cause positive forces. Where the step names a force along an axis the
-    /// creepage along it follows, and must be zero here.
+    /// Sets the creepages $`[\xi, \eta]`$ along x and y, the motion of body 2 over body 1 per length rolled
+    /// (dimensionless, default zero). Positive creepages cause positive forces. If the step prescribes a force along an
+    /// axis, the creepage along it follows and must be zero here.
     #[must_use]
     pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
         self.creepage = creepage;
         self
     }
 
-    /// With the spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
-    /// positive from x to y, default zero), about the origin of the grid.
+    /// Sets the spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled, about the origin of the
+    /// grid (one over a length, positive from x to y, default zero).
     #[must_use]
     pub fn spin(mut self, spin: f64) -> Self {
         self.spin = spin;
         self
     }
 
-    /// The way of the particles on the grid of these bodies.
+    /// Returns the path of the particles on the grid of these bodies.
     pub(in crate::history) fn travel(&self, bodies: &HalfSpace) -> RollingShift {
         RollingShift::new(bodies.grid(), self.leading_edge, self.cells)
     }
 
-    /// The creepages of a step: those given, and what body 2 has moved by where a force is.
+    /// Returns the creepages of a step: the prescribed creepage, or the motion of body 2 over the length along an axis
+    /// with a prescribed force.
     pub(in crate::history) fn reached(
         &self,
         load: &LoadStep,
@@ -112,7 +114,7 @@ impl Rolling {
         })
     }
 
-    /// The demand of a step from this state: a creepage is the shift at its end, and the spin the twist.
+    /// Converts creepages and spin to shift and twist at the end of a step from this state.
     fn compute_target(
         &self,
         mut demand: TangentialTarget,
@@ -120,7 +122,7 @@ impl Rolling {
         length: f64,
     ) -> TangentialTarget {
         for (axis, control) in demand.controls.iter_mut().enumerate() {
-            // Held where it does not move, which the start of the solve tells from a motion.
+            // Zero creepage remains a held shift, so that the start of the solve can distinguish it from a motion.
             if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
                 let shift = state.motion.shift[axis] + length * self.creepage[axis];
                 *control = TangentialControl::Shift(shift);
@@ -130,7 +132,7 @@ impl Rolling {
         demand
     }
 
-    /// `Ok` if a history in this state can roll so.
+    /// Returns an error if a history in this state cannot roll with this load.
     fn check(&self, bodies: &HalfSpace, state: &State, load: &LoadStep) -> Result<()> {
         let (travel, cells) = (self.travel(bodies), self.cells as f64);
         travel.check(bodies)?;
@@ -199,7 +201,7 @@ impl Rolling {
 }
 
 impl LoadStep {
-    /// `Ok` if the step does not roll: parts of a cell cannot be rolled.
+    /// Returns an error if the step rolls, because it cannot roll by a fraction of a cell.
     pub(in crate::history) fn check_still(&self) -> Result<()> {
         self.rolling().map_or(Ok(()), |rolling| {
             Err(Error::UnsupportedByModel {
@@ -213,7 +215,7 @@ impl LoadStep {
 }
 
 impl State {
-    /// What a step asks of the tangential contact.
+    /// Returns the tangential load at the end of a step.
     pub(in crate::history) fn demand(
         &self,
         load: &LoadStep,
@@ -226,7 +228,7 @@ impl State {
         }
     }
 
-    /// `Ok` if a step does not roll, or can.
+    /// Returns an error if a step rolls but cannot.
     pub(in crate::history) fn check_rolling(
         &self,
         load: &LoadStep,
@@ -240,8 +242,8 @@ impl State {
 }
 
 impl State {
-    /// Writes to where the trend of a step is to be what it is measured from: the tractions that have followed the pressure
-    /// from `before` on, if it has changed.
+    /// Writes the reference tractions of the next trend to its buffer. They are the tractions before the step, scaled
+    /// with the pressure if it has changed from `before`.
     pub(crate) fn keep_traction(&mut self, travel: &RollingShift, before: Option<&Field>) {
         let (grid, after) = (self.grid(), self.normal.pressure());
         let before = before.unwrap_or(after);
@@ -255,8 +257,8 @@ impl State {
         }
     }
 
-    /// Carries what the particles have to where they are after a step that ended with this motion; they come without any of
-    /// it from beyond the grid.
+    /// Moves the fields of the particles to their positions after a step that ended with this motion. Particles from
+    /// outside the grid have zero fields.
     pub(crate) fn shift_with_particles(&mut self, travel: &RollingShift, end: RigidMotion) {
         let passage = travel.through(self.grid().size());
         let fields = [&mut self.accumulated_slip, &mut self.dissipated_energy];

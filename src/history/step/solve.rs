@@ -1,4 +1,4 @@
-//! How a step is solved, before any of it enters the state.
+//! Solution of a step before it is committed to the state.
 
 use crate::contact::{Cancellation, SolveContext};
 use crate::error::{Result, of_rolling};
@@ -19,8 +19,9 @@ use crate::tangential::{
 };
 
 impl History {
-    /// Solves both halves of a step; returns the motion of body 2 at its end. Of the state it changes the window of what
-    /// the cells remember, which may become wider; where it fails or the observer panics, the history is as before.
+    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
+    /// it changes only the window of the memory, which may become wider. If it fails or the observer panics, the
+    /// history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
         load: &LoadStep,
@@ -61,7 +62,7 @@ impl History {
         outcome
     }
 
-    /// Makes room in the state for what a step leaves there: nothing is to fail on the way into it.
+    /// Reserves memory in the state for the results of a step, because the commit must not fail.
     fn make_room(&mut self) -> Result<()> {
         let State { trend, .. } = &mut self.state;
         let [change] = &mut trend.change;
@@ -79,7 +80,7 @@ impl History {
         })
     }
 
-    /// Solves both halves of a step.
+    /// Solves the normal and the tangential contact of a step.
     fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
         self.press.tick();
         let joint = self.joint.as_ref();
@@ -97,7 +98,7 @@ impl History {
         self.find_tractions(load, observer)
     }
 
-    /// Finds the pressure of the step, as the candidate.
+    /// Solves for the pressure of the step, which becomes the candidate.
     fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
         let state = &self.state;
         control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
@@ -116,7 +117,8 @@ impl History {
         Ok(())
     }
 
-    /// Finds the tractions of the step under the pressure of the candidate, or that of the state if that is held.
+    /// Solves for the tractions of the step under the pressure of the candidate, or under the pressure of the state if
+    /// it is held.
     fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
         let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
@@ -194,23 +196,24 @@ impl History {
     }
 }
 
-/// A step under way.
+/// Step in progress.
 struct StepTransaction<'a> {
     history: &'a mut History,
-    /// Where the cells remembered their slip before it; `None` before the first contact.
+    /// Window of the memory before the step; `None` before the first contact.
     remembered: Option<Window>,
     is_over: bool,
 }
 
 impl StepTransaction<'_> {
-    /// Makes the state that of before.
+    /// Restores the state before the step.
     fn forget(&mut self) {
         self.history.state.crop_memory(self.remembered);
     }
 }
 
 impl Drop for StepTransaction<'_> {
-    /// What a panic of the observer has interrupted may be in pieces: the next step makes it anew.
+    /// Discards solvers that a panic of the observer may have left in an inconsistent state. The next step creates them
+    /// again.
     fn drop(&mut self) {
         if !self.is_over {
             self.forget();
@@ -228,7 +231,7 @@ impl Drop for StepTransaction<'_> {
     }
 }
 
-/// Poses a step in which the pressure of the cells changes, if it does.
+/// Sets up a step in which the pressure of the cells may change.
 fn press(
     increment: &mut TangentialIncrement,
     state: &State,
@@ -247,7 +250,7 @@ fn press(
     increment.enter(gap)
 }
 
-/// Poses a step in which other particles come to the cells.
+/// Sets up a step in which other particles move into the cells.
 fn roll(
     increment: &mut TangentialIncrement,
     state: &State,
@@ -270,8 +273,9 @@ fn roll(
     })
 }
 
-/// Where the tractions of a pressure are found: on the window that the contact has, or on one that is wide enough for a
-/// contact that has left it, and a little wider, so that it may grow some more. `None` before the first contact.
+/// Returns the window for the tractions under a pressure: the present window, or a wider window if the contact has left
+/// it, with a margin for further growth. Returns the present window if there is no contact; `None` before the first
+/// contact.
 fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
     let (grid, samples) = (bodies.grid(), pressure.as_slice());
     let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {

@@ -1,11 +1,11 @@
-//! A wear coefficient, uniform or per cell.
+//! Uniform wear coefficient, or wear coefficient per cell.
 
 use crate::error::{Result, non_negative};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::history::wear::check;
 
-/// A wear coefficient: one for all cells, or one per cell. The laws take a number or a field for it.
+/// Wear coefficient, uniform or per cell. The wear laws accept a number or a field for it.
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -21,9 +21,9 @@ use crate::history::wear::check;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Coefficient<'a> {
-    /// One for all cells.
+    /// Coefficient of all cells.
     Uniform(f64),
-    /// One per cell.
+    /// Coefficient of each cell.
     PerCell(&'a Field),
 }
 
@@ -40,7 +40,7 @@ impl<'a> From<&'a Field> for Coefficient<'a> {
 }
 
 impl Coefficient<'_> {
-    /// That of it which is the same on all ranks; none of one per cell.
+    /// Returns the value that must agree on all ranks; `None` for a coefficient per cell.
     pub(super) fn common(self) -> Option<f64> {
         match self {
             Self::Uniform(coefficient) => Some(coefficient),
@@ -48,7 +48,7 @@ impl Coefficient<'_> {
         }
     }
 
-    /// `Ok` if it is non-negative and finite in the cells of the grid.
+    /// Returns an error if the coefficient is negative or not finite, or belongs to a different grid.
     pub(super) fn check(self, grid: Grid) -> Result<()> {
         let quantity = "wear coefficient";
         match self {
@@ -57,7 +57,7 @@ impl Coefficient<'_> {
         }
     }
 
-    /// The largest of all cells.
+    /// Returns the largest coefficient of all cells.
     pub(super) fn largest(self) -> f64 {
         match self {
             Self::Uniform(coefficient) => coefficient,
@@ -65,7 +65,7 @@ impl Coefficient<'_> {
         }
     }
 
-    /// That of a cell.
+    /// Returns the coefficient of a cell.
     pub(super) fn at(self, index: usize) -> f64 {
         match self {
             Self::Uniform(coefficient) => coefficient,
@@ -74,7 +74,7 @@ impl Coefficient<'_> {
     }
 }
 
-/// The largest sample of a quantity that is not negative; zero where a rank holds no cells.
+/// Returns the largest value of a non-negative field; zero if a rank has no cells.
 pub(super) fn greatest(field: &Field) -> f64 {
     field.max().max(0.0)
 }

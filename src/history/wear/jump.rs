@@ -1,4 +1,4 @@
-//! How many cycles may be jumped.
+//! Number of cycles that a wear simulation may jump over.
 
 use crate::bodies::component::Component;
 use crate::cgm::reduce;
@@ -9,30 +9,31 @@ use crate::history::Cycle;
 use crate::history::wear::{Coefficient, check};
 use crate::operator::Operator;
 
-/// Cycles whose wear may be taken off at once without the pressure swinging up: explicit wear by Archard's
-/// law is stable below (infinite where nothing slips).
+/// Returns the largest number of cycles whose wear can be applied at once with a stable pressure. Explicit wear by
+/// Archard's law is stable below this number; it is infinite if no cell slips.
 ///
-/// Taking off $`N k s\,p`$ changes a pattern of pressure of compliance $`\lambda`$, an eigenvalue of
-/// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All patterns decay if
+/// Removing the depth $`N k s\,p`$ changes a pressure mode with the compliance $`\lambda`$, an eigenvalue of
+/// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All modes decay if
 ///
 /// ```math
 /// N\,k\,s < 2\,\lambda_{min} \qquad (= 1.16\,h/E^* \text{ on square cells of side } h;\ 0.90\,h/E^* \text{ on a periodic grid}),
 /// ```
 ///
-/// and none changes sign below half of that, where a [`CycleJump`] stays. `coefficient` is the sum of both
-/// bodies, `slip_distance` that of one cycle. For the energy law, pass its coefficient times that of
-/// friction. Of [distributed](HalfSpace::distributed) bodies all ranks ask for it together.
+/// and no mode changes sign below half of this number, which is the limit of [`CycleJump`]. `coefficient` is the sum
+/// for both bodies, and `slip_distance` belongs to one cycle. For the energy law, pass the product of its coefficient
+/// and the coefficient of friction. For [distributed](HalfSpace::distributed) bodies the call is collective.
 ///
 /// # Errors
-/// [`Error::NegativeOrNotFinite`] for the coefficient,
-/// [`Error::GridMismatch`] or [`Error::Sample`] for
-/// coefficients and slip length; [`Error::NotPositive`] for operators of a user without a lower bound; as
-/// [`HalfSpace::operator`]; [`Error::Ranks`].
+/// - [`Error::NegativeOrNotFinite`] if the uniform coefficient is negative or not finite.
+/// - [`Error::GridMismatch`] or [`Error::Sample`] for the coefficients or the slip distance.
+/// - [`Error::NotPositive`] for user-defined operators without a lower bound.
+/// - Errors of [`HalfSpace::operator`].
+/// - [`Error::Ranks`] if ranks fail or pass different input.
 ///
 /// ```
 /// use stickslip::history::wear;
 /// use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material};
-/// // E* = 115 GPa, cells of a micrometre, k = 1e-14 1/Pa and 40 um of slip a cycle.
+/// // E* = 115 GPa, cells of one micrometre, k = 1e-14 1/Pa and a slip distance of 40 um per cycle.
 /// let grid = Grid::square(64, 64e-6)?;
 /// let pair = ElasticPair::new(Material::new(115e9, 0.0)?, Material::rigid())?;
 /// let bodies = HalfSpace::new(grid, pair)?;
@@ -56,13 +57,13 @@ pub fn max_stable_cycles<'a>(
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
-/// How many cycles to jump over: as many as a cycle's wear may be taken off at once, without the pressure
-/// swinging.
+/// Number of cycles to jump over, such that the wear of these cycles can be applied at once without an oscillation of
+/// the pressure.
 ///
-/// The depth $`h`$ that a cycle removes, by any law that is proportional to the pressure $`p`$ it slipped
-/// under, changes with it by $`h/p`$, and $`N h / p < \lambda_{min}`$ in every cell lets no pattern of
-/// pressure change sign: half of what is [stable](max_stable_cycles). The shape of the contact and the cycles
-/// left set other limits.
+/// Let $`h`$ be the depth that a cycle removes by any law that is proportional to the slip pressure $`p`$. It then
+/// changes with the pressure by $`h/p`$. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes sign;
+/// this is half of the [stable](max_stable_cycles) number of cycles. The shape of the contact and the number of
+/// remaining cycles set further limits.
 ///
 /// ```
 /// use stickslip::history::wear::{self, CycleJump};
@@ -77,7 +78,7 @@ pub fn max_stable_cycles<'a>(
 ///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
 /// });
 ///
-/// // The first cycle, from rest, does not stand for those that follow.
+/// // The first cycle, from rest, is not representative of the following cycles.
 /// let (mut cycle, mut done) = (Cycle::new(&history), 0.0);
 /// fretting.cycle(&mut history, &mut cycle)?;
 /// while done < 1000.0 {
@@ -106,17 +107,20 @@ pub struct CycleJump {
     cycles_left: Option<f64>,
 }
 
-/// Residual of a cycle that still stands for those that follow: wear and jumps change a steady one by less.
+/// Default residual up to which a cycle is representative of the following cycles. Wear and jumps change a steady cycle
+/// by less.
 const CLOSED: f64 = 0.25;
 
 impl CycleJump {
-    /// A jump over cycles like this one, which removed this depth (lengths), of both bodies together. Where nothing
-    /// slipped under pressure, as beside the contact after smoothing the depth, it sets no limit.
+    /// Creates a jump over cycles like `cycle`, which removed `depth` (lengths) from both bodies together. A cell that
+    /// did not slip under pressure sets no limit, for example next to the contact after the depth was smoothed.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::Sample`] for a
-    /// depth that is negative or not finite; [`Error::NotPositive`] for operators of a user without a lower bound; as
-    /// [`HalfSpace::operator`]; [`Error::Ranks`].
+    /// - [`Error::GridMismatch`] if the grids differ.
+    /// - [`Error::Sample`] at a depth that is negative or not finite.
+    /// - [`Error::NotPositive`] for user-defined operators without a lower bound.
+    /// - Errors of [`HalfSpace::operator`].
+    /// - [`Error::Ranks`] if ranks fail.
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid);
@@ -142,32 +146,32 @@ impl CycleJump {
         })
     }
 
-    /// With no more than this depth worn off at once (a length; default: without limit). A hundredth of the
-    /// approach keeps a ball's shape.
+    /// Sets the largest depth that may be removed at once (a length; default: no limit). A hundredth of the approach
+    /// preserves the shape of a ball.
     pub fn largest_depth(mut self, depth: f64) -> Self {
         self.largest_depth = Some(depth);
         self
     }
 
-    /// Accepts a cycle whose [residual](Cycle::cyclic_residual) is no more than this (a part of its amplitude; default:
-    /// 0.25). A first cycle from rest, or after a change of the gap, does not close, and would stand for others than
-    /// those that follow.
+    /// Sets the largest [residual](Cycle::cyclic_residual) of an acceptable cycle (relative to its amplitude; default:
+    /// 0.25). A first cycle from rest, or after a change of the gap, does not close and is not representative of the
+    /// following cycles.
     pub fn max_residual(mut self, residual: f64) -> Self {
         self.max_residual = residual;
         self
     }
 
-    /// Limits the jump to the cycles left to simulate (default: no limit).
+    /// Sets the number of cycles that are left to simulate, an upper limit of the jump (default: no limit).
     pub fn cycles_left(mut self, cycles: f64) -> Self {
         self.cycles_left = Some(cycles);
         self
     }
 
-    /// The number of cycles, not rounded: the least that a limit allows, infinite without a limit.
+    /// Returns the number of cycles, not rounded: the smallest of the limits, infinite without a limit.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`] for a limit that is negative or not finite,
-    /// [`Error::CycleNotClosed`] for a cycle that does not close within what is allowed.
+    /// - [`Error::NegativeOrNotFinite`] if a limit is negative or not finite.
+    /// - [`Error::CycleNotClosed`] if the residual of the cycle exceeds the allowed value.
     pub fn cycles(&self) -> Result<f64> {
         let limit = non_negative("residual of a closed cycle", self.max_residual)?;
         if self.residual.is_nan() || self.residual > limit {
@@ -190,11 +194,11 @@ impl CycleJump {
     }
 }
 
-/// $`\lambda_{min}`$ over the depth per pressure that a cycle removes at most.
+/// Returns $`\lambda_{min}`$ over the largest depth per pressure that a cycle removes.
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let compliance = bodies.operator(Component::ZZ)?;
     compliance.check_bounded()?;
-    // If a datum makes the compliance indefinite, the force is prescribed, and pressures change without a mean.
+    // If a datum makes the compliance indefinite, the force is prescribed, and changes of the pressure have zero mean.
     let least = match compliance.lower_bound() {
         least if least > 0.0 => least,
         _ => compliance.bound_without_mean().0,

@@ -1,4 +1,4 @@
-//! Laws of wear.
+//! Wear laws.
 
 use crate::error::{Result, finite, non_negative};
 use crate::grid::field::Field;
@@ -8,17 +8,20 @@ use crate::parallel;
 
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
-/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, of the body or the sum of both: the
-/// volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa).
-/// `slip_distance` is that of a [step](crate::history::StepResult::slip_distance), or that of a
-/// [cycle](crate::history::Cycle::slip_distance) with the [pressure](crate::history::Cycle::slip_pressure) it slipped
-/// under. Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
+/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, for one body or the sum of both. It
+/// is the volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa).
+/// `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
+/// [cycle](crate::history::Cycle::slip_distance) together with its [slip
+/// pressure](crate::history::Cycle::slip_pressure). Archard, J. Appl. Phys. 24 (1953) 981,
+/// <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
-/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient, [`Error::Sample`](crate::Error::Sample)
-/// for a coefficient, pressure or length that is negative or not finite,
-/// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
-/// greatest depth; the depth is then as it was.
+/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
+/// - [`Error::Sample`](crate::Error::Sample) at a coefficient, pressure or length that is negative or not finite.
+/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+///
+/// The depth is unchanged after an error.
 pub fn archard<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     pressure: &Field,
@@ -39,17 +42,19 @@ pub fn archard<'a>(
 
 /// Adds the depth that the energy law removes, `alpha E / A` with the area A of a cell (lengths).
 ///
-/// `coefficient` alpha is that of the body, or the sum of both: the volume removed per energy dissipated (one
-/// over a pressure); in gross slip it is Archard's k over the coefficient of friction. `energy` is what each cell
-/// dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
+/// `coefficient` alpha belongs to one body, or is the sum of both. It is the volume removed per dissipated energy (one
+/// over a pressure). In gross slip it equals Archard's k over the coefficient of friction. `energy` is the energy that
+/// each cell dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
 /// [cycle](crate::history::Cycle::dissipated_energy). Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
-/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient, [`Error::Sample`](crate::Error::Sample)
-/// for a coefficient or energy that is negative or not finite,
-/// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
-/// greatest depth; the depth is then as it was.
+/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
+/// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
+/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+///
+/// The depth is unchanged after an error.
 pub fn energy<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     energy: &Field,
@@ -69,14 +74,14 @@ pub fn energy<'a>(
     Ok(())
 }
 
-/// Adds the depth that the energy law removes beyond a threshold: what a step or a cycle adds to
-/// `alpha max(0, E/A - e)` (lengths), so that steps sum to the law of the total.
+/// Adds the depth that the energy law removes beyond a threshold: the increase of `alpha max(0, E/A - e)` in a step or
+/// cycle (lengths). The depths of the steps therefore sum to the law for the total energy.
 ///
-/// `threshold` e is the energy per area that wears nothing. `accumulated` is the energy E that each cell has
-/// dissipated since the start, that of the step included, as
-/// [`History::dissipated_energy`](crate::history::History::dissipated_energy) has it after the step, and
-/// `energy` the part of the step or of the cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003)
-/// 287, <https://doi.org/10.1016/S0043-1648(03)00117-0>, for the energy of the whole contact; here it is that
+/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has
+/// dissipated since the start, including the present step;
+/// [`History::dissipated_energy`](crate::history::History::dissipated_energy) returns it after the step. `energy` is
+/// the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003) 287,
+/// <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact; this function uses the energy
 /// of each cell.
 ///
 /// ```
@@ -88,16 +93,18 @@ pub fn energy<'a>(
 ///     total.add_scaled(1.0, &step)?;
 ///     wear::threshold_energy(0.5, 3.0, &total, &step, &mut depth)?;
 /// }
-/// // Of 8 in all, 5 are beyond the threshold of 3.
+/// // Out of a total of 8, 5 are above the threshold of 3.
 /// assert_eq!(depth, Field::constant(grid, 2.5));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for coefficient or threshold,
-/// [`Error::Sample`](crate::Error::Sample) for a coefficient or energy that is negative or not finite,
-/// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::NotFinite`](crate::Error::NotFinite) for the
-/// greatest depth; the depth is then as it was.
+/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient or the threshold is negative or not finite.
+/// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
+/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.
+///
+/// The depth is unchanged after an error.
 pub fn threshold_energy<'a>(
     coefficient: impl Into<Coefficient<'a>>,
     threshold: f64,
@@ -118,14 +125,14 @@ pub fn threshold_energy<'a>(
     )?;
     let (total, energy) = (accumulated.as_slice(), energy.as_slice());
     remove(depth, |i| {
-        // Of the energy of the step, what lies beyond the threshold.
+        // Only the part of the energy of the step that lies above the threshold counts.
         let beyond = (total[i] - threshold * area).clamp(0.0, energy[i]);
         coefficient.at(i) / area * beyond
     });
     Ok(())
 }
 
-/// Adds to the depth of every cell.
+/// Adds `of` to the depth of every cell.
 fn remove(depth: &mut Field, of: impl Fn(usize) -> f64 + Sync) {
     parallel::update(depth.as_mut_slice(), |first, chunk| {
         for (i, depth) in (first..).zip(chunk) {

@@ -1,11 +1,11 @@
-//! Depth removed by wear, and how many cycles may be jumped.
+//! Wear depth, and the number of cycles that a simulation may jump over.
 //!
-//! The laws add to a field of the caller, so that they serve a body's own depth, the depth of a cycle, and
-//! the gap itself: removal from either body opens it. Their [`Coefficient`] is a number or a field. A
-//! law of one's own needs no more than slip, pressure or energy of a [step](crate::history::StepResult) or a
-//! [cycle](crate::history::Cycle). [`CycleJump`] tells how many cycles may be worn off at once.
+//! The laws add to a field of the caller, which may be the depth of one body, the depth of a cycle, or the gap itself:
+//! removal from either body opens the gap. Their [`Coefficient`] is a number or a field. A user-defined law needs only
+//! slip, pressure or energy of a [step](crate::history::StepResult) or a [cycle](crate::history::Cycle). [`CycleJump`]
+//! computes the number of cycles whose wear may be applied at once.
 //!
-//! Here the gap is worn after every step:
+//! In this example the gap is worn after every step:
 //!
 //! ```
 //! use std::ops::ControlFlow;
@@ -31,7 +31,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! The example `wear_loop` draws:
+//! The example `wear_loop` plots:
 #![cfg_attr(doc, doc = include_str!("../../pictures/wear_loop.html"))]
 
 mod coefficient;
@@ -46,7 +46,7 @@ use crate::error::{Result, all_non_negative};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
-/// `Ok` if the field lives on the grid, and no sample is negative or not finite.
+/// Returns an error if a field belongs to a different grid, or a value is negative or not finite.
 fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
     grid.expect(quantity, field.grid())?;
     all_non_negative(quantity, field.as_slice())
