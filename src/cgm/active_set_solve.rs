@@ -1,4 +1,4 @@
-//! One solve under way: products, limits, the examination of an iterate, the end.
+//! State of one solve, shared by all methods: products, sums, the examination of an iterate and the end of the iteration.
 
 use std::ops::ControlFlow;
 
@@ -15,20 +15,20 @@ use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 
-/// Error of a product in single precision, over the largest displacement.
+/// Error of a product in single precision, relative to the largest displacement.
 pub(super) const SINGLE: f64 = 1e-6;
-/// Part of the tolerance by which a product may be wrong where the answer is examined elsewhere: small, because errors of
-/// all cells add up in the energy norm.
+/// Accepted error of a product, as a fraction of the tolerance, if the caller examines the solution. The fraction is small
+/// because the errors of all cells add up in the energy norm.
 const ACCEPTED: f64 = 0.03;
 
-/// Part of the smallest eigenvalue below which a curvature is round-off of single precision.
+/// Fraction of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
-/// Part of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
+/// Fraction of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
 const FLATTEST: f64 = 1e-30;
-/// The same where no eigenvalue is known: small in any system of units.
+/// Replacement if no eigenvalue is known: small in any system of units.
 const NOTHING: f64 = 1e-60;
 
-/// What a product is computed in.
+/// Precision of a product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Precision {
     Double,
@@ -36,7 +36,7 @@ pub(super) enum Precision {
 }
 
 impl Precision {
-    /// `out = C x`, counted.
+    /// Computes `out = C x` and counts the product.
     pub(super) fn apply<const N: usize>(
         self,
         operator: &dyn Operator<N>,
@@ -58,25 +58,25 @@ impl Precision {
     }
 }
 
-/// The iterate that Newton's method begins with.
+/// Knowledge about the iterate with which Newton's method starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum IterateStart {
     Unknown,
-    /// It is feasible, and its product is fresh.
+    /// The iterate is feasible and its product is up to date.
     Verified,
-    /// Its gradient tells where cells become free.
+    /// The gradient of the iterate identifies the cells that become free.
     Near,
 }
 
-/// The outcome of bringing an iterate within its sets.
+/// Outcome of moving an iterate into its sets.
 pub(super) struct ProjectionOutcome {
-    /// Whether the cells stay in the sets they were in.
+    /// Whether all cells keep their motion states.
     pub(super) keeps_sets: bool,
-    /// Whether nothing has changed, multipliers and product included.
+    /// Whether nothing has changed, including multipliers and product.
     pub(super) unchanged: bool,
 }
 
-/// One solve under way.
+/// State of one solve.
 #[expect(
     missing_debug_implementations,
     unnameable_types,
@@ -87,31 +87,31 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
     pub(super) workspace: &'a mut Workspace<K::Set, N>,
-    /// By how much product and gradient may miss those of `x`, in parts of the largest displacement: by nothing after a
-    /// product in double precision, by anything once `x` has moved.
+    /// Bound on the error of product and gradient for the current `x`, relative to the largest displacement. Zero after a product
+    /// in double precision, infinite once `x` has moved.
     pub(super) product_error: f64,
-    /// The same of the gradient alone, which follows the steps of the linear problem.
+    /// Error bound of the gradient alone, which is updated by the steps of the linear problem.
     pub(super) gradient_error: f64,
     pub(super) start: IterateStart,
-    /// Bound of the eigenvalues for the unknowns that the totals allow.
+    /// Lower bound of the eigenvalues on the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
-    /// How far a unit traction displaces its own cell.
+    /// Displacement of a cell under a unit traction on it.
     pub(super) self_compliance: f64,
-    /// Reduction of the inner residual that the next pass of Newton's method begins with.
+    /// Reduction of the inner residual with which the next pass of Newton's method starts.
     pub(super) inner_reduction: f64,
-    /// Stiffness that is added to the operator about the centre of a stage; zero but in the way out of a cycle.
+    /// Stiffness added to the operator around the centre of a proximal-point stage; zero outside such stages.
     pub(super) restraint: f64,
-    /// Restraint beside which the inverse of the operator alone is of no use.
+    /// Restraint above which the inverse of the operator alone is useless as a preconditioner.
     pub(super) stiff: f64,
-    /// What the iterate was shown to be worth, if it is feasible and has not changed since.
+    /// Merit of the last verified iterate; `None` if the iterate is not feasible or has changed since.
     pub(super) shown: Option<f64>,
     pub(super) progress: Progress,
     pub(super) totals: TotalsSystem<N>,
-    /// Whether the gradient of the start tells where cells become free.
+    /// Whether the gradient of the start identifies the cells that become free.
     pub(super) is_near: bool,
-    /// The largest displacement, as last examined.
+    /// Largest displacement at the last examination.
     pub(super) displacement: f64,
-    /// Whether the totals leave no choice: every cell stands at an extreme of its set.
+    /// Whether the totals determine all unknowns: every cell is at an extreme point of its set.
     is_extreme: bool,
 }
 
@@ -152,10 +152,10 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Finds whether springs alone store the energy of uniform unknowns, where that makes a difference.
+    /// Determines whether springs alone store the energy of uniform unknowns, if this affects the error bound.
     ///
-    /// An operator whose eigenvalues for all unknowns exceed the bound displaces a cell by at least the bound under
-    /// uniform unknowns of one.
+    /// An operator whose eigenvalues on all unknowns exceed the bound displaces some cell by at least the bound under uniform
+    /// unknowns of one.
     pub(super) fn find_bound_of_mean(&mut self) {
         let (least, layout) = (self.lower_bound.value, self.layout());
         let cells = layout.of_all_ranks();
@@ -180,17 +180,17 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// How the cells lie.
+    /// Returns the layout of the cells.
     pub(super) fn layout(&self) -> &'a Layout {
         self.problem.layout
     }
 
-    /// The prescribed sums.
+    /// Returns the prescribed sums.
     pub(super) fn sums(&self) -> [Option<f64>; N] {
         self.problem.totals.map(Total::sum)
     }
 
-    /// Brings the start within its sets and marks how every cell may move. The product of one that was looked at stays.
+    /// Projects the start onto its sets and determines the motion of every cell. Keeps the product of a start that was examined.
     pub(super) fn mark_start(&mut self) {
         let constraint = self.problem.constraint;
         if std::mem::replace(&mut self.start, IterateStart::Unknown) != IterateStart::Verified {
@@ -210,8 +210,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// Moves the cells to their sums: those that move, or are inside their bounds, if they suffice, or `all` alike. Says
-    /// whether the cells keep the way they move.
+    /// Moves cells to restore the sums: all cells if `all`, otherwise the moving cells, or those inside their bounds, if they
+    /// suffice. Returns whether the cells keep their motion states.
     pub(super) fn restore_totals(&mut self, all: bool) -> bool {
         let motions = &self.workspace.linear.rows;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
@@ -222,12 +222,12 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         K::Set::restore(layout, slices_mut(&mut self.x), constraint, preferred, sums)
     }
 
-    /// The linear problem of the cells as they may move now.
+    /// Returns the linear problem of the semismooth Newton step for the current motion of the cells.
     pub(super) fn linear(&mut self) -> Linear<'_, 'a, MotionOf<K, N>, N> {
         self.parts().0
     }
 
-    /// The same, and the iterate that its solution moves.
+    /// Returns the linear problem and the iterate that its solution updates.
     pub(super) fn parts(
         &mut self,
     ) -> (Linear<'_, 'a, MotionOf<K, N>, N>, UpdatedIterate<'_, 'a, N>) {
@@ -252,25 +252,25 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         (linear, moved)
     }
 
-    /// `product = (C + D) x`, `gradient = (C + D) x + b`.
+    /// Computes `product = (C + D) x` and `gradient = (C + D) x + b`.
     pub(super) fn refresh(&mut self) {
         self.refresh_in(Precision::Double);
         self.product_error = 0.0;
     }
 
-    /// The same in single precision: good enough to iterate, and to test convergence only of what is [examined
-    /// elsewhere](crate::cgm::Problem::verified_by_caller).
+    /// Computes product and gradient in single precision. This is accurate enough to iterate, but a test of convergence may use
+    /// it only if the solution is [examined elsewhere](crate::cgm::Problem::verified_by_caller).
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
         self.product_error = SINGLE;
     }
 
-    /// Whether product and gradient are those of `x`.
+    /// Returns whether product and gradient belong to the current `x`.
     pub(super) fn is_fresh(&self) -> bool {
         self.product_error == 0.0
     }
 
-    /// By how much they may miss those of what is returned: not at all, unless it is [examined
+    /// Returns the accepted error of product and gradient of the returned iterate: zero unless it is [examined
     /// elsewhere](crate::cgm::Problem::verified_by_caller).
     fn accepted_error(&self) -> f64 {
         if self.problem.is_examined_elsewhere {
@@ -280,7 +280,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Takes the gradient for that of `x` where it has followed it closely enough, and the product from it; says whether.
+    /// Accepts the updated gradient for the current `x` if its error is small enough, and derives the product from it. Returns
+    /// whether the gradient was accepted.
     pub(super) fn adopt_gradient(&mut self) -> bool {
         let is_close = self.gradient_error <= self.accepted_error();
         if is_close {
@@ -310,7 +311,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.form_gradient();
     }
 
-    /// Adds a multiple of what the cells displace themselves to the product.
+    /// Adds `part` times the displacement by the diagonal `D` to the product.
     pub(super) fn add_diagonal(&mut self, part: f64) {
         let (x, problem) = (slices(&self.x), self.problem);
         if !problem.own.is_none() {
@@ -328,9 +329,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// The curvature that takes a direction `d` of `square = d' d` on the cells that move to their bounds, if
-    /// its own, `d' C d`, is zero. An operator that maps constants to zero does not resist a uniform direction. The
-    /// operator of a single periodic cell maps everything to zero and has no stiffness to compare with.
+    /// Returns a small replacement for the curvature of a direction `d` with `square = d' d` if its own curvature, `d' C d`, is
+    /// zero. The resulting step brings the moving cells to their bounds. An operator that maps constants to zero does not resist
+    /// a uniform direction. The operator of a single periodic cell maps everything to zero and has no stiffness for comparison.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound.value * square;
         let is_flat = self.problem.totals.contains(&Total::Free)
@@ -348,8 +349,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         (is_flat && slides()).then_some(flattest)
     }
 
-    /// Examines the iterate by the product at hand, and writes the findings to the report. They are certain only if
-    /// that product is [fresh](Self::is_fresh).
+    /// Examines the iterate with the current product and writes the findings to the report. They are reliable only if that
+    /// product is [fresh](Self::is_fresh).
     pub(super) fn certificate(&mut self) -> Certificate {
         let w = &*self.workspace;
         let (x, product) = (slices(&self.x), slices(&w.product));
@@ -360,12 +361,12 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         findings
     }
 
-    /// What has to fall to the tolerance.
+    /// Returns the quantity that must fall to the tolerance.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
         findings.merit(self.lower_bound.value)
     }
 
-    /// Records an examined step, and says if it is the last: converged or stopped.
+    /// Records an examined step. Breaks if it is the last one: converged or stopped.
     pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
         self.monitor
             .check_termination(merit, &mut self.workspace.linear.report)
@@ -376,18 +377,18 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.monitor.count_step(&mut self.workspace.linear.report);
     }
 
-    /// Asks observer, clock and limit whether to take another step.
+    /// Checks observer, clock and step limit. Breaks if no further step may be taken.
     pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
         self.monitor.proceed(&self.workspace.linear.report)
     }
 
-    /// Asks observer and clock alone whether to go on.
+    /// Checks only observer and clock. Breaks if the iteration must end.
     pub(super) fn notify_observer(&mut self) -> ControlFlow<Status> {
         self.monitor.notify_observer(&self.workspace.linear.report)
     }
 
-    /// The multiplier at which nothing drives the unknowns from an allowed zero, if there is one. An
-    /// iteration towards zero would have no size left to measure its residual by.
+    /// Returns the multiplier for which `x = 0` is feasible and optimal, or `None` if there is none. An iteration towards zero
+    /// would lose the scale of its residual.
     pub(super) fn multiplier_at_zero(&self) -> Option<[f64; N]> {
         let Posed {
             constraint, totals, ..
@@ -431,8 +432,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// The only feasible point when the sums are the extreme ones along a direction; the multiplier is the one at
-    /// which the first cell would move.
+    /// Moves all cells to the only feasible point if the sums are the extreme sums along a direction. The multiplier is the value
+    /// at which the first cell would move.
     pub(super) fn at_extreme(&mut self, direction: [f64; N]) -> Status {
         let Posed {
             constraint, totals, ..
@@ -453,8 +454,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// Moves the iterate within its sets and to its sums, if it is not there but for round-off; its product is then fresh,
-    /// or as accurate as is needed.
+    /// Moves the iterate into its sets and to its sums unless it is feasible up to round-off. Its product is then up to date, or
+    /// as accurate as required.
     pub(super) fn make_feasible(&mut self) -> ProjectionOutcome {
         let mut keeps_sets = true;
         let constraint = self.problem.constraint;
@@ -463,11 +464,11 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let mut unchanged = outside == 0.0 && !self.has_springs();
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-            // No cell displaces another further than itself.
+            // No cell displaces any other cell more than itself.
             self.move_by(self.self_compliance * outside / self.displacement);
         }
         let prescribed = self.sums();
-        // At an extreme the bounds themselves are the total.
+        // At an extreme point the bounds themselves determine the total.
         if prescribed != [None; N] && !self.is_extreme {
             let x = slices(&self.x);
             let (sums, magnitude): ([f64; N], f64) =
@@ -479,7 +480,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
                 keeps_sets = self.restore_totals(false);
                 unchanged = false;
                 if keeps_sets {
-                    // Displacements change by about the part of the sum that was missing.
+                    // Displacements change by about the relative deficit of the sum.
                     self.product_error = product_error;
                     self.move_by(norm(missing) / magnitude);
                 }
@@ -501,7 +502,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Takes note that `x` has moved and the product has not, which misses such a part of the largest displacement more.
+    /// Records that `x` has moved but the product has not: its relative error grows by `part`.
     fn move_by(&mut self, part: f64) {
         let is_known = part > 0.0 && self.problem.own.is_none();
         if is_known && self.problem.is_examined_elsewhere {
@@ -515,7 +516,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.problem.totals.iter().any(|total| total.is_spring())
     }
 
-    /// The multipliers of the springs follow what the iterate has become.
+    /// Updates the multipliers of the springs to the current sums.
     pub(super) fn hold_springs(&mut self) {
         let totals = self.problem.totals;
         if self.has_springs() {
@@ -525,7 +526,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Leaves a feasible iterate, and a report computed from it: what that shows is the last word.
+    /// Completes the solve with a feasible iterate and a report computed from it, which determines the final status.
     pub(super) fn finish(&mut self, status: Status) -> Status {
         if let Some(merit) = self.shown {
             let report = &mut self.workspace.linear.report;
@@ -535,8 +536,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
-            // No other unknowns have these sums: nothing is left to be wrong but the sums. Slip is along
-            // all of them only in the limit of a large motion.
+            // No other unknowns have these sums, so that only the sums can be wrong. The gradient points along the slip in all
+            // cells only in the limit of a large motion.
             merit = findings.load_error;
             let report = &mut self.workspace.linear.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);

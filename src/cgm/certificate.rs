@@ -1,6 +1,7 @@
-//! How far an iterate can be from the minimum, from one product.
+//! Error certificate of an iterate: a bound on its distance from the minimum, computed from one product with the duality
+//! (Frank-Wolfe) gap and the smallest eigenvalue.
 //!
-//! The page of the module [`cgm`](crate::cgm) derives the bound.
+//! The documentation of the module [`cgm`](crate::cgm) derives the bound.
 
 use std::ops::RangeInclusive;
 
@@ -14,25 +15,25 @@ use crate::parallel::layout::Layout;
 use crate::parallel::ranks::WireFormat;
 use crate::report::Report;
 
-/// What one recomputed product says about an iterate.
+/// Certificate of an iterate from one recomputed product.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest displacement among the cells that can move, what all residuals are measured by.
+    /// Largest displacement among the cells that can move; the scale of all residuals.
     pub(crate) displacement: f64,
-    /// Largest complementarity residual over that.
+    /// Largest complementarity residual, relative to the displacement.
     pub(super) residual: f64,
     /// Bound on `E^2 / (x' C x)`.
     pub(super) gap: f64,
-    /// What is missing of the prescribed sums, over `sum |x|`.
+    /// Deviation from the prescribed sums, relative to `sum |x|`.
     pub(super) load_error: f64,
-    /// Cells inside their bounds.
+    /// Number of cells inside their bounds.
     pub(super) free: usize,
 }
 
 impl Certificate {
-    /// What has to fall to the tolerance: residual, load error and, where the operator knows its smallest
-    /// eigenvalue, the certified error. Without that the duality gap alone is left, whose root falls only
-    /// with the root of the residual.
+    /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and, if the operator provides a
+    /// bound of its smallest eigenvalue, the certified error. Without that bound only the duality gap is available, whose root
+    /// falls only with the root of the residual; it is then left out.
     pub(super) fn merit(&self, lower_bound: f64) -> f64 {
         let error = if lower_bound > 0.0 {
             self.gap.sqrt()
@@ -53,7 +54,7 @@ impl Certificate {
     }
 }
 
-/// An iterate and the product that belongs to it.
+/// An iterate and its product.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Iterate<'a, const N: usize> {
     pub(crate) layout: &'a Layout,
@@ -61,7 +62,7 @@ pub(crate) struct Iterate<'a, const N: usize> {
     pub(crate) x: [&'a [f64]; N],
     /// `C x`.
     pub(crate) product: [&'a [f64]; N],
-    /// `b`, from the datum.
+    /// `b`, before the datum is subtracted.
     pub(crate) linear: [&'a [f64]; N],
     pub(crate) datum: [f64; N],
     pub(crate) totals: [Total; N],
@@ -85,44 +86,44 @@ pub(crate) fn examine<const N: usize>(
     }
 }
 
-/// Sizes of unknowns and displacements whose squares, and those of small parts, neither overflow nor vanish in a sum over
+/// Range of unknowns and displacements for which squares, also of small fractions, neither overflow nor underflow in a sum over
 /// all cells.
 const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 
-/// What a feasible iterate shows, in the units of its problem.
+/// Measures of a feasible iterate, in the units of its problem.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IterateMeasures {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
-    /// Largest displacement among the cells that can move, and what replaces it where it is less.
+    /// Largest displacement among the cells that can move, and the value that replaces it if it is smaller.
     displacement: f64,
     least_displacement: f64,
-    /// Largest components among the same cells: of the unknowns, displacements and gradients that complementarity does not
-    /// allow.
+    /// Largest components among the same cells: of the unknowns, of the displacements and of the gradients that complementarity
+    /// does not allow.
     sizes: [f64; 3],
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
-    /// `x' C x`, and what replaces it where it is less.
+    /// `x' C x`, and the value that replaces it if it is smaller.
     energy: f64,
     least_energy: f64,
-    /// What is missing of the prescribed sums, over `sum |x|`.
+    /// Deviation from the prescribed sums, relative to `sum |x|`.
     pub(crate) load_error: f64,
-    /// Cells inside their bounds.
+    /// Number of cells inside their bounds.
     pub(crate) free: usize,
 }
 
 impl IterateMeasures {
-    /// The displacement that residuals are relative to.
+    /// Returns the displacement to which residuals are relative.
     pub(crate) fn measure(&self) -> f64 {
         larger(self.displacement, self.least_displacement)
     }
 
-    /// The energy that the square of the bound is relative to.
+    /// Returns the energy to which the square of the bound is relative.
     pub(crate) fn measured_energy(&self) -> f64 {
         larger(self.energy, self.least_energy)
     }
 
-    /// Returns the square of the bound over the energy, or infinity if sums of squares have left the range of numbers.
+    /// Returns the square of the bound over the energy, or infinity if sums of squares leave the range of `f64`.
     fn gap(&self) -> f64 {
         if self.has_squares() {
             ratio(self.bound * self.bound, self.measured_energy())
@@ -131,8 +132,8 @@ impl IterateMeasures {
         }
     }
 
-    /// Returns whether the squares of unknowns and displacements, and of small parts of them, are numbers. A NaN
-    /// counts as such a number, because it reaches the result as NaN.
+    /// Returns whether the squares of unknowns and displacements, and of small fractions of them, are in the range of `f64`. A
+    /// NaN counts as in range because it propagates to the result.
     pub(crate) fn has_squares(&self) -> bool {
         let [unknown, displacement, gradient] = self.sizes;
         // A gradient that is small compared with the displacements is a small residual.
@@ -186,8 +187,8 @@ pub(crate) fn measure<const N: usize>(
         Total::Free | Total::Sum(_) => squares,
     });
     let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
-    // An operator that maps constants to zero leaves a uniform answer neither displacement nor energy to measure by.
-    // What a spring stretches, or what the smallest eigenvalue would make of the answer, takes their place.
+    // An operator that maps constants to zero gives uniform unknowns neither displacement nor energy as a scale. The stretch of a
+    // spring, or the displacement by the smallest eigenvalue, replaces them.
     let springs = totals.iter().filter_map(|total| match total {
         Total::Spring { compliance, .. } => Some(*compliance),
         Total::Free | Total::Sum(_) => None,
@@ -196,7 +197,7 @@ pub(crate) fn measure<const N: usize>(
         .reduce(f64::min)
         .map(|compliance| compliance * sums.magnitude);
     let least_displacement = stretch.unwrap_or(lower_bound * found.largest);
-    // A single cell that repeats does not deform at all: there the gradient itself is the measure.
+    // A single periodic cell does not deform at all; the gradient itself is then the scale.
     let is_rigid = found.displacement == 0.0 && least_displacement == 0.0 && found.largest > 0.0;
     let slope = if is_rigid {
         let gradient = |i| {
@@ -227,8 +228,9 @@ pub(crate) fn measure<const N: usize>(
     }
 }
 
-/// Returns how a spring changes the bound `B^2` of gradients whose sum is `pushed`. Their mean counts by the compliance
-/// `n c` of a uniform unknown instead of the smallest eigenvalue: if that is less, or if the operator maps constants to zero.
+/// Returns the change of the bound `B^2` by a spring, for gradients whose sum is `pushed`. Their mean counts with the compliance
+/// `n c` of a uniform unknown instead of the smallest eigenvalue if this reduces the bound, or if the operator maps constants to
+/// zero.
 fn by_spring(
     pushed: f64,
     cells: f64,
@@ -244,11 +246,11 @@ fn by_spring(
         MeanBound::OperatorWithSprings => 0.0,
         MeanBound::Springs => change,
     };
-    // All parts are a little more than their mean.
+    // The factor allows for round-off of the sums.
     (1.0 - 1e-12_f64.copysign(change)) * (pushed * pushed / cells * change)
 }
 
-/// What all cells add up to.
+/// Sums over all cells.
 #[derive(Clone, Copy)]
 struct CertificateSums<const N: usize> {
     /// `x' C x`.
@@ -272,7 +274,7 @@ impl<const N: usize> Reduction for CertificateSums<N> {
 }
 
 impl<const N: usize> CertificateSums<N> {
-    /// In lanes, so that many are added at a time.
+    /// Computes the sums in lanes, so that several additions overlap.
     fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
         const LANES: usize = 4;
         let of = |x: [f64; N], u: [f64; N]| Self {
@@ -285,7 +287,7 @@ impl<const N: usize> CertificateSums<N> {
         let whole = cells - cells % LANES;
         let mut lanes = [Self::ZERO; LANES];
         for first in (0..whole).step_by(LANES) {
-            // One look at the length of a slice serves all cells of the group.
+            // Slicing once avoids a bounds check for every cell of the group.
             let group = first..first + LANES;
             let [x, product] = [x, product].map(|vector| within(vector, &group));
             for (k, lane) in lanes.iter_mut().enumerate() {
@@ -323,7 +325,7 @@ impl<const N: usize> WireFormat for CertificateSums<N> {
     }
 }
 
-/// What the cells that can move show.
+/// Measures of the cells that can move.
 #[derive(Clone, Copy)]
 struct CertificateMeasures<const N: usize> {
     /// Largest displacement, forbidden gradient and unknown.
@@ -333,10 +335,10 @@ struct CertificateMeasures<const N: usize> {
     free: usize,
     /// Largest components of the unknowns, displacements and forbidden gradients.
     sizes: [f64; 3],
-    /// The two shares of the bound, `A` and `B^2`.
+    /// The two contributions to the bound, `A` and `B^2`.
     dual: f64,
     squares: f64,
-    /// Sum of the forbidden gradients that the second share is made of.
+    /// Sum of the forbidden gradients in the second contribution.
     pushed: [f64; N],
 }
 
@@ -397,7 +399,7 @@ impl<const N: usize> CertificateMeasures<N> {
         }
         self.free += usize::from(set.is_inside(x));
         if forbidden != 0.0 {
-            // Either share is valid; each is taken where it is the smaller.
+            // Either contribution is valid; the smaller is used.
             let dual = set.duality_gap(x, g);
             let square = if lower_bound > 0.0 {
                 forbidden * forbidden / lower_bound
@@ -427,7 +429,8 @@ impl<const N: usize> CertificateMeasures<N> {
     }
 }
 
-/// `a / b`, zero when `a` is, infinite where `b` is not positive; NaN if either is, so that a broken product is seen.
+/// Returns `a / b`: zero if `a` is zero, infinity if `b` is not positive, NaN if either is NaN so that a broken product is
+/// detected.
 fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 && !b.is_nan() {
         0.0

@@ -1,4 +1,5 @@
-//! Degenerate problems: all cells at their bounds, and preconditioners that are not positive definite.
+//! Degenerate problems of the semismooth Newton method: all cells at their bounds, and preconditioners that are not positive
+//! definite.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::interval::EDGE;
@@ -11,24 +12,25 @@ use crate::numerics::cell_vector::{
     at, dot, minus, norm, plus, slices, slices_mut, update_cells, within,
 };
 
-/// How cells stand that are all at their bounds.
+/// State of cells that are all at their bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum BoundState {
-    /// Nothing pushes any from its bound.
+    /// No cell is pushed from its bound.
     Rests,
-    /// Some are pushed away, in pairs that keep the sum.
+    /// Some cells are pushed away, in pairs that keep the sum.
     Released,
-    /// This is missing of their sum.
+    /// The sum has this deficit.
     Deficit(f64),
 }
 
-/// Part of what turning changes along a total below which it is round-off: close to the limit, cells that all slide
-/// are turned away from the total by very little, and it is that which carries it.
+/// Relative change of a total by rotation that counts as round-off. Close to the friction limit, slipping cells are rotated only
+/// slightly away from the total, and this small rotation carries the total.
 const LEAST_TURN: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// The direction, of length one, of the sums that cells of which none is free cannot change: all point along it, or so
-    /// nearly that turning them by an angle of one changes less than is missing.
+    /// Returns the unit direction of the sums that slipping cells cannot change if no cell is free, or `None` if there is no such
+    /// direction. All tractions point along it, or so nearly that rotating them by an angle of one changes the sum less than its
+    /// deficit.
     pub(super) fn uncontrollable_direction(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
         let (has_sum, mobility) = (system.has_sum(), system.mobility);
         if has_sum == [false; N] {
@@ -44,7 +46,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         (!can_turn || !reaches()).then_some(normal)
     }
 
-    /// By how much the sum along a direction changes where each cell turns by an angle of one, as its tangent goes.
+    /// Returns the change of the sum along a direction if each cell rotates by an angle of one, to first order.
     fn tangent_change(&self, normal: [f64; N]) -> f64 {
         let x = slices(&self.x);
         let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
@@ -57,7 +59,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// What is missing of the sum along a direction, and the size of what there is; `None` where no sum is prescribed.
+    /// Returns the deficit of the sum along a direction and the sum of magnitudes, or `None` if no sum is prescribed.
     fn missing_along(&self, normal: [f64; N]) -> Option<[f64; 2]> {
         let sums = sums_of(self.layout(), &slices(&self.x));
         let (mut missing, mut magnitude) = (0.0, 0.0);
@@ -68,9 +70,10 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         Some([missing, magnitude])
     }
 
-    /// Sees to cells at their bounds, none of which can turn along `normal`, a unit vector: frees those that would stick
-    /// first on the way to what is missing of the sum, if they can carry it, and of cells that rest those that would stick
-    /// first on any way. Else all are freed.
+    /// Releases slipping cells if no rotation of their tractions can change the total along `normal`, a unit vector. If the total
+    /// has a deficit, releases the cells that would stick first under a motion that reduces it, provided they can carry it. If
+    /// the total is met and no cell is pushed, releases the cells that would stick first in either direction. Otherwise releases
+    /// all cells.
     pub(super) fn release_bound_cells(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
         let opposite = normal.map(|n| -n);
         let is_settled = match self.multiplier_at_bounds(normal) {
@@ -90,7 +93,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         system.mobility = self.mobility();
     }
 
-    /// Frees the cells that a motion along `way`, towards what is missing, would let stick first; says if one of them can
+    /// Releases the cells that would stick first under a motion along `way`, towards the deficit. Returns whether one of them can
     /// carry it.
     fn release_nearest_to_bound(&mut self, way: [f64; N], missing: f64) -> bool {
         if !self.is_fresh() {
@@ -108,7 +111,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         true
     }
 
-    /// Frees the cells that move already and are selected by their unknowns and gradient.
+    /// Releases the moving cells that are selected by their unknowns and gradient.
     fn free(&mut self, is_selected: impl Fn([f64; N], [f64; N]) -> bool + Sync) {
         let x = slices(&self.x);
         let w = &mut *self.workspace;
@@ -124,9 +127,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Where all cells stand at their bounds along a unit vector and have the sum, the multiplier is any between the
-    /// gradients of those at the upper bound and those at the lower: takes the middle. `None` where no sum is prescribed or
-    /// none can move.
+    /// Sets the multiplier if all cells are at their bounds along a unit vector and have the prescribed sum. Any multiplier
+    /// between the gradients of the cells at the upper and at the lower bound is valid; the middle is chosen. Returns `None` if
+    /// no sum is prescribed or no cell can move.
     pub(super) fn multiplier_at_bounds(&mut self, normal: [f64; N]) -> Option<BoundState> {
         let [missing, magnitude] = self.missing_along(normal)?;
         if missing.abs() > ROUND_OFF * magnitude {
@@ -160,8 +163,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// `Ok` if `v' M v` is a positive number of a uniform vector, of the residual that is left, and of its largest part, on
-    /// the cells that can move.
+    /// Returns `Ok` if `v' M v` is positive and finite for three vectors on the cells that can move: a uniform vector, the final
+    /// residual and the largest entries of the residual.
     pub(super) fn check_preconditioner(&mut self) -> Result<()> {
         let (problem, multiplier) = (self.problem, self.workspace.multiplier);
         let forbidden = |i: usize, x, gradient| {
@@ -190,7 +193,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// `v' M v` of a vector that follows from unknowns and gradient of each cell, if that is not positive but could be.
+    /// Returns `v' M v` of a vector computed from unknowns and gradient of each cell if it is not positive and finite although it
+    /// should be.
     fn negative_curvature_along(
         &mut self,
         v: impl Fn(usize, [f64; N], [f64; N]) -> [f64; N] + Sync,

@@ -1,13 +1,13 @@
-//! The compliance that cells have of their own beside the operator.
+//! Additional compliance of the cells: the diagonal term `D` of `C + D`.
 
 use crate::numerics::cell_vector::plus;
 
-/// A symmetric tensor of each cell: a multiple of one and, of two components, a part without trace.
+/// A symmetric tensor per cell: a multiple of the identity and, for two components, a traceless part.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CellCompliance<'a> {
-    /// The mean of all directions; empty if no cell has a compliance of its own.
+    /// Mean over all directions; empty if no cell has an additional compliance.
     mean: &'a [f64],
-    /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`; empty if it is zero in all cells.
+    /// Entries `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`; empty if it is zero in all cells.
     deviator: &'a [[f64; 2]],
 }
 
@@ -16,12 +16,12 @@ impl<'a> CellCompliance<'a> {
         Self { mean, deviator }
     }
 
-    /// The same in all directions.
+    /// Creates tensors that are equal in all directions.
     pub(crate) fn isotropic(mean: &'a [f64]) -> Self {
         Self::new(mean, &[])
     }
 
-    /// Whether no cell has any.
+    /// Returns whether no cell has an additional compliance.
     pub(crate) fn is_none(&self) -> bool {
         self.mean.is_empty()
     }
@@ -30,17 +30,17 @@ impl<'a> CellCompliance<'a> {
         (self.mean, self.deviator)
     }
 
-    /// The mean of all directions in a cell.
+    /// Returns the mean over all directions in a cell.
     pub(crate) fn mean(&self, cell: usize) -> f64 {
         self.mean.get(cell).copied().unwrap_or(0.0)
     }
 
-    /// `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]` in a cell.
+    /// Returns `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]` in a cell.
     pub(crate) fn deviator(&self, cell: usize) -> [f64; 2] {
         self.deviator.get(cell).copied().unwrap_or_default()
     }
 
-    /// Adds a multiple of what it displaces a cell with these tractions, if there is any.
+    /// Returns `u` plus `part` times the displacement of a cell by its own compliance under the tractions `q`.
     #[inline]
     pub(crate) fn added<const N: usize>(
         &self,

@@ -1,4 +1,5 @@
-//! The cells that move as a list, so that vector work costs what they are and not what the grid is.
+//! List of the moving cells; for intervals it is the complement of the active set. Vector work then scales with their number and
+//! not with the size of the grid.
 
 use std::ops::Range;
 
@@ -9,40 +10,40 @@ use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 use crate::parallel::{Blocks, Split, UnevenChunks};
 
-/// Where the cells that move stand, chunk by chunk of the grid.
+/// List of the moving cells, chunk by chunk of the grid.
 ///
 /// A compressed vector holds their values in order; chunk `t` of the grid owns the range
 /// `starts[t]..starts[t + 1]` of it.
 #[derive(Debug, Clone)]
 pub(in crate::cgm) struct FreeCells {
     layout: Layout,
-    /// How far from the chunk's first cell they lie; the list of a chunk lies where its cells do.
+    /// Offsets of the cells from the first cell of their chunk. The list of a chunk starts at the index of its first cell.
     offsets: Vec<u16>,
     counts: Vec<usize>,
     starts: Vec<usize>,
-    /// Where the chunks of a full vector start, and its end.
+    /// Start of each chunk in a full vector, and the end of the vector.
     firsts: Vec<usize>,
-    /// Cells that move on all ranks together.
+    /// Number of moving cells on all ranks together.
     all: usize,
 }
 
-/// The cells that move of one chunk.
+/// The moving cells of one chunk.
 pub(in crate::cgm) struct ChunkCells<'a> {
-    /// Where they stand in a compressed vector.
+    /// Range of the cells in a compressed vector.
     pub(in crate::cgm) range: Range<usize>,
-    /// The chunk's cells in a full vector.
+    /// Range of the chunk in a full vector.
     pub(in crate::cgm) chunk: Range<usize>,
     offsets: &'a [u16],
 }
 
 impl ChunkCells<'_> {
-    /// Their places in the chunk of a full vector.
+    /// Returns the positions of the cells in their chunk of a full vector.
     pub(in crate::cgm) fn places(&self) -> impl Iterator<Item = usize> {
         self.offsets.iter().map(|&offset| usize::from(offset))
     }
 
-    /// Visits the cells whose motion is kept, all or those that move, with the place of the motion in its chunk and of
-    /// the cell in its.
+    /// Visits the cells whose motion is stored, either all cells or the moving cells. `f` receives the position of the motion in
+    /// its chunk and the position of the cell in its chunk.
     pub(in crate::cgm) fn visit<M: Row<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
         if M::IS_STEADY {
             self.places().enumerate().for_each(|(k, place)| f(k, place));
@@ -51,7 +52,7 @@ impl ChunkCells<'_> {
         }
     }
 
-    /// How a listed cell moves: the one at place `k` of the list and `place` of the chunk.
+    /// Returns the row of a listed cell, which is at position `k` of the list and at `place` of the chunk.
     #[inline]
     pub(in crate::cgm) fn row<R: Row<N>, const N: usize>(
         &self,
@@ -68,8 +69,7 @@ impl ChunkCells<'_> {
         }
     }
 
-    /// Sums of `f(place in the compressed part, place in the chunk)`, in lanes so that additions
-    /// overlap.
+    /// Sums `f(position in the compressed part, position in the chunk)` in lanes, so that additions overlap.
     #[inline]
     pub(in crate::cgm) fn sums<T: Reduction>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
         let mut lanes = [T::ZERO; 4];
@@ -91,7 +91,7 @@ impl ChunkCells<'_> {
 }
 
 impl FreeCells {
-    /// Of cells that lie so; none moves.
+    /// Creates an empty list for the cells of a layout.
     pub(in crate::cgm) fn new(layout: Layout) -> Result<Self> {
         let (cells, chunks) = (layout.cells(), layout.tasks());
         let first = |chunk: usize| (chunk * layout.chunk()).min(cells);
@@ -105,7 +105,7 @@ impl FreeCells {
         })
     }
 
-    /// Lists the cells that move.
+    /// Lists the moving cells.
     pub(in crate::cgm) fn update(&mut self, moves: impl Fn(usize) -> bool + Sync) {
         let layout = &self.layout;
         let data = (
@@ -117,7 +117,7 @@ impl FreeCells {
         );
         let work = |task: usize, (list, counts): (Blocks<'_, u16>, Blocks<'_, usize>)| {
             let mut count = 0;
-            // A chunk has fewer cells than a u16 has values.
+            // A chunk has fewer cells than a `u16` has values.
             for (offset, cell) in (0_u16..).zip(layout.range(task)) {
                 list.items[count] = offset;
                 count += usize::from(moves(cell));
@@ -133,22 +133,22 @@ impl FreeCells {
         }
     }
 
-    /// Cells that move and are held here.
+    /// Returns the number of local moving cells.
     pub(in crate::cgm) fn len(&self) -> usize {
         self.starts[self.counts.len()]
     }
 
-    /// Cells that move on all ranks together.
+    /// Returns the number of moving cells on all ranks together.
     pub(in crate::cgm) fn of_all_ranks(&self) -> usize {
         self.all
     }
 
-    /// Whether cells have no motion that is kept.
+    /// Returns whether some cells have no stored motion.
     pub(in crate::cgm) fn leaves_any<M: Row<N>, const N: usize>(&self) -> bool {
         M::IS_STEADY && self.all < self.layout.of_all_ranks()
     }
 
-    /// Whether a condition holds for any of the motions that are kept.
+    /// Returns whether a condition holds for any of the stored motions.
     pub(in crate::cgm) fn any<M: Row<N>, const N: usize>(
         &self,
         motions: &[M],
@@ -164,14 +164,14 @@ impl FreeCells {
         self.layout.sweep((), work, |a, b| a || b)
     }
 
-    /// How many cells move in any direction.
+    /// Returns the number of cells that move in any direction.
     pub(in crate::cgm) fn free<R: Row<N>, const N: usize>(&self, rows: &[R]) -> usize {
         self.sweep((), |entries, ()| {
             entries.sums(|k, place| usize::from(entries.row(rows, k, place).is_free()))
         })
     }
 
-    /// Visits the cells that move, with their place in a compressed vector.
+    /// Visits the moving cells with their position in a compressed vector.
     pub(in crate::cgm) fn places(&self, f: &mut impl FnMut(usize, usize)) {
         for task in 0..self.counts.len() {
             let (start, first) = (self.starts[task], self.firsts[task]);
@@ -187,7 +187,7 @@ impl FreeCells {
         self.sweep((), |entries, ()| leaf(entries.range))
     }
 
-    /// A compressed vector, of which each chunk owns its part.
+    /// Splits a compressed vector into the parts of the chunks.
     pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> UnevenChunks<'a, T> {
         UnevenChunks {
             items: &mut items[..self.len()],
@@ -195,7 +195,7 @@ impl FreeCells {
         }
     }
 
-    /// How the cells move, as they are kept, of which each chunk owns its part.
+    /// Splits the stored motions into the parts of the chunks.
     pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
         &'a self,
         motions: &'a mut [M],
@@ -210,7 +210,7 @@ impl FreeCells {
         }
     }
 
-    /// Runs `work(entries, its part of data)` for every chunk and sums what it returns.
+    /// Calls `work(entries, its part of data)` for every chunk and sums the results.
     pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,

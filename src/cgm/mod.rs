@@ -1,74 +1,68 @@
-//! The constrained minimum behind every contact problem: one engine for any number of unknowns a cell.
-//!
+//! The constrained minimiser behind every contact problem: one solver for any number of unknowns per cell.
 //! ```math
 //! \min_x \; \tfrac12 x' C x + b' x
 //! \quad\text{over}\quad x_i \in K_i,
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator), positive definite, and symmetric but where it
-//! [says otherwise](crate::Operator::is_symmetric); `K_i` is
-//! the set that a [`Constraint`] gives the cell, an [`Interval`] for one unknown or a [`Disc`] for two. A [`Total`]
-//! prescribes the sum of a component, or ties it to a spring; its multiplier is returned. For a normal contact `x` is
-//! the pressure, `b` the gap, `S` the load over the cell area and the multiplier the approach; for a tangential one `x`
-//! is the traction within its friction limit, along one axis or in the plane, and the multiplier the shift. Vectors are
-//! arrays of one slice a component. To `C` a [diagonal](Problem::diagonal) `D` may be added, a compliance that cells have of
-//! their own; what follows then holds of `C + D`.
+//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator). It is positive definite, and symmetric unless it
+//! [reports otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the cell: an
+//! [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring; its
+//! multiplier is returned. For a normal contact `x` is the pressure, `b` the gap, `S` the load over the cell area and the
+//! multiplier the approach. For a tangential contact `x` is the traction within its friction limit, along one axis or in the
+//! plane, and the multiplier is the shift. Vectors are arrays of one slice per component. A [diagonal](Problem::diagonal) `D`, an
+//! additional compliance of the cells, may be added to `C`; the following then holds for `C + D`.
 //!
-//! The solver is Newton's method on the law of every cell: the sets decide how each cell may move, conjugate gradients
-//! solve the linear problem of the cells that move, bordered by the totals, and then the sets are decided again. For
-//! intervals that is an active-set method; for discs the linear problem contains the curvature of the circles. If the
-//! sets cycle, projected gradients lead past that place; if they still do, better conditioned problems lead to the
-//! minimum. Without symmetry there is no minimum, but the conditions are the same: GMRES takes the place of conjugate
-//! gradients.
+//! The solver is a semismooth Newton method. The sets determine how each cell may move. Conjugate gradients solve the linear
+//! problem of the moving cells, bordered by the totals, and then the sets are updated. For intervals this is a primal-dual
+//! active-set method; for discs the linear problem contains the curvature of the circles. If the sets cycle, projected-gradient
+//! steps move the iterate away from the cycle. If the sets still cycle, proximal-point steps, a sequence of better conditioned
+//! problems, lead to the minimum. Without symmetry there is no objective, but the optimality conditions are the same, and GMRES
+//! replaces conjugate gradients.
 //!
-//! [`Method`] selects the iteration. Whatever the method and the outcome, the iterate returned is feasible and the
-//! [`Report`] is recomputed from a product with it; its duality gap bounds the error in the energy norm (see
+//! [`Method`] selects the iteration. For every method and outcome, the returned iterate is feasible and the [`Report`] is
+//! recomputed from a product with it. The duality gap in the report bounds the error in the energy norm (see
 //! [`Report::duality_gap`]).
 //!
 //! # The certified error
 //!
-//! Let `x` be feasible with gradient `g = C x + b - delta` (the multiplier may be any number when a
-//! total is prescribed), `x*` the minimum and `E^2 = (x - x*)' C (x - x*)`. Because the gradient at
-//! the minimum has a non-negative product with `x - x*`, and the two gradients differ by
-//! `C (x - x*)`,
+//! Let `x` be feasible with gradient `g = C x + b - delta` (the multiplier may be any number if a total is prescribed), `x*` the
+//! minimiser and `E^2 = (x - x*)' C (x - x*)`. The gradient at the minimiser has a non-negative product with `x - x*`, and the
+//! two gradients differ by `C (x - x*)`. Therefore
 //!
 //! ```math
 //! E^2 \le g' (x - x^*) .
 //! ```
 //!
-//! Each entry's share of the right side is bounded in one of two ways: by its duality gap
-//! `a_i = g_i x_i - min over y_i of g_i y_i`, or, with a lower bound `lambda` of the eigenvalues of
-//! `C`, through `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`, where `r_i` is the part of `g_i` that
-//! complementarity does not allow. With `A` the sum of the first and `B = |r| / sqrt(lambda)`,
-//! `E^2 <= A + B E`, hence
+//! The contribution of each entry to the right side is bounded in one of two ways. The first bound is its duality gap
+//! `a_i = g_i x_i - min over y_i of g_i y_i`. The second uses a lower bound `lambda` of the eigenvalues of `C`:
+//! `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`, where `r_i` is the part of `g_i` that complementarity does not allow. With `A`
+//! the sum of the first bounds and `B = |r| / sqrt(lambda)`, `E^2 <= A + B E`, hence
 //!
 //! ```math
 //! E \le B/2 + \sqrt{B^2/4 + A} .
 //! ```
 //!
-//! The first is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in
-//! the residual; the second is of second order. For an operator that does not know such a `lambda` only the
-//! first is available (infinite while a cell without an upper bound wants to grow), and an
-//! iteration then stops on the residual alone.
+//! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in the residual; the second
+//! is of second order. For an operator that provides no such `lambda` only the first bound is available. It is infinite while a
+//! cell without an upper bound has a gradient that would increase it. An iteration with such an operator stops on the residual
+//! alone.
 //!
-//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its
-//! multiplier follows the sum, `delta = X - c sum x`, so that `g` is the gradient of the whole objective and the bound
-//! holds for the energy norm of `C` alone too. In `B`, the mean of `r` over the `n` cells is then divided by `n c`
-//! instead of `lambda`: if `n c` is more, or if the operator maps constants to zero and only the spring resists the mean.
-//! Residuals are then relative to the largest displacement, or to the stretch of the stiffest spring if all unknowns
-//! pulled one way, if that is more.
+//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
+//! follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective, and the bound also holds for the
+//! energy norm of `C` alone. In `B`, the mean of `r` over the `n` cells is then divided by `n c` instead of `lambda` if `n c` is
+//! larger, or if the operator maps constants to zero and only the spring resists the mean. Residuals are then relative to the
+//! largest displacement, or to the stretch of the stiffest spring under unknowns of one sign if that is larger.
 //!
-//! A total missed by round-off is reported separately: `x*` is the minimum of the total `x` has. The same
-//! `x*` is meant, whether or not a total is prescribed, where the operator maps constants to zero and
-//! `lambda` bounds the other eigenvalues: `x - x*` then has sum zero. All of this holds up to the round-off
-//! of the product.
+//! A total missed by round-off is reported separately: `x*` is the minimiser for the total of `x`. If the operator maps constants
+//! to zero and `lambda` bounds the other eigenvalues, `x*` is also the minimiser for the total of `x`, whether or not a total is
+//! prescribed: `x - x*` then has sum zero. All these statements hold up to the round-off of the product.
 //!
 //! # Round-off
 //!
-//! A tolerance below what the product leaves ends as [`Status::Stalled`], with the certified error that was
-//! reached. Measured with a tolerance of 1e-16, [`Report::energy_error_bound`] of the pressure, and of the traction in
-//! the scalar and the vector model at 0.6 of the sliding force:
+//! An iteration with a tolerance below the round-off of the product ends as [`Status::Stalled`] and reports the certified error
+//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16: for the pressure, and for the
+//! traction in the scalar and the vector model at 0.6 of the sliding force.
 //!
 //! | cells | sphere | rough surface | flat on flat |
 //! |--:|---|---|---|
@@ -79,9 +73,9 @@
 //! | 512 x 512 | 1.1e-14, 3.3e-15, 6.5e-15 | 3.6e-15, 1.1e-15, 0.8e-15 | 8.5e-13, 0.3e-13, 4.4e-13 |
 //! | 1024 x 1024 | 1.2e-14, 5.7e-15, 4.7e-15 | 4.6e-15, 2.7e-15, 1.1e-15 | not measured |
 //!
-//! That of the first two grows about as the root of the cells along a side, as what the smallest eigenvalue makes
-//! of the residual. In the plane, a force within 1e-7 of sliding may stall much earlier on some scenes, where the
-//! last digits of the force decide on the motion.
+//! The error of the first two surfaces grows approximately as the square root of the number of cells along a side, like the error
+//! bound from the residual and the smallest eigenvalue. In the vector model, a force within 1e-7 of sliding may stall much
+//! earlier on some surfaces, because the motion then depends on the last digits of the force.
 //!
 //! # Example
 //!
@@ -138,6 +132,6 @@ pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};
 
-/// How a cell of a constraint may move.
+/// The motion type of the cells of a constraint.
 pub(crate) type MotionOf<K, const N: usize> =
     <<K as Constraint<N>>::Set as LinearisedSet<N>>::CellMotion;

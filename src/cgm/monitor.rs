@@ -1,4 +1,4 @@
-//! The monitor of an iteration: observer, counts of steps, and the rules that end it.
+//! Monitor of an iteration of any method: observer, step counts and stopping rules.
 
 use std::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
 use crate::support::clock::Instant;
 
-/// A residual at which sets change by round-off alone.
+/// Residual at which sets change by round-off alone.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Settings, observer and clock of one solve.
@@ -20,18 +20,18 @@ pub(super) struct Monitor<'a> {
     start: Instant,
     /// Conjugate-gradient steps so far.
     steps: usize,
-    /// Least merit so far of what is solved.
+    /// Least merit so far of the current stage or problem.
     pub(super) best: f64,
-    /// Residual at which a stage ends that is solved on the way; none is under way else.
+    /// Residual at which the current proximal-point stage ends; `None` outside a stage.
     stage: Option<f64>,
-    /// Free cells, as last examined.
+    /// Number of free cells at the last examination.
     pub(super) free: usize,
-    /// The memory that could not be had on the way, if any: what the solve ends with then.
+    /// Failed allocation during the solve, if any; the solve then ends with it.
     pub(super) allocation_error: Option<Error>,
 }
 
 impl<'a> Monitor<'a> {
-    /// A clean report, and the clock set.
+    /// Creates a monitor, resets the report and starts the clock.
     pub(super) fn new(
         settings: &'a Settings,
         layout: &'a Layout,
@@ -56,23 +56,23 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// A stage to be solved to this residual begins, or the problem itself.
+    /// Starts a proximal-point stage with this tolerance, or the problem itself.
     pub(super) fn begin(&mut self, stage: Option<f64>) {
         self.stage = stage;
         self.best = f64::INFINITY;
     }
 
-    /// Whether what is solved at present is the problem itself.
+    /// Returns whether the problem itself is being solved, not a stage.
     pub(super) fn is_last(&self) -> bool {
         self.stage.is_none()
     }
 
-    /// Residual at which what is solved at present ends.
+    /// Returns the residual at which the current stage or problem ends.
     pub(super) fn tolerance(&self) -> f64 {
         self.stage.unwrap_or(self.settings.tolerance)
     }
 
-    /// Records an examined step, and says if it is the last: converged or stopped.
+    /// Records an examined step. Breaks if it is the last one: converged or stopped.
     pub(super) fn check_termination(
         &mut self,
         merit: f64,
@@ -92,7 +92,7 @@ impl<'a> Monitor<'a> {
         self.proceed(report)
     }
 
-    /// What to do when the residual no longer falls: stop if it is round-off, else `None`.
+    /// Returns the status if the residual no longer falls and is round-off, else `None`.
     pub(super) fn stuck(&self) -> Option<Status> {
         (self.best <= ROUND_OFF).then_some(Status::Stalled)
     }
@@ -103,7 +103,7 @@ impl<'a> Monitor<'a> {
         report.iterations = self.steps;
     }
 
-    /// Asks observer, clock and limit whether to take another step.
+    /// Checks observer, clock and step limit. Breaks if no further step may be taken.
     pub(super) fn proceed(&mut self, report: &Report) -> ControlFlow<Status> {
         self.notify_observer(report)?;
         if self.steps >= self.settings.max_iterations {
@@ -112,8 +112,8 @@ impl<'a> Monitor<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Asks observer and clock whether to go on. So, or by [`Self::proceed`], they are asked before every product
-    /// that moves the iterate or a step; one that only shows what the iterate is worth is due anyway.
+    /// Checks observer and clock. This function or [`Self::proceed`] is called before every product that moves the iterate or a
+    /// step. A product that only measures the iterate is computed without a check.
     pub(super) fn notify_observer(&mut self, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(report);
         let limit = self.settings.time_limit;
@@ -127,7 +127,7 @@ impl<'a> Monitor<'a> {
         self.layout.decided(own)
     }
 
-    /// Ends where memory could not be had.
+    /// Breaks if an allocation has failed.
     pub(super) fn record_allocation_failure(&mut self, room: Result<()>) -> ControlFlow<Status> {
         match room {
             Ok(()) => ControlFlow::Continue(()),
@@ -138,7 +138,7 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// The last word: what the examined iterate shows, whatever the iteration thought of it.
+    /// Sets the final status: convergence counts only if the examined iterate proves it.
     pub(super) fn finish(&self, status: Status, merit: f64, report: &mut Report) -> Status {
         let is_proven = merit <= self.settings.tolerance;
         report.status = if status == Status::Converged && !is_proven {
@@ -161,42 +161,42 @@ impl<'a> Monitor<'a> {
     }
 }
 
-/// Reduction of the inner residual per outer step, while the sets make progress.
+/// Reduction of the inner residual per outer step while the sets make progress.
 pub(super) const INNER_REDUCTION: f64 = 0.1;
-/// The same at the least: what the sets are decided by may be this part of the largest residual, where cells are long.
+/// Lower limit of the reduction. With long cells, the sets may depend on gradients as small as this fraction of the largest
+/// residual.
 const LEAST_REDUCTION: f64 = 1e-6;
-/// Outer steps without progress after which the inner solution is taken for too coarse to decide by.
+/// Number of outer steps without progress after which the inner solution counts as too coarse to update the sets.
 const DOUBT: usize = 2;
 
-/// Residual of the step before, above which single precision tells the sets as well as double does.
+/// Best residual above which single precision identifies the sets as well as double precision.
 const EARLY: f64 = 5e-4;
 
-/// Part of the tolerance to which the last inner iteration reduces the residual.
+/// Fraction of the tolerance to which the last inner iteration reduces the residual.
 const LAST: f64 = 0.6;
-/// Least reduction still to go to the tolerance at which the linear problem is solved to it at once, though the sets may
-/// still change.
+/// Remaining reduction above which the linear problem is solved to the tolerance in one step, although the sets may still change.
 const IN_SIGHT: f64 = 0.02;
 
-/// Outer steps in which neither the residual halves nor fewer entries change sets than ever before after which the
-/// method is stuck, once the sets stand.
+/// Number of outer steps without progress after which the method is stuck, once the sets no longer change. A step makes progress
+/// if the residual halves or if fewer entries than ever before change sets.
 const PATIENCE: usize = 4;
 
-/// What the outer steps have come to.
+/// Progress of the outer iterations.
 #[derive(Debug)]
 pub(super) struct Progress {
-    /// The same while the sets change.
+    /// Number of steps without progress that count as a cycle while the sets change.
     cycle: usize,
-    /// Entries that changed sets in the last step; as many as can be before the first.
+    /// Number of entries that changed sets in the last step; the maximum before the first step.
     pub(super) changes: usize,
     fewest: usize,
     best: f64,
     without: usize,
-    /// Reduction of the inner residual while sets change: once tightened it stays so.
+    /// Reduction of the inner residual while sets change; once tightened it stays so.
     pub(super) inner_reduction: f64,
 }
 
 impl Progress {
-    /// Before the first step; `cycle` steps without progress are a cycle.
+    /// Creates the state before the first step; `cycle` steps without progress are a cycle.
     pub(super) fn new(cycle: usize, inner_reduction: f64) -> Self {
         Self {
             cycle,
@@ -208,14 +208,14 @@ impl Progress {
         }
     }
 
-    /// Whether a residual to single precision is enough to go on by.
+    /// Returns whether a residual in single precision suffices to continue.
     pub(super) fn single_precision_suffices(&self) -> bool {
         self.best > EARLY && self.without == 0
     }
 
-    /// Takes note of a step; says if the method is stuck.
+    /// Records a step. Returns whether the method is stuck.
     pub(super) fn has_stalled(&mut self, merit: f64) -> bool {
-        // Infinite ones do not count as halved.
+        // An infinite residual does not count as halved.
         if merit < 0.5 * self.best || self.changes < self.fewest {
             self.best = self.best.min(merit);
             self.fewest = self.fewest.min(self.changes);
@@ -234,7 +234,7 @@ impl Progress {
         self.without >= patience
     }
 
-    /// How far the next inner iteration should reduce its residual.
+    /// Returns the reduction of the residual for the next inner iteration.
     pub(super) fn reduction(&self, merit: f64, tolerance: f64) -> f64 {
         let last = (LAST * tolerance / merit).clamp(1e-4, INNER_REDUCTION);
         if self.changes == 0 || last > IN_SIGHT {

@@ -1,10 +1,11 @@
-//! Newton's method on the law of every cell outside, unclipped preconditioned conjugate gradients inside.
+//! Semismooth Newton method: an outer loop that updates the sets and an inner loop of unclipped preconditioned conjugate
+//! gradients.
 //!
-//! Each outer step measures the residual (in single precision while it is large), solves the linear problem of the
-//! cells that move to a moderate accuracy, letting them violate their bounds, and then decides for all cells at once,
-//! at that equilibrated state, how they move next. For intervals this is the primal-dual active-set method
-//! (Hintermueller, Ito & Kunisch, SIAM J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>); for
-//! discs it is semi-smooth Newton with the curvature of the circles in the linear problem.
+//! Each outer step measures the residual, in single precision while it is large. It then solves the linear problem of the moving
+//! cells to a moderate accuracy and lets them violate their bounds. At that equilibrated state it decides for all cells
+//! simultaneously how they move next. For intervals this is the primal-dual active-set method (Hintermueller, Ito & Kunisch, SIAM
+//! J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>). For discs it is a semismooth Newton method with the
+//! curvature of the circles in the linear problem.
 
 use std::ops::ControlFlow;
 
@@ -19,38 +20,38 @@ use crate::numerics::cell_vector::{at, chunks, held, minus, put, slices, within}
 use crate::parallel;
 use crate::report::Status;
 
-/// Outer steps without progress that are a cycle; where bounds are curved, sets settle sooner.
+/// Number of outer steps without progress that count as a cycle; with curved bounds, sets settle sooner.
 const CYCLE: usize = 12;
 const CYCLE_CURVED: usize = 5;
 
-/// Residual of a near start whose gradient tells the sets.
+/// Residual of a near start below which its gradient identifies the sets.
 const NEAR: f64 = 0.1;
 
-/// A problem as Newton's method sees it.
+/// Operations of a problem that Newton's method requires.
 pub(super) trait NewtonSteps {
-    /// Brings the start within its sets.
+    /// Projects the start onto its sets.
     fn begin(&mut self) -> ControlFlow<Status>;
 
-    /// Measures what the iterate leaves of its conditions; ends where that is little enough.
+    /// Measures the residual of the optimality conditions. Breaks if the solve has ended.
     fn examine(&mut self) -> ControlFlow<Status, f64>;
 
-    /// Whether the steps lead nowhere: the sets cycle.
+    /// Returns whether the steps make no progress: the sets cycle.
     fn has_stalled(&mut self, merit: f64) -> bool;
 
-    /// Sets up the linear problem of the cells as they may move now; says whether it has a solution.
+    /// Sets up the linear problem for the current motion of the cells. Returns whether it has a solution.
     fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool>;
 
-    /// Solves it, letting the cells leave their sets.
+    /// Solves the linear problem and lets the cells leave their sets.
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status>;
 
-    /// Decides at the equilibrated state, for all cells at once, how they move next, and puts them into their sets.
+    /// Decides at the equilibrated state, for all cells simultaneously, how they move next, and projects them onto their sets.
     fn decide(&mut self) -> ControlFlow<Status>;
 
-    /// How a problem ends whose sets cycle: where what is left is round-off; else not yet.
+    /// Returns the final status of a problem whose sets cycle if its residual is round-off, else `None`.
     fn stuck(&self) -> Option<Status>;
 }
 
-/// Newton's method on the law of every cell: ends with a status, or `None` where the sets cycle.
+/// Runs the semismooth Newton method. Returns the final status, or `None` if the sets cycle.
 pub(super) fn newton(problem: &mut impl NewtonSteps) -> Option<Status> {
     match newton_steps(problem) {
         ControlFlow::Break(status) => Some(status),
@@ -91,7 +92,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         let mut merit = self.merit(&findings);
         let mut keeps_sets = true;
         if merit <= self.monitor.tolerance() {
-            // Judge what will be returned.
+            // Convergence is decided for the iterate that will be returned.
             let feasible = self.make_feasible();
             keeps_sets = feasible.keeps_sets;
             if !feasible.unchanged {
@@ -103,7 +104,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         self.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
-            // Cells were far beyond their bounds, and have pushed others off theirs.
+            // Cells were far beyond their bounds, and have pushed other cells off their bounds.
             self.mark_and_measure()?;
         }
         ControlFlow::Continue(merit)
@@ -131,7 +132,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let reduction = self.progress.reduction(merit, self.monitor.tolerance());
-        // The steps change displacements by about the residual, and what they miss of that the gradient misses.
+        // The steps change displacements by about the residual; the single-precision products add an error of that size to the
+        // gradient.
         let gradient_error = self.product_error + SINGLE * merit;
         let outcome = if self.problem.operator.is_symmetric() {
             self.conjugate_gradients(reduction)
@@ -146,7 +148,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         let (changes, sums) = self.reclassify();
         self.progress.changes = changes;
         if MotionOf::<K, N>::IS_CURVED || changes > 0 {
-            // Unknowns have moved otherwise than by the steps. Where none has, what spreads below is round-off of the sums.
+            // Projection has moved unknowns in addition to the steps. Without changes, the correction below is round-off of the
+            // sums.
             self.gradient_error = f64::INFINITY;
             self.list_and_spread();
         }
@@ -168,7 +171,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Solves the linear problem of the cells that move: unknowns, gradient and multipliers follow.
+    /// Solves the linear problem of the moving cells with GMRES and updates unknowns, gradient and multipliers.
     fn gmres(&mut self, reduction: f64) -> ControlFlow<Status> {
         self.product_error = f64::INFINITY;
         let border = self.totals.border;
@@ -185,10 +188,10 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         solved.map_continue(|_| ())
     }
 
-    /// Brings the start within its sets and near its totals, with a first gradient.
+    /// Projects the start onto its sets, brings it near its totals and computes a first gradient.
     ///
-    /// Curved bounds are measured before anything is spread: tiny cells at the rim, not stiff yet, would turn right
-    /// round.
+    /// Curved bounds are measured before any deficit of the totals is distributed. Without their stiffness, the tractions of tiny
+    /// cells at the rim would reverse.
     fn mark_and_measure(&mut self) -> ControlFlow<Status> {
         self.mark_start();
         if MotionOf::<K, N>::IS_CURVED {
@@ -216,7 +219,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         ControlFlow::Continue(())
     }
 
-    /// Lists the cells that move, and finds how the totals spread over them.
+    /// Lists the moving cells and determines how the totals are distributed over them.
     fn list_and_spread(&mut self) {
         if !MotionOf::<K, N>::IS_STEADY {
             self.list_moving();
@@ -224,7 +227,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.set_totals();
     }
 
-    /// Lists the cells that move; with none nothing could change, and some are released, unless they all rest.
+    /// Lists the moving cells. If no cell moves, the iterate could not change; some cells are then released unless no cell is
+    /// pushed from its bound.
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
@@ -232,7 +236,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             if w.linear.moving.of_all_ranks() == 0 {
                 match self.multiplier_at_bounds([1.0; N]) {
                     Some(BoundState::Rests) => {}
-                    // All at once, those that can only lead away would come back in the next step.
+                    // Only cells that reduce the deficit are released; the others would return to their bounds in the next step.
                     Some(BoundState::Deficit(missing)) => self.release(|_, _| [-missing; N]),
                     Some(BoundState::Released) | None => {
                         if !self.is_fresh() {
@@ -246,7 +250,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             }
         }
         let w = &mut *self.workspace;
-        // The inner iteration writes these on the cells that move only; what has no total spreads nothing.
+        // The inner iteration writes the direction on the moving cells only. Components without a total have no spread.
         for part in &mut w.linear.direction {
             part.fill(0.0);
         }
@@ -255,7 +259,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
     }
 
-    /// Releases the cells that something pushes, which follows from gradient and multiplier.
+    /// Releases the cells that are pushed off their bounds, where `push` follows from gradient and multiplier.
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
@@ -266,7 +270,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// The mean of the gradient where cells are free, or of all that move if none is, for the totals; zero elsewhere.
+    /// Sets the multipliers of the totals to the mean gradient on the free cells, or on all moving cells if no cell is free.
+    /// Components without a total receive zero.
     fn set_mean_multiplier(&mut self) {
         let w = &mut *self.workspace;
         let (motions, gradient) = (&w.linear.rows, slices(&w.gradient));
@@ -289,8 +294,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// The stiffness of every curved bound, from the gradient just measured; known to the preconditioner only if
-    /// `with_preconditioner_weight`.
+    /// Measures the stiffness of every curved bound from the current gradient. Passes it to the preconditioner only if `with_preconditioner_weight`.
     fn measure(&mut self, weighed: bool) {
         if !MotionOf::<K, N>::IS_CURVED {
             return;
@@ -314,11 +318,11 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Decides at the equilibrated state how every cell moves next, all at once, and puts it into its set. Returns
-    /// how many changed, and the sums of all unknowns.
+    /// Decides at the equilibrated state, for all cells simultaneously, how they move next, and projects them onto their sets.
+    /// Returns the number of changed cells and the sums of all unknowns.
     fn reclassify(&mut self) -> (usize, [f64; N]) {
         let problem = self.problem;
-        // Below this a wrong sign is noise of the inner solution, and would come and go.
+        // A wrong sign below this value is noise of the inner solution; the cell would change its state back and forth.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
         let self_compliance = self.self_compliance;
         self.product_error = f64::INFINITY;

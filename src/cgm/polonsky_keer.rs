@@ -1,8 +1,8 @@
-//! The single loop of Polonsky & Keer, for bounds on both sides.
+//! Method of Polonsky & Keer: a single loop of conjugate gradients with clipping, for bounds on both sides.
 //!
-//! With bounds `|q| <= mu p` it is the tangential loop of Wang et al. (2021), eqs 17-26, with the
-//! slips of the paper mended: entries inside the bounds are clipped too (eq 21), a re-entering
-//! entry is clipped on either side (eq 22), and conjugation adds (eq 24).
+//! With bounds `|q| <= mu p` it is the tangential loop of Wang et al. (2021), eqs 17-26, with three corrections of the paper.
+//! Entries inside the bounds are clipped as well (eq 21), an entry that becomes free is clipped on both sides (eq 22), and the
+//! conjugation term has a positive sign (eq 24).
 
 use std::ops::ControlFlow;
 
@@ -15,19 +15,19 @@ use crate::numerics::cell_vector::{at, plus, slices, update_cells};
 use crate::parallel::Blocks;
 use crate::report::Status;
 
-/// Steps between fresh products when nothing forces one.
+/// Number of steps between fresh products if nothing requires one earlier.
 const REFRESH: usize = 25;
-/// Steps without halving the residual after which the loop is stuck.
+/// Number of steps without halving the residual after which the loop is stuck.
 const PATIENCE: usize = 200;
 
-/// Entries that changed sets in a step.
+/// Number of entries that changed sets in a step.
 struct SetChanges {
     clipped: usize,
     entered: usize,
 }
 
 impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
-    /// Ends with the status of the run; `None` if the sets cycle.
+    /// Runs the single loop. Returns the final status, or `None` if the sets cycle.
     pub(super) fn polonsky_keer(&mut self) -> Option<Status> {
         self.mark_start();
         self.restore_total();
@@ -62,7 +62,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
                 }
             }
 
-            // d = r + theta (R / R_old) d (eq 24), without a mean so that it keeps the total.
+            // d = r + theta (R / R_old) d (eq 24), with its mean removed so that it keeps the total.
             let squares = self.squares_of_free();
             let conjugation = if conjugate { squares / previous } else { 0.0 };
             previous = squares;
@@ -82,7 +82,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// `r_i`, the gradient less the multiplier (eq 19), on a free entry; zero on others.
+    /// Returns `r_i`, the gradient minus the multiplier (eq 19), on a free entry and zero on other entries.
     fn residual_if_free(&self) -> impl Fn(usize) -> f64 + Sync {
         let w = &*self.workspace;
         let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
@@ -95,8 +95,8 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// The mean gradient on the free entries (eq 18), which a prescribed total makes the multiplier.
-    /// Returns the number of free entries.
+    /// Sets the multiplier of a prescribed total to the mean gradient on the free entries (eq 18). Returns the number of free
+    /// entries.
     fn set_mean_of_free(&mut self) -> usize {
         let w = &mut *self.workspace;
         let [gradient] = &w.gradient;
@@ -112,7 +112,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         count
     }
 
-    /// `R = sum r^2` on the free entries (eq 20).
+    /// Returns `R = sum r^2` over the free entries (eq 20).
     fn squares_of_free(&self) -> f64 {
         let r = self.residual_if_free();
         reduce::sum(self.layout(), |i| r(i).powi(2))
@@ -142,7 +142,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// The length of a step along the direction, `tau = r'd / d'Cd` (eq 21).
+    /// Returns the length of a step along the direction, `tau = r'd / d'Cd` (eq 21).
     fn length_of_free(&self) -> f64 {
         let w = &*self.workspace;
         let ([direction], [image], r) = (
@@ -162,8 +162,8 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// `x -= tau d` on the free entries, clipped (eq 21'); entries at a bound whose residual points
-    /// inward follow theirs and become free (eqs 22, 23).
+    /// Computes `x -= tau d` on the free entries, clipped (eq 21'). An entry at a bound whose residual points inward moves along
+    /// its residual and becomes free (eqs 22, 23).
     fn step_and_clip(&mut self, length: f64) -> SetChanges {
         let (constraint, layout) = (self.problem.constraint, self.problem.layout);
         let w = &mut *self.workspace;
@@ -209,7 +209,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         SetChanges { clipped, entered }
     }
 
-    /// The product after a step that clipped nothing, without a new one.
+    /// Updates product and gradient after a step that clipped nothing, without a new product.
     fn follow(&mut self, length: f64) {
         let w = &mut *self.workspace;
         let image = slices(&w.linear.image);
@@ -218,8 +218,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// Moves the free entries to the total (eqs 25, 26) without leaving the bounds; all entries if
-    /// the free ones cannot reach it.
+    /// Shifts the free entries to the total (eqs 25, 26) within the bounds, or all entries if the free entries cannot reach it.
     fn restore_total(&mut self) {
         let [Some(total)] = self.sums() else {
             return;

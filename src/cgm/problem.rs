@@ -1,4 +1,5 @@
-//! What to minimise, and the one loop that does.
+//! The minimisation problem and its solution strategy: the selected method, then projected gradients, then proximal points if the
+//! active sets cycle.
 
 use std::ops::ControlFlow;
 
@@ -18,13 +19,13 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
 
-/// What to minimise: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
+/// The minimisation problem: `1/2 x'(C + D)x + b'x` over `x_i` in `K_i`, optionally with totals of the components.
 #[derive(Debug, Clone)]
 pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
     pub(super) layout: Layout,
-    /// Compliance that cells have of their own.
+    /// Additional compliance of the cells.
     pub(super) own: CellCompliance<'a>,
     linear: [&'a [f64]; N],
     datum: [f64; N],
@@ -34,8 +35,8 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
 }
 
 impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Identity, N> {
-    /// Operator `C`, linear term `b`, component by component, and constraint `K`; no total prescribed, no
-    /// preconditioner.
+    /// Creates the problem with operator `C`, linear term `b` (one slice per component) and constraint `K`, without a prescribed
+    /// total and without a preconditioner.
     pub fn new(operator: C, linear: [&'a [f64]; N], constraint: K) -> Self {
         let preconditioner = Identity::new(operator.cells());
         Self {
@@ -53,21 +54,21 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
 }
 
 impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Problem<'a, C, K, P, N> {
-    /// With the totals of the components (default: free).
+    /// Sets the totals of the components (default: free).
     #[must_use]
     pub fn totals(mut self, totals: [Total; N]) -> Self {
         self.totals = totals;
         self
     }
 
-    /// With a compliance of its own added to each cell, `C + D` in place of `C`: a number that is not negative for all
-    /// components of the cell (default: none, as an empty slice is). [`Workspace::product`] stays that of `C`.
+    /// Adds a compliance to each cell: the solver minimises with `C + D` instead of `C`. `D` has one non-negative number for all
+    /// components of a cell (default: none; an empty slice also means none). [`Workspace::product`] remains the product with `C`.
     ///
     /// ```
     /// use stickslip::cgm::{self, NonNegative, Problem, Settings};
     /// use stickslip::Identity;
     ///
-    /// // Two springs pressed by 1, one of them in series with another that is three times as soft.
+    /// // Two springs are pressed by 1; one of them is in series with a third spring that is three times as soft.
     /// let (linear, own) = ([-1.0; 2], [0.0, 3.0]);
     /// let problem = Problem::new(Identity::new(2), [&linear], NonNegative).diagonal(&own);
     /// let mut x = [0.0; 2];
@@ -80,34 +81,33 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self.own(CellCompliance::isotropic(diagonal))
     }
 
-    /// With a symmetric tensor added to each cell that is not negative in any direction.
+    /// Adds a symmetric positive semidefinite tensor to each cell.
     pub(crate) fn own(mut self, own: CellCompliance<'a>) -> Self {
         self.own = own;
         self
     }
 
-    /// With each component of the linear term measured from a number, which is taken from it.
+    /// Subtracts a constant from each component of the linear term.
     pub(crate) fn datum(mut self, datum: [f64; N]) -> Self {
         self.datum = datum;
         self
     }
 
-    /// Marks a problem whose answer is only a start, or is examined by the caller with an exact product. It may then be
-    /// judged by a product that is wrong by a small part of the tolerance; report and kept product are as accurate as
-    /// that, and certify nothing.
+    /// Marks a problem whose solution is only a start for another solve, or is examined by the caller with an exact product.
+    /// Convergence may then be tested with a product whose error is a small fraction of the tolerance. Report and stored product
+    /// have the same error and certify nothing.
     pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self
     }
 
-    /// With the layout of the operator, also of ranks that all solve the same.
+    /// Sets the layout of the cells; its ranks may also all solve the same problem.
     pub(crate) fn layout(mut self, layout: &Layout) -> Self {
         self.layout.clone_from(layout);
         self
     }
 
-    /// With an approximate inverse of `C`, symmetric and positive definite; only
-    /// [`Method::ActiveSet`] uses it.
+    /// Sets an approximate inverse of `C`, symmetric and positive definite. Only [`Method::ActiveSet`] uses it.
     #[must_use]
     pub fn preconditioner<Q: Operator<N>>(self, preconditioner: Q) -> Problem<'a, C, K, Q, N> {
         Problem {
@@ -123,15 +123,15 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
     }
 
-    /// Creates the buffers for solving this problem, or others of its size and kind of set.
+    /// Creates the buffers for solving this problem, or other problems of its size and kind of set.
     ///
     /// # Errors
-    /// [`Error::Memory`] if there is not enough of it.
+    /// - [`Error::Memory`] if the memory does not suffice.
     pub fn workspace(&self) -> Result<Workspace<K::Set, N>> {
         Workspace::new(&self.operator, &self.preconditioner)
     }
 
-    /// The problem without the types of its operators.
+    /// Returns the problem with the types of its operators erased.
     pub(crate) fn posed(&self) -> Posed<'_, K, N> {
         Posed {
             operator: &self.operator,
@@ -143,7 +143,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             constraint: &self.constraint,
             totals: self.totals,
             lower_bound: LowerBound {
-                // A bound that is not a number, or negative, says nothing.
+                // A bound that is NaN or negative carries no information.
                 value: self.operator.lower_bound().max(0.0),
                 known: self.operator.eigenvalue_bound(),
                 mean: MeanBound::Operator,
@@ -152,31 +152,31 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
     }
 
-    /// Compliance that the totals add to uniform unknowns; `None` where the sum is prescribed.
+    /// Returns the compliance that the totals add to uniform unknowns, or `None` for a component whose sum is prescribed.
     pub(crate) fn uniform_compliance(&self) -> [Option<f64>; N] {
         let cells = self.layout.of_all_ranks();
         self.totals.map(|total| total.uniform_compliance(cells))
     }
 }
 
-/// A problem as the iterations take it: they are compiled once for each constraint, not for each operator.
+/// A problem with erased operator types: the iterations are compiled once per constraint, not once per operator.
 pub(crate) struct Posed<'a, K, const N: usize> {
     pub(super) operator: &'a dyn Operator<N>,
     pub(super) preconditioner: &'a dyn Operator<N>,
     pub(super) layout: &'a Layout,
-    /// Compliance that cells have of their own.
+    /// Additional compliance of the cells.
     pub(super) own: CellCompliance<'a>,
     linear: [&'a [f64]; N],
     datum: [f64; N],
     pub(super) constraint: &'a K,
     pub(super) totals: [Total; N],
-    /// Bound of the eigenvalues for the unknowns that the totals allow.
+    /// Lower bound of the eigenvalues on the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
     pub(super) is_examined_elsewhere: bool,
 }
 
 impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
-    /// With a lower bound of the eigenvalues of the unknowns that the totals allow (default: the bound of the operator).
+    /// Sets a lower bound of the eigenvalues on the unknowns that the totals allow (default: the bound of the operator).
     pub(crate) fn bounded(self, lower_bound: LowerBound) -> Self {
         Self {
             lower_bound,
@@ -184,12 +184,12 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
         }
     }
 
-    /// The linear term of a cell.
+    /// Returns the linear term of a cell.
     pub(super) fn linear(&self, cell: usize) -> [f64; N] {
         minus(at(&self.linear, cell), self.datum)
     }
 
-    /// An iterate to examine, with its product and multipliers.
+    /// Returns an iterate with its product and multipliers, ready for examination.
     pub(super) fn iterate<'b>(
         &self,
         x: [&'b [f64]; N],
@@ -247,7 +247,7 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
         law::check(self.constraint, cells)
     }
 
-    /// The single loop solves symmetric problems of intervals without springs.
+    /// Checks that the single loop applies: to symmetric problems with intervals and without springs.
     fn check_single_loop(&self) -> Result<()> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
         let quantity = if has_spring {
@@ -267,41 +267,45 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
 }
 
 impl<C: Operator, K: Constraint, P: Operator> Problem<'_, C, K, P> {
-    /// With a prescribed total of the one component, `sum x = total`.
+    /// Prescribes the total of the only component, `sum x = total`.
     #[must_use]
     pub fn total(self, total: f64) -> Self {
         self.totals([Total::Sum(total)])
     }
 }
 
-/// The answer beside `x` itself.
+/// Multipliers and report of a minimum; the minimiser itself is returned in `x`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Minimum<const N: usize = 1> {
-    /// Multipliers of the totals, so that `C x + b - multiplier` vanishes on free cells; zero where no total is
-    /// prescribed.
+    /// Multipliers of the totals. `C x + b - multiplier` vanishes on free cells. Zero for a component without a prescribed total.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::array"))]
     pub multiplier: [f64; N],
     /// Status, cost and certified error.
     pub report: Report,
 }
 
-/// Finds the minimum from the start `x` and leaves it in `x`.
+/// Minimises the problem from the start `x` and stores the minimiser in `x`.
 ///
 /// # Errors
-/// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::NegativeOrNotFinite`], [`Error::Total`] or
-/// [`Error::BeyondFrictionCapacity`] for sums the sets cannot hold, [`Error::NotPositive`] or [`Error::NotFinite`] for
-/// a spring, [`Error::Method`] for a method that does not work with the sets, [`Error::Tolerance`] or
-/// [`Error::IterationLimit`] before any work, with `x` as it was; [`Error::NotConverged`] with the last feasible
-/// iterate in `x`; [`Error::NotPositive`] in its place if a preconditioner that is not positive definite is the cause;
-/// [`Error::Memory`].
+/// Errors before any work leave `x` unchanged:
+/// - [`Error::Length`], [`Error::Sample`], [`Error::Bounds`] or [`Error::NegativeOrNotFinite`] for invalid input.
+/// - [`Error::Total`] or [`Error::BeyondFrictionCapacity`] for sums that the sets cannot carry.
+/// - [`Error::NotPositive`] or [`Error::NotFinite`] for an invalid spring.
+/// - [`Error::Method`] for a method that does not support the sets.
+/// - [`Error::Tolerance`] or [`Error::IterationLimit`] for invalid settings.
+///
+/// Errors of the solve:
+/// - [`Error::NotConverged`], with the last feasible iterate in `x`.
+/// - [`Error::NotPositive`] instead, if the cause is a preconditioner that is not positive definite.
+/// - [`Error::Memory`] if the memory does not suffice.
 pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,
     x: [&mut [f64]; N],
 ) -> Result<Minimum<N>> {
-    // An operator may claim any number of unknowns; the start is there.
+    // An operator may report any number of unknowns, but the length of the start is real: compare them before allocating.
     problem.posed().check(settings, &x)?;
     let mut workspace = problem.workspace()?;
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
@@ -313,12 +317,12 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     })
 }
 
-/// [`minimise`] with the caller's workspace, which also keeps the product, the multiplier and the
-/// report, and with an observer: it sees every step and may cancel. Allocates nothing once the
-/// workspace has seen a solve as long as this one.
+/// Minimises like [`minimise`], with the caller's workspace and an observer. The workspace also stores the product, the
+/// multiplier and the report. The observer is called at every step and may cancel. Allocates nothing if the workspace was used
+/// for a solve with at least as many steps before.
 ///
 /// # Errors
-/// As [`minimise`].
+/// The errors of [`minimise`].
 pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,
@@ -336,7 +340,7 @@ pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: 
     )
 }
 
-/// [`minimise_with`] from a start of which something is known.
+/// Minimises like [`minimise_with`], with prior knowledge about the start.
 pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
     problem: &Posed<'_, K, N>,
     settings: &Settings,
@@ -366,7 +370,7 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
             },
         };
         let status = run.finish(status);
-        // The product that is kept is that of the operator alone.
+        // The stored product is the product with the operator alone, without the diagonal.
         run.add_diagonal(-1.0);
         if let Some(allocation_error) = run.monitor.allocation_error.take() {
             return Err(allocation_error);
@@ -388,16 +392,16 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
     }
 }
 
-/// Projected gradients after each of the first cycles.
+/// Numbers of projected-gradient steps after the first and the second cycle.
 const GRADIENTS: [usize; 2] = [32, 64];
 
-/// The chosen method, led past the place where its sets cycle.
+/// Runs the selected method, with projected-gradient steps and finally proximal-point steps if its sets cycle.
 fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K, N>) -> Status {
     let once = |run: &mut ActiveSetSolve<'_, '_, K, N>| match run.monitor.settings.method {
         Method::ActiveSet => newton(run),
         Method::PolonskyKeer => K::Set::single_loop(run),
     };
-    // Without symmetry there is no objective that could fall.
+    // Without symmetry there is no objective to decrease.
     let is_symmetric = run.problem.operator.is_symmetric();
     for steps in GRADIENTS.into_iter().filter(|_| is_symmetric) {
         if let Some(status) = once(run) {

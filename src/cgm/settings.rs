@@ -1,25 +1,25 @@
-//! What a user may choose about an iteration.
+//! User settings of an iteration.
 
 use std::time::Duration;
 
 use crate::error::{Error, Result};
 
-/// The iteration that finds the constrained minimum.
+/// The iteration that computes the constrained minimum.
 ///
-/// Should the sets of either ever cycle, projected gradients lead past that place, or a sequence of better conditioned
-/// problems.
+/// If the sets of a method cycle, projected-gradient steps, and then a sequence of better conditioned problems, complete the
+/// solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
-    /// Active sets outside, preconditioned conjugate gradients without clipping inside, a fresh
-    /// residual at every outer step, exact once it is small. The default: 2 to 5 times fewer products.
+    /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop, with a fresh
+    /// residual at every outer step, exact once it is small. This is the default; it needs 2 to 5 times fewer products.
     #[default]
     ActiveSet,
-    /// For symmetric operators and one unknown a cell: other problems refuse it with
-    /// [`Error::Method`]. One loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
-    /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with
-    /// their signs mended. Two products a step unless nothing was clipped.
+    /// A single loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
+    /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with corrected signs. It needs two
+    /// products per step unless nothing was clipped. The method requires a symmetric operator and one unknown per cell; other
+    /// problems return [`Error::Method`].
     PolonskyKeer,
 }
 
@@ -38,17 +38,17 @@ pub enum Method {
 )]
 #[non_exhaustive]
 pub struct Settings {
-    /// Which iteration (default [`Method::ActiveSet`]).
+    /// Iteration method (default [`Method::ActiveSet`]).
     pub method: Method,
-    /// The error accepted (default 1e-8): bounds the certified error in the energy norm, relative
-    /// to the norm of the answer, and the largest complementarity residual, relative to the largest
-    /// displacement. For an operator without a [`lower_bound`](crate::Operator::lower_bound) the
-    /// residual alone. The sum of all traction errors is as small within a factor of three on square cells, of eight on
-    /// cells of 1 : 315; single cells at the edge of a smooth contact may be off by ten to a hundred times more.
+    /// Accepted error (default 1e-8). It bounds the certified error in the energy norm, relative to the norm of the solution, and
+    /// the largest complementarity residual, relative to the largest displacement. For an operator without a
+    /// [`lower_bound`](crate::Operator::lower_bound) it bounds the residual alone. The sum of all traction errors is equally
+    /// small within a factor of three on square cells and of eight on cells of 1 : 315. The error of single cells at the edge of
+    /// a smooth contact may be ten to a hundred times larger.
     pub tolerance: f64,
-    /// Conjugate-gradient steps allowed (default 10 000).
+    /// Maximum number of conjugate-gradient steps (default 10 000).
     pub max_iterations: usize,
-    /// Wall time allowed (default: any).
+    /// Maximum wall time (default: no limit).
     pub time_limit: Option<Duration>,
 }
 
@@ -64,35 +64,35 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// With another method.
+    /// Sets the method.
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
         self.method = method;
         self
     }
 
-    /// With another tolerance, strictly between 0 and 1.
+    /// Sets the tolerance, strictly between 0 and 1.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// With another limit of conjugate-gradient steps, at least 1.
+    /// Sets the maximum number of conjugate-gradient steps (at least 1).
     #[must_use]
     pub fn max_iterations(mut self, max_iterations: usize) -> Self {
         self.max_iterations = max_iterations;
         self
     }
 
-    /// With a limit of wall time.
+    /// Sets the maximum wall time.
     #[must_use]
     pub fn time_limit(mut self, time_limit: Duration) -> Self {
         self.time_limit = Some(time_limit);
         self
     }
 
-    /// Those that ranks have in common; the clock of the first one decides for all.
+    /// Returns the settings that all ranks must have in common; the clock of the first rank decides for all ranks.
     pub(crate) fn common(&self) -> Self {
         Self {
             time_limit: None,
@@ -100,10 +100,11 @@ impl Settings {
         }
     }
 
-    /// `Ok` if the settings make sense.
+    /// Checks that the settings are valid.
     ///
     /// # Errors
-    /// [`Error::Tolerance`] outside `(0, 1)`, [`Error::IterationLimit`] at zero.
+    /// - [`Error::Tolerance`] if the tolerance is outside `(0, 1)`.
+    /// - [`Error::IterationLimit`] if the maximum number of steps is zero.
     pub fn check(&self) -> Result<()> {
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
             return Err(Error::Tolerance(self.tolerance));
@@ -115,36 +116,35 @@ impl Settings {
     }
 }
 
-/// The settings a problem's builder offers, word for word the same on each; the builder keeps them in a
-/// field `settings`.
+/// Setters of the solver settings, identical for each problem builder; the builder stores them in a field `settings`.
 macro_rules! settings_methods {
     () => {
-        /// All of the following at once, as another solver or a file has them.
+        /// Sets all solver settings, for example those of another solver or of a file.
         pub fn settings(mut self, settings: crate::cgm::Settings) -> Self {
             self.settings = settings;
             self
         }
 
-        /// Error accepted: certified in the energy norm, and as a residual relative to the largest
-        /// displacement (default 1e-8; see [`Settings::tolerance`](crate::cgm::Settings::tolerance)).
+        /// Sets the accepted error: certified in the energy norm, and as a residual relative to the largest displacement (default
+        /// 1e-8; see [`Settings::tolerance`](crate::cgm::Settings::tolerance)).
         pub fn tolerance(mut self, tolerance: f64) -> Self {
             self.settings.tolerance = tolerance;
             self
         }
 
-        /// The iteration (default [`Method::ActiveSet`](crate::cgm::Method::ActiveSet)).
+        /// Sets the iteration method (default [`Method::ActiveSet`](crate::cgm::Method::ActiveSet)).
         pub fn method(mut self, method: crate::cgm::Method) -> Self {
             self.settings.method = method;
             self
         }
 
-        /// Conjugate-gradient steps allowed (default 10 000).
+        /// Sets the maximum number of conjugate-gradient steps (default 10 000).
         pub fn max_iterations(mut self, max_iterations: usize) -> Self {
             self.settings.max_iterations = max_iterations;
             self
         }
 
-        /// Wall time allowed per solve (default: any). A step of a history has two, pressure and traction.
+        /// Sets the maximum wall time per solve (default: no limit). A step of a history has two solves, pressure and traction.
         pub fn time_limit(mut self, time_limit: std::time::Duration) -> Self {
             self.settings.time_limit = Some(time_limit);
             self
@@ -152,21 +152,23 @@ macro_rules! settings_methods {
     };
 }
 
-/// Reading and changing the settings of a solver, which keeps them in `$($path).+`, accepts those that pass `$check` and
+/// Getter and setter of the settings of a solver, which stores them in `$($path).+`, accepts settings that pass `$check` and
 /// solves on the bodies `$($bodies).+`.
 macro_rules! solver_settings {
     ($($path:ident).+, $($bodies:ident).+, $check:expr) => {
-        /// The settings of the next solve.
+        /// Returns the settings of the next solve.
         #[must_use]
         pub fn settings(&self) -> &crate::cgm::Settings {
             &self.$($path).+
         }
 
-        /// Changes tolerance, method and limits of the next solve, which starts from the last answer all the same.
+        /// Changes tolerance, method and limits of the next solve, which still starts from the last solution.
         ///
         /// # Errors
-        /// As [`Settings::check`](crate::cgm::Settings::check), and [`Error::Method`](crate::Error::Method) for a
-        /// method that the model does not have; [`Error::Ranks`](crate::Error::Ranks); the settings are then as they were.
+        /// The settings remain unchanged after an error:
+        /// - The errors of [`Settings::check`](crate::cgm::Settings::check).
+        /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
+        /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
             let checked = settings.check().and_then(|()| check(self, &settings));

@@ -1,4 +1,5 @@
-//! A look at a start that has been an answer: where nothing has changed, one product shows that it is one still.
+//! Warm start from an earlier solution: if nothing has changed, the certificate of one product shows that it is still the
+//! solution.
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart};
 use crate::cgm::totals::{Total, sums_of};
@@ -6,22 +7,23 @@ use crate::cgm::{Constraint, LinearisedSet, reduce};
 use crate::numerics::cell_vector::{at, slices};
 use crate::report::Status;
 
-/// What the caller knows of the start of a solve.
+/// The caller's knowledge about the start of a solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum InitialGuess<const N: usize> {
     Nothing,
-    /// It has been an answer at these multipliers: it is looked at first.
+    /// The start was a solution with these multipliers; it is examined first.
     PreviousSolution([f64; N]),
-    /// It is near the answer, from coarser cells or extrapolated: its gradient tells where cells become free.
+    /// The start is near the solution, prolongated from a coarser grid or extrapolated: its gradient identifies the cells that
+    /// become free.
     Interpolated,
 }
 
-/// What a sum may miss, of the sum of the magnitudes, and be met but for round-off.
+/// Relative deviation of a sum, measured by the sum of magnitudes, that counts as round-off.
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Ends where the start, at the multipliers it had as an answer, is converged: it is feasible, and what it shows is the
-    /// last word. Otherwise the product is at hand, if the start is feasible.
+    /// Returns the final status if the start, with the multipliers of its earlier solve, is feasible and its measured merit
+    /// satisfies the tolerance. Otherwise returns `None`; the product is then up to date if the start is feasible.
     pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
         let multiplier = match known {
             InitialGuess::PreviousSolution(multiplier) => multiplier,
@@ -47,7 +49,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         Some(self.monitor.finish(status, merit, report))
     }
 
-    /// Whether the unknowns are in their sets and have their totals, but for round-off.
+    /// Returns whether the unknowns are in their sets and have their totals, up to round-off.
     fn is_feasible(&self, multiplier: [f64; N]) -> bool {
         let constraint = self.problem.constraint;
         let x = slices(&self.x);
@@ -55,7 +57,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let has_total = |c: usize| match self.problem.totals[c] {
             Total::Free => multiplier[c] == 0.0,
             Total::Sum(sum) => (sum - sums[c][0]).abs() <= ROUND_OFF * sums[c][1],
-            // What the spring makes of the sum, but for round-off.
+            // The multiplier must equal the value of the spring for this sum, up to round-off.
             total @ Total::Spring { .. } => {
                 total.held(multiplier[c], sums[c]) - multiplier[c] == 0.0
             }

@@ -1,26 +1,26 @@
-//! The prescribed totals: forces and springs, how they spread, and the multipliers that keep them.
+//! Prescribed totals: forces and springs, their distribution over the cells and their multipliers.
 //!
-//! A step of the linear problem changes the unknowns by `d` and the multipliers by `eta`, so that
+//! A step of the linear problem changes the unknowns by `d` and the multipliers by `eta` such that
 //!
 //! ```math
 //! \begin{pmatrix} C & -e \\ e' & D \end{pmatrix} \begin{pmatrix} d \\ \eta \end{pmatrix}
 //! = \begin{pmatrix} r \\ \varrho \end{pmatrix}, \qquad r = e\,\delta - (C x + b),
 //! ```
 //!
-//! where the columns of $`e`$ are ones in one component each, $`\varrho`$ is what is missing of the totals, and the
-//! diagonal $`D`$ is zero for a prescribed sum. A spring of compliance `c` from the far end `X` carries
-//! $`\sum x = (X - \delta)/c`$: there $`D = 1/c`$. Eliminating $`d`$ with the preconditioner $`M`$ for $`C^{-1}`$
-//! leaves, with the patterns $`w_a = M e_a`$, by which a change of each multiplier moves the unknowns as a flat punch
-//! would, one small system for the multipliers,
+//! where the columns of $`e`$ are ones in one component each, $`\varrho`$ is the deficit of the totals, and the diagonal $`D`$ is
+//! zero for a prescribed sum. A spring of compliance `c` from the far end `X` carries $`\sum x = (X - \delta)/c`$, for which
+//! $`D = 1/c`$. The patterns $`w_a = M e_a`$, with the preconditioner $`M`$ for $`C^{-1}`$, describe how a change of each
+//! multiplier moves the unknowns, approximately like a flat punch. Eliminating $`d`$ with $`M`$ leaves one small system for the
+//! multipliers,
 //!
 //! ```math
 //! (e_b' w_a + D_{ab})\,\eta_a = \varrho_b - e_b' M r .
 //! ```
 //!
-//! It is symmetric and positive definite, and tends to that of a prescribed sum for a soft spring, to a prescribed
-//! multiplier for a stiff one. Directions `z = M r + w eta` of the conjugate gradients then keep the totals exactly.
-//! (A constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
-//! <https://doi.org/10.1137/S0895479899351805>.)
+//! It is symmetric and positive definite. It tends to the system of a prescribed sum for a soft spring, and to a prescribed
+//! multiplier for a stiff spring. The directions `z = M r + w eta` of the conjugate gradients then keep the totals exactly. This
+//! is a constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
+//! <https://doi.org/10.1137/S0895479899351805>.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::state::Row;
@@ -31,26 +31,26 @@ use crate::numerics::cell_vector::{at, chunks, dot, held, norm, plus, put, slice
 use crate::numerics::small_matrix::Small;
 use crate::parallel::layout::Layout;
 
-/// What is prescribed of the sum of one component over all cells.
+/// Condition on the sum of one component over all cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Total {
-    /// Nothing: the multiplier is zero.
+    /// No condition: the multiplier is zero.
     Free,
-    /// The sum; the multiplier follows.
+    /// A prescribed sum; the multiplier is an unknown.
     Sum(f64),
     /// A spring: the multiplier is `far_end - compliance * sum`.
     Spring {
         /// The multiplier at which the spring is slack.
         far_end: f64,
-        /// Change of the multiplier per sum, positive and finite.
+        /// Change of the multiplier per unit of the sum, positive and finite.
         compliance: f64,
     },
 }
 
 impl Total {
-    /// The sum, where that is prescribed.
+    /// Returns the sum if it is prescribed.
     pub(crate) fn sum(self) -> Option<f64> {
         match self {
             Self::Sum(sum) => Some(sum),
@@ -58,7 +58,7 @@ impl Total {
         }
     }
 
-    /// Returns the compliance that it adds to uniform unknowns of `cells` cells, or `None` if the sum is prescribed.
+    /// Returns the compliance that the total adds to uniform unknowns of `cells` cells, or `None` if the sum is prescribed.
     pub(crate) fn uniform_compliance(self, cells: usize) -> Option<f64> {
         match self {
             Self::Free => Some(0.0),
@@ -67,7 +67,7 @@ impl Total {
         }
     }
 
-    /// Whether it asks for nothing.
+    /// Returns whether the total imposes no load: it is free, or its sum or far end is zero.
     pub(crate) fn is_idle(self) -> bool {
         match self {
             Self::Free => true,
@@ -75,7 +75,7 @@ impl Total {
         }
     }
 
-    /// What asks the same of this part of the unknowns.
+    /// Returns the equivalent total for a fraction of the unknowns.
     pub(crate) fn scaled(self, part: f64) -> Self {
         match self {
             Self::Free => Self::Free,
@@ -90,7 +90,7 @@ impl Total {
         }
     }
 
-    /// What asks the same of unknowns and displacements measured in a unit.
+    /// Returns the equivalent total for unknowns and displacements measured in a unit.
     pub(crate) fn in_unit(self, unit: f64) -> Self {
         match self {
             Self::Free => Self::Free,
@@ -105,7 +105,7 @@ impl Total {
         }
     }
 
-    /// What is missing of the sum at this multiplier.
+    /// Returns the deficit of the sum at this multiplier.
     pub(super) fn missing(self, sum: f64, multiplier: f64) -> f64 {
         match self {
             Self::Free => 0.0,
@@ -121,8 +121,8 @@ impl Total {
         matches!(self, Self::Spring { .. })
     }
 
-    /// What a multiplier may be beside a sum: that of the spring, and round-off; anything else where there is no
-    /// spring.
+    /// Returns the admissible multiplier nearest to the given one: within round-off of the value of the spring for this sum, zero
+    /// for a free component, and unchanged for a prescribed sum.
     pub(super) fn held(self, multiplier: f64, [sum, magnitude]: [f64; 2]) -> f64 {
         match self {
             Self::Free => 0.0,
@@ -133,7 +133,7 @@ impl Total {
             } => {
                 let exact = far_end - compliance * sum;
                 let noise = 4.0 * f64::EPSILON * (far_end.abs() + compliance * magnitude);
-                // A bound of NaN would panic, and NaN would stay.
+                // `clamp` would panic for a bound of NaN and would keep a NaN multiplier.
                 if (multiplier - exact).abs() <= noise {
                     multiplier
                 } else {
@@ -144,25 +144,25 @@ impl Total {
     }
 }
 
-/// The sum of each component over all cells, and the sum of its magnitudes.
+/// Returns the sum of each component over all cells, and the sum of its magnitudes.
 pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64; 2]; N] {
     reduce::sum(layout, |i| at(x, i).map(|x| [x, x.abs()]))
 }
 
-/// The totals beside the cells as they may move at present.
+/// System of the totals for the current motion of the cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TotalsSystem<const N: usize> {
     totals: [Total; N],
     /// `e_b' w_a` in row a.
     patterns: Small<N>,
-    /// Of all components that are prescribed or held by a spring.
+    /// Matrix of all components that are prescribed or tied to a spring.
     pub(super) border: Border<N>,
-    /// How a uniform motion is followed: the sum of what cells can do of it.
+    /// Sum over the cells of the parts of a uniform motion along each component that they can follow.
     pub(super) mobility: Small<N>,
 }
 
 impl<const N: usize> TotalsSystem<N> {
-    /// Before the cells are known that move.
+    /// Initial value, before the moving cells have been determined.
     pub(super) const NONE: Self = Self {
         totals: [Total::Free; N],
         patterns: Small([[0.0; N]; N]),
@@ -170,38 +170,38 @@ impl<const N: usize> TotalsSystem<N> {
         mobility: Small([[0.0; N]; N]),
     };
 
-    /// Components whose sum is prescribed or held by a spring.
+    /// Returns the components whose sum is prescribed or tied to a spring.
     fn prescribed(&self) -> [bool; N] {
         self.border.active
     }
 
-    /// Components whose sum is prescribed: their multipliers are unknowns of their own.
+    /// Returns the components whose sum is prescribed: their multipliers are independent unknowns.
     pub(super) fn has_sum(&self) -> [bool; N] {
         std::array::from_fn(|a| self.totals[a].sum().is_some())
     }
 
-    /// Components held by a spring: their multipliers change with the sums.
+    /// Returns the components tied to a spring: their multipliers change with the sums.
     pub(super) fn has_spring(&self) -> [bool; N] {
         self.totals.map(Total::is_spring)
     }
 
-    /// The change of all multipliers that makes up for what a preconditioned residual adds to the sums.
+    /// Returns the change of all multipliers that compensates the change of the sums by a preconditioned residual.
     pub(super) fn balance(&self, added: [f64; N]) -> [f64; N] {
         self.border.balance([0.0; N], added)
     }
 
-    /// The change of the multipliers of the sums that leaves no mean residual, weighted as they spread.
+    /// Returns the change of the multipliers of prescribed sums that removes the mean residual, weighted with the patterns.
     pub(super) fn remove_mean(&self, products: [f64; N]) -> [f64; N] {
         let matrix = &self.border.matrix;
         matrix.solve(products.map(|product| -product), self.has_sum())
     }
 
-    /// The square of what all cells can do of a uniform motion.
+    /// Returns the quadratic form of a uniform motion with the mobility.
     pub(super) fn square(&self, motion: [f64; N]) -> f64 {
         self.mobility.square(motion)
     }
 
-    /// What the springs add to the curvature along a direction that changes their multipliers so.
+    /// Returns the curvature that the springs add along a direction with this change of the multipliers.
     pub(super) fn curvature(&self, change: [f64; N]) -> f64 {
         let springs = self.totals.iter().zip(change);
         springs.fold(0.0, |sum, (total, change)| match total {
@@ -210,8 +210,8 @@ impl<const N: usize> TotalsSystem<N> {
         })
     }
 
-    /// Whether the patterns are those of a preconditioner: a change of a total that nothing follows, or that is no number,
-    /// would leave no number of the iterate.
+    /// Returns whether the patterns are usable. With a diagonal entry that is not positive and finite, a change of a total would
+    /// make the iterate NaN or infinite.
     pub(super) fn is_well_posed(&self) -> bool {
         let prescribed = self.prescribed();
         let moves = (0..N).any(|a| self.mobility.0[a][a] > 0.0);
@@ -222,7 +222,7 @@ impl<const N: usize> TotalsSystem<N> {
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Finds how changes of the multipliers spread over the cells that move.
+    /// Determines how changes of the multipliers are distributed over the moving cells.
     pub(super) fn set_totals(&mut self) {
         let mut system = TotalsSystem {
             totals: self.problem.totals,
@@ -247,7 +247,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             system.patterns.0[a] = self.linear().spread(a);
         }
         let matrix = &mut system.border.matrix;
-        // The columns of a symmetric problem are its rows but for rounding.
+        // For a symmetric problem, the columns equal the rows up to rounding.
         *matrix = if self.problem.operator.is_symmetric() {
             system.patterns
         } else {
@@ -266,7 +266,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear.moving.any(&w.linear.rows, Row::is_free)
     }
 
-    /// The sum of what cells can do of a uniform motion along each component.
+    /// Returns the sum over the cells of the parts of a uniform motion along each component that they can follow.
     pub(super) fn mobility(&self) -> Small<N> {
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
@@ -283,7 +283,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }))
     }
 
-    /// Spreads what is missing of the totals, with the present sums of the components.
+    /// Distributes the deficit of the totals over the moving cells, given the current sums of the components.
     pub(super) fn spread_missing(&mut self, sums: [f64; N]) {
         let system = self.totals;
         let prescribed = system.prescribed();
@@ -313,8 +313,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.product_error = f64::INFINITY;
     }
 
-    /// The multipliers that leave no mean residual, weighted as the totals spread; those of springs within the
-    /// round-off of what the springs make of the sums.
+    /// Sets the multipliers such that the mean residual vanishes, weighted with the patterns. Multipliers of springs stay within
+    /// round-off of the values of the springs for the current sums.
     pub(super) fn set_multiplier(&mut self) {
         let system = self.totals;
         let prescribed = system.prescribed();
@@ -323,7 +323,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
         let w = &mut *self.workspace;
         if w.linear.moving.of_all_ranks() == 0 {
-            // All stand at their bounds: the multiplier is that of `multiplier_at_bounds`.
+            // All cells are at their bounds: `multiplier_at_bounds` has set the multiplier.
             return;
         }
         let gradient = slices(&w.gradient);
@@ -341,7 +341,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         for a in (0..N).filter(|&a| system.totals[a].is_spring()) {
             w.multiplier[a] = system.totals[a].held(mean[a], sums[a]);
         }
-        // The sums' multipliers beside those.
+        // The multipliers of the prescribed sums, given the multipliers of the springs.
         let right = std::array::from_fn(|b| {
             let springs = (0..N).filter(|&a| system.totals[a].is_spring());
             springs.fold(products[b], |sum, a| {

@@ -1,4 +1,4 @@
-//! What an iteration writes to.
+//! Buffers of an iteration.
 
 use crate::cgm::ConstraintSet;
 use crate::cgm::linear::LinearWorkspace;
@@ -7,7 +7,7 @@ use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
 use crate::report::Report;
 
-/// Everything an iteration writes to besides `x`; made once, reused by every solve of one size.
+/// Buffers of an iteration except `x`, created once and reused by every solve of the same size.
 ///
 /// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
 /// [`Problem::workspace`](crate::cgm::Problem::workspace) creates it.
@@ -16,13 +16,13 @@ pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {
     pub(super) linear: LinearWorkspace<S::CellMotion, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
-    /// What a stage is restrained about; empty until sets cycle.
+    /// Centre of the restraint in a proximal-point stage; empty until sets cycle.
     pub(super) centre: [Vec<f64>; N],
     pub(super) conjugate: Conjugate<N>,
     pub(super) multiplier: [f64; N],
 }
 
-/// What conjugate gradients remember, of the cells that move.
+/// State of the conjugate gradients on the moving cells.
 #[derive(Debug, Clone)]
 pub(super) struct Conjugate<const N: usize> {
     pub(super) last_residual: Vec<[f64; N]>,
@@ -30,10 +30,13 @@ pub(super) struct Conjugate<const N: usize> {
 }
 
 impl<S: ConstraintSet<N>, const N: usize> Workspace<S, N> {
-    /// Buffers for an operator and its preconditioner: `7 N + N^2` numbers and a motion per cell besides their own.
+    /// Creates buffers for an operator and its preconditioner.
+    ///
+    /// # Memory
+    /// `7 N + N^2` numbers and a motion per cell, in addition to the buffers of operator and preconditioner.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
     pub(crate) fn new(
         operator: &dyn Operator<N>,
         preconditioner: &dyn Operator<N>,
@@ -54,23 +57,23 @@ impl<S: ConstraintSet<N>, const N: usize> Workspace<S, N> {
         })
     }
 
-    /// The product `C x` with the iterate last returned.
+    /// Returns the product `C x` with the iterate last returned.
     #[must_use]
     pub fn product(&self) -> [&[f64]; N] {
         self.product.each_ref().map(Vec::as_slice)
     }
 
-    /// That product alone.
+    /// Returns the product and drops the other buffers.
     pub(crate) fn into_product(self) -> [Vec<f64>; N] {
         self.product
     }
 
-    /// The scratch of a product, for one outside of the solves.
+    /// Returns the scratch of the operator, for a product outside a solve.
     pub(crate) fn operator_mut(&mut self) -> &mut Scratch {
         &mut self.linear.operator
     }
 
-    /// Takes an iterate and multipliers as those of the last solve.
+    /// Sets an iterate and multipliers as the result of the last solve.
     pub(crate) fn set_solution(
         &mut self,
         operator: &dyn Operator<N>,
@@ -82,20 +85,20 @@ impl<S: ConstraintSet<N>, const N: usize> Workspace<S, N> {
         self.multiplier = multiplier;
     }
 
-    /// Measures the product of the last solve in another unit.
+    /// Multiplies the product of the last solve by a factor, for a change of unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
         for value in self.product.iter_mut().flatten() {
             *value *= factor;
         }
     }
 
-    /// The report of the last solve, converged or not.
+    /// Returns the report of the last solve, converged or not.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.linear.report
     }
 
-    /// The multipliers of the last solve, converged or not.
+    /// Returns the multipliers of the last solve, converged or not.
     #[must_use]
     pub fn multiplier(&self) -> [f64; N] {
         self.multiplier

@@ -1,4 +1,4 @@
-//! Counts of a map of contact, strip by strip of its rows, by threads and by ranks.
+//! Counts of a contact map, computed in strips of rows that are joined over threads and ranks.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -8,16 +8,16 @@ use crate::parallel;
 use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::warning::RESOLVED;
 
-/// Counts of a map of contact.
+/// Counts of a contact map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ContactCounts {
-    /// Cells in the set.
+    /// Number of cells in the set.
     pub(crate) cells: usize,
-    /// Pairs of neighbours, along x or y, of which exactly one is in the set.
+    /// Number of pairs of neighbours, along x or y, of which exactly one is in the set.
     pub(crate) switches: usize,
-    /// Cells of the set on the edge of a grid that has edges.
+    /// Number of cells of the set on the edges of a grid that is not periodic.
     pub(crate) cells_on_edge: usize,
-    /// Columns and rows from the first to the last cell, across the edges of a periodic grid too.
+    /// Number of columns and rows from the first to the last cell, also across the edges of a periodic grid.
     pub(crate) extent: Option<[usize; 2]>,
     pub(crate) spots: Spots,
 }
@@ -26,50 +26,50 @@ pub(crate) struct ContactCounts {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Spots {
     pub(crate) all: usize,
-    /// Those of too few cells.
+    /// Number of spots with too few cells.
     pub(crate) unresolved: usize,
-    /// Cells of these.
+    /// Number of cells of these spots.
     pub(crate) unresolved_cells: usize,
-    /// Whether any goes from the first column to the last, and from the first row to the last.
+    /// Whether any spot extends from the first column to the last, and from the first row to the last.
     pub(crate) is_across: [bool; 2],
 }
 
-/// Adjacent rows of a map, as far as it takes to join them with others.
+/// Counts of adjacent rows of a map, with the data for joining them with other rows.
 #[derive(Debug, Clone, Default)]
 struct Strip {
     rows: usize,
     cells: usize,
     switches: usize,
     cells_on_edge: usize,
-    /// A bit for each column that has a cell.
+    /// One bit per column, set if the column has a cell.
     columns: Vec<u64>,
-    /// Rows without a cell: below the first one that has any, above the last one, and most of them in between.
+    /// Numbers of rows without a cell: below the first row with a cell, above the last such row, and the longest run in between.
     free: [usize; 3],
-    /// The first row and the last.
+    /// Runs of the first row and of the last row.
     ends: [Vec<RowSegment>; 2],
-    /// Spots of the first row or the last.
+    /// Spots of the first row or the last row.
     open: Vec<PartialSpot>,
-    /// All others.
+    /// Counts of all other spots.
     closed: Spots,
 }
 
-/// Cells of a row, and which spot they are of.
+/// Adjacent cells of a row that belong to one spot.
 #[derive(Debug, Clone)]
 struct RowSegment {
     columns: Range<usize>,
     spot: usize,
 }
 
-/// A spot, as far as it is known.
+/// Partial data of a spot.
 #[derive(Debug, Clone, Copy, Default)]
 struct PartialSpot {
     cells: usize,
-    /// Whether it touches the first column and the last, the first row and the last.
+    /// Whether the spot touches the first and the last column, and the first and the last row.
     edges: [[bool; 2]; 2],
 }
 
-/// The counts of a strip that travel first: of its cells, rows without a cell, spots that are closed, and of the runs of
-/// both ends and the open spots that follow.
+/// Header of a strip in a message: counts of its cells, rows without a cell, counts of closed spots, and numbers of runs of both
+/// ends and of open spots that follow.
 type StripHeader = (
     [usize; 4],
     [usize; 3],
@@ -78,7 +78,7 @@ type StripHeader = (
 );
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
-    /// All counts, of all ranks if the map is that of the slab of each.
+    /// Computes all counts, over all ranks if the map of each rank is its slab.
     pub(crate) fn survey(&self, team: Option<&RankGroup>) -> ContactCounts {
         let [columns, rows] = self.grid.size();
         let mut slab = parallel::fold_rows(
@@ -127,7 +127,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         let within = 2 * runs.len() - usize::from(at_first) - usize::from(at_last);
         strip.switches = within + usize::from(along_x && at_first != at_last);
         let count = if along_x && at_first && at_last && runs.len() > 1 {
-            // The last run and the first one are one run across the edge that repeats.
+            // The last run and the first run are one run across the periodic edge.
             if let Some(last) = runs.last_mut() {
                 last.spot = 0;
             }
@@ -150,7 +150,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 }
 
 impl Strip {
-    /// With the rows above.
+    /// Joins the strip with the rows above it.
     fn joined(self, mut above: Self) -> Self {
         if self.rows == 0 {
             return above;
@@ -193,7 +193,7 @@ impl Strip {
         strip
     }
 
-    /// Keeps the spots of the ends, and counts the others.
+    /// Keeps the spots of the end rows, and counts the other spots as closed.
     fn close(&mut self, mut joined: Joined) {
         let mut places = vec![None; joined.spots.len()];
         for run in self.ends.iter_mut().flatten() {
@@ -210,7 +210,7 @@ impl Strip {
         }
     }
 
-    /// Of all rows.
+    /// Returns the counts of a strip with all rows.
     fn survey(mut self, width: usize, [along_x, along_y]: [bool; 2]) -> ContactCounts {
         let [bottom, top] = std::mem::take(&mut self.ends);
         let mut spots = Joined::new([std::mem::take(&mut self.open), Vec::new()]);
@@ -231,7 +231,7 @@ impl Strip {
         }
     }
 
-    /// Columns without a cell, as the rows.
+    /// Returns the numbers of columns without a cell, in the format of the rows.
     fn free_columns(&self, width: usize) -> [usize; 3] {
         let is_taken = |column: &usize| (self.columns[column / 64] >> (column % 64)) & 1 != 0;
         let taken: Vec<usize> = (0..width).filter(is_taken).collect();
@@ -264,7 +264,7 @@ impl Strip {
         }
     }
 
-    /// Of rows of so many columns; `None` if these are not the words of one.
+    /// Reads a strip with `width` columns. Returns `None` if the words are not a valid strip.
     fn read(mut words: &[u64], width: usize) -> Option<Self> {
         let words = &mut words;
         let columns = width.div_ceil(64);
@@ -338,11 +338,11 @@ impl Spots {
     }
 }
 
-/// Spots that turn out to be one.
+/// Disjoint sets of spots that turn out to be connected.
 struct Joined {
     spots: Vec<PartialSpot>,
     parents: Vec<usize>,
-    /// The place of the first one of the second strip.
+    /// Index of the first spot of the second strip.
     second: usize,
 }
 
@@ -366,7 +366,7 @@ impl Joined {
         root
     }
 
-    /// Joins the spots of two rows, one above the other; returns in how many columns they differ.
+    /// Joins the spots of two adjacent rows. Returns the number of columns in which the rows differ.
     fn join(&mut self, below: &[RowSegment], above: &[RowSegment]) -> usize {
         let length =
             |runs: &[RowSegment]| -> usize { runs.iter().map(|run| run.columns.len()).sum() };
@@ -403,7 +403,8 @@ impl Joined {
     }
 }
 
-/// Places from the first taken one to the last; where they repeat, all places except the longest run of free ones.
+/// Returns the number of places from the first taken place to the last, or on a periodic axis all places except the longest free
+/// run.
 fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize {
     if repeats {
         count - within.max(first + last)
@@ -412,8 +413,8 @@ fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize
     }
 }
 
-/// The strip of all rows, on the first rank; on others the part that they have handed on. Each step halves the number of
-/// strips: only their ends travel.
+/// Joins the strips of all ranks into one strip on the first rank; other ranks keep the partial strip that they have sent. Each
+/// step halves the number of strips, and messages contain only their ends.
 fn over_ranks(slab: Strip, width: usize, team: &RankGroup) -> Strip {
     let (me, ranks) = (team.rank(), team.size());
     let (mut strip, mut step) = (slab, 1);
@@ -438,7 +439,7 @@ fn over_ranks(slab: Strip, width: usize, team: &RankGroup) -> Strip {
     strip
 }
 
-/// The part of a survey that travels.
+/// Message with the counts of a survey.
 type Counts = (
     (usize, usize, usize),
     Option<[usize; 2]>,
@@ -446,7 +447,7 @@ type Counts = (
 );
 
 impl ContactCounts {
-    /// That of the first rank.
+    /// Returns the survey of the first rank.
     fn of_first(self, team: &RankGroup) -> Self {
         let found = self.spots;
         let (counts, extent, spots): Counts = team.of_first((
@@ -482,8 +483,8 @@ mod tests {
     use crate::grid::Grid;
     use crate::parallel::ranks::{Ranks, Threads};
 
-    /// Maps of random cells, with slabs of one row and of none: counts of ranks are those of one process, whose spots are
-    /// those of a walk from cell to cell.
+    /// Random maps, distributed also with slabs of one row and of no row: the counts of the ranks equal the counts of one
+    /// process, and its spots equal the spots of a walk from cell to cell.
     #[test]
     fn slabs_come_to_what_the_whole_comes_to() {
         let mut random = 1_u64;
@@ -524,7 +525,7 @@ mod tests {
                     assert_eq!(whole.switches, map(grid).switches());
                     for ranks in [2, 3, 5] {
                         let found = Threads::run(ranks, Duration::from_secs(60), |rank| {
-                            // The first rank has no row, and the second one at most.
+                            // The first rank has no row, and the second rank has at most one.
                             let end = |rank: usize| match rank {
                                 0 | 1 if rank < ranks => 0,
                                 2 if rank < ranks => 1,

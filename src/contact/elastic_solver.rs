@@ -1,4 +1,4 @@
-//! The half-space posed to the engine: one operator, its preconditioner and the buffers of their solves.
+//! Contact problems of a half-space for the minimiser: the operator, its preconditioner and the buffers of the solves.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{
@@ -13,8 +13,8 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Report;
 
-/// The engine on a rectangle of cells, for one kind of set. The buffers of its solves it has from the first solve until it
-/// gives them back; all engines of a rectangle that work one after the other have the same.
+/// Minimiser on a rectangle of cells, for one kind of set. It takes the buffers from a pool at the first solve and keeps them
+/// until [`rest`](Self::rest). All solvers of a rectangle that work sequentially share the same buffers.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,
@@ -24,11 +24,11 @@ pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     report: Report,
 }
 
-/// What such an engine is asked.
+/// Problem type of such a solver.
 pub(crate) type ElasticProblem<'a, K, const N: usize> =
     Problem<'a, ElasticOperator<N>, K, ElasticPreconditioner<N>, N>;
 
-/// The multipliers of totals that are known from before: zero where nothing is prescribed.
+/// Returns multipliers known from an earlier solve, and zero for components without a prescribed total.
 pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
     std::array::from_fn(|n| match totals[n] {
         Total::Free => 0.0,
@@ -37,7 +37,7 @@ pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -
 }
 
 impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
-    /// For tractions and displacements along these directions, on `size` cells.
+    /// Creates the solver for tractions and displacements along these directions, on `size` cells.
     pub(crate) fn new(
         bodies: &HalfSpace,
         directions: [Direction; N],
@@ -53,7 +53,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         })
     }
 
-    /// A problem of its operator and preconditioner, with this linear term and these sets.
+    /// Creates a problem of this operator and preconditioner with a linear term and sets.
     pub(crate) fn problem<'a, K: Constraint<N>>(
         &self,
         linear: [&'a [f64]; N],
@@ -65,7 +65,8 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
             .preconditioner(inverse.clone())
     }
 
-    /// Minimises from `x`, of which something may be known, into `x`; the rest is in the accessors, converged or not.
+    /// Minimises from `x` and stores the solution in `x`, given the knowledge about the start. Multiplier, product and report are
+    /// available from the accessors, whether or not the solve converged.
     pub(crate) fn minimise(
         &mut self,
         problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
@@ -85,15 +86,15 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         outcome
     }
 
-    /// Gives the buffers back, and the product of the answer with them.
+    /// Gives the buffers back to the pool, including the product of the solution.
     pub(crate) fn rest(&mut self) {
         self.workspace.give_back();
     }
 
-    /// Writes `C x` to `out`; the answer stays.
+    /// Writes `C x` to `out`; the stored solution is unchanged.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory) if the buffers are not there, and cannot be had.
+    /// - [`Error::Memory`](crate::Error::Memory) if the buffers must be allocated and the memory does not suffice.
     pub(crate) fn apply(&mut self, x: [&[f64]; N], out: [&mut [f64]; N]) -> Result<()> {
         let Compliance { operator, inverse } = &self.compliance;
         let workspace = self.workspace.take(|| Workspace::new(operator, inverse))?;
@@ -101,12 +102,12 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         Ok(())
     }
 
-    /// `C x` of the answer; no cells once the buffers are given back.
+    /// Returns `C x` of the solution; empty once the buffers have been given back.
     pub(crate) fn product(&self) -> [&[f64]; N] {
         self.workspace.held().map_or([&[]; N], Workspace::product)
     }
 
-    /// The same alone, without the buffers.
+    /// Returns only the product and drops the buffers.
     pub(crate) fn into_product(self) -> [Vec<f64>; N] {
         let workspace = self.workspace.into_piece();
         workspace.map_or([const { Vec::new() }; N], Workspace::into_product)
@@ -116,7 +117,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         self.multiplier
     }
 
-    /// Measures the last answer in another unit.
+    /// Multiplies multipliers and product by a factor, for a change of unit.
     pub(crate) fn rescale(&mut self, factor: f64) {
         for multiplier in &mut self.multiplier {
             *multiplier *= factor;

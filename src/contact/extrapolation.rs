@@ -1,23 +1,23 @@
-//! How an answer changed with its load: where the next solve starts.
+//! Extrapolation of the solution in the load, for the start of the next solve.
 
 use crate::grid::field::clone_in_place;
 use crate::memory::fallible::try_clone;
 
-/// Beyond so many times the last change nothing is extrapolated.
+/// Maximum ratio to the last change up to which the solution is extrapolated.
 const FARTHEST: f64 = 3.0;
 
-/// Parts of the last change that are round-off.
+/// Ratio to the last change below which a change counts as round-off.
 const NO_PART: f64 = 1e-9;
 
-/// Sum of a component of the unknowns (or the force it makes), and motion (approach or shift) along it.
+/// Sum of a component of the unknowns (or the force caused by it), and motion (approach or shift) along it.
 pub(crate) type LoadPoint = [f64; 2];
 
-/// The change of the unknowns on a window in the last solve in which the load changed, and what changed it.
+/// Change of the unknowns on a window in the last solve with a changed load, and the change of the load.
 #[derive(Debug)]
 pub(crate) struct LoadTrend<const N: usize> {
-    /// Of every cell; empty before there is one.
+    /// Change of every cell; empty before the first change.
     pub(crate) change: [Vec<f64>; N],
-    /// Of what was reached along each component; zero if nothing can be told from it.
+    /// Change of sum and motion along each component; zero if it cannot be used.
     pub(crate) by: [LoadPoint; N],
 }
 
@@ -34,21 +34,21 @@ impl<const N: usize> Default for LoadTrend<N> {
     }
 }
 
-/// How much further a component of the load is to go.
+/// Remaining change of a component of the load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LoadIncrement {
-    /// It is not prescribed.
+    /// The component is not prescribed.
     Nothing,
-    /// In sum (or force).
+    /// Change of the sum (or force).
     Total(f64),
-    /// In motion.
+    /// Change of the motion.
     Motion(f64),
-    /// In the position of the far end of a spring of this stiffness.
+    /// Change of the position of the far end of a spring of this stiffness.
     Spring { far_end: f64, stiffness: f64 },
 }
 
 impl LoadIncrement {
-    /// The same in units of a change.
+    /// Returns the change as a multiple of the last change.
     fn parts(self, [by_total, by_motion]: LoadPoint) -> f64 {
         match self {
             Self::Nothing => 0.0,
@@ -60,7 +60,7 @@ impl LoadIncrement {
 }
 
 impl<const N: usize> LoadTrend<N> {
-    /// Forgets the change; keeps the memory.
+    /// Discards the change but keeps the memory.
     pub(crate) fn forget(&mut self) {
         for change in &mut self.change {
             change.clear();
@@ -68,13 +68,14 @@ impl<const N: usize> LoadTrend<N> {
         self.by = [[0.0; 2]; N];
     }
 
-    /// Whether something is known of what changed.
+    /// Returns whether the change of the load is known.
     pub(crate) fn is_known(&self) -> bool {
         self.by.as_flattened().iter().any(|by| *by != 0.0)
     }
 
-    /// How many times the last change the load lies ahead, negative if it goes back: the mean of the components, by the
-    /// squares of the changes of their sums. `None` where the trend does not lead there, or too far.
+    /// Returns the change of the load as a multiple of the last change, negative if it reverses. The components are averaged with
+    /// the squares of the changes of their sums as weights. Returns `None` if the multiple is too small or too large for an
+    /// extrapolation.
     pub(crate) fn parts(&self, ahead: [LoadIncrement; N]) -> Option<f64> {
         let (mut parts, mut squares) = (0.0, 0.0);
         for (ahead, by) in ahead.into_iter().zip(self.by) {

@@ -1,5 +1,4 @@
-//! What the passes of one solve have in common: settings, clock and observer, and limits and counts that hold for all of
-//! them together.
+//! Settings, clock and observer shared by the passes of one solve, and the limits and counts that apply to all passes together.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,14 +10,14 @@ use crate::observer::Observer;
 use crate::report::{Report, Status};
 use crate::support::clock::Instant;
 
-/// The loosest relative accuracy of a coarse answer: a looser one hands down edges that are wrong by more cells.
+/// Maximum relative tolerance of a coarse solution. A larger tolerance would shift the contact edges by more cells.
 const COARSE_TOLERANCE: f64 = 3e-3;
-/// The same as part of the residual that the next coarser solve began with: interpolation misses the next answer by about
-/// so much, and a stricter one costs more than the finer cells save.
+/// Tolerance of a coarse solution as a fraction of the initial residual of the next coarser solve. The start prolongated from the
+/// solution has an error of about this size, and a stricter tolerance costs more than it saves on the finer grid.
 const COARSE_PART: f64 = 0.5;
-/// The strictest.
+/// Minimum relative tolerance of a coarse solution.
 const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
-/// Steps a coarse answer may take: one that is hard to find is not worth more.
+/// Maximum number of steps of a coarse solve: a solution that needs more is not worth its cost.
 const COARSE_STEPS: usize = 100;
 
 /// Settings, clock and observer of a solve.
@@ -29,7 +28,7 @@ pub(crate) struct SolveContext<'a, 'b> {
 }
 
 impl<'a, 'b> SolveContext<'a, 'b> {
-    /// From now on.
+    /// Creates the conditions and starts the clock.
     pub(crate) fn new(settings: &'a Settings, observer: Observer<'b>) -> Self {
         Self {
             settings,
@@ -38,7 +37,7 @@ impl<'a, 'b> SolveContext<'a, 'b> {
         }
     }
 
-    /// The same clock and observer under other settings.
+    /// Returns the same clock and observer with other settings.
     pub(crate) fn under<'c>(&'c mut self, settings: &'c Settings) -> SolveContext<'c, 'c> {
         SolveContext {
             settings,
@@ -47,7 +46,7 @@ impl<'a, 'b> SolveContext<'a, 'b> {
         }
     }
 
-    /// The settings with what is left of their time limit.
+    /// Returns the settings with the remaining time limit.
     pub(crate) fn with_remaining_time(&self) -> Settings {
         Settings {
             time_limit: self
@@ -58,14 +57,14 @@ impl<'a, 'b> SolveContext<'a, 'b> {
         }
     }
 
-    /// The settings with what earlier passes have left of their limits, one step at least.
+    /// Returns the settings with the limits that earlier passes have left, at least one step.
     pub(crate) fn with_remaining_limits(&self, earlier: &Report) -> Settings {
         let steps = self.settings.max_iterations;
         let left = steps.saturating_sub(earlier.iterations).max(1);
         self.with_remaining_time().max_iterations(left)
     }
 
-    /// `Ok` if the limit of iterations leaves some for a further pass, else the report of the solve, which it ends.
+    /// Returns an error with the report of the solve if the iteration limit leaves no step for a further pass.
     pub(crate) fn check_iterations_left(&self, report: &mut Report) -> Result<()> {
         if report.iterations < self.settings.max_iterations {
             return Ok(());
@@ -74,10 +73,10 @@ impl<'a, 'b> SolveContext<'a, 'b> {
         Err(Error::NotConverged(Box::new(report.clone())))
     }
 
-    /// The settings of a coarse solve whose start came from one with this residual at its beginning: a rough answer, within
-    /// the time that is left.
+    /// Returns the settings of a coarse solve: a loose tolerance and the remaining time. `residual` is the initial residual of
+    /// the next coarser solve, from which the start was prolongated.
     pub(crate) fn coarse_settings(&self, residual: f64) -> Settings {
-        // In this order a residual that is no number asks for the loosest.
+        // In this order of operations, a NaN residual gives the largest tolerance.
         let loose = (COARSE_PART * residual).min(COARSE_TOLERANCE);
         let least = self.settings.tolerance.max(LEAST_COARSE_TOLERANCE);
         self.with_remaining_time()
@@ -88,13 +87,13 @@ impl<'a, 'b> SolveContext<'a, 'b> {
 
 /// Record of whether the observer of a solve has cancelled it.
 ///
-/// A part of a solve may serve although it was cancelled, and the part that follows may end without another product. The
-/// solve still reports [`Status::Cancelled`].
+/// A cancelled part of a solve may still provide a result, and the following part may end without another product. The solve
+/// still reports [`Status::Cancelled`].
 #[derive(Debug, Default)]
 pub(crate) struct Cancellation(AtomicBool);
 
 impl Cancellation {
-    /// Returns an observer that records the first cancellation, and cancels at every later call.
+    /// Returns an observer that records the first cancellation and cancels at every later call.
     pub(crate) fn watch<'a>(
         &'a self,
         observer: Observer<'a>,
@@ -112,11 +111,12 @@ impl Cancellation {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Returns the outcome, or the error of a cancelled solve. `report` marks the report of the solve as cancelled, and
-    /// returns it. The first of the ranks that solve together decides.
+    /// Returns the outcome, or the error of a cancelled solve. `report` marks the report of the solve as cancelled and returns
+    /// it. The first of the ranks that solve together decides.
     ///
     /// # Errors
-    /// [`Error::NotConverged`], cancelled; those of the outcome.
+    /// - [`Error::NotConverged`] if the solve was cancelled.
+    /// - The errors of the outcome.
     pub(crate) fn applied<T>(
         &self,
         bodies: &HalfSpace,
@@ -142,7 +142,7 @@ impl Cancellation {
     }
 }
 
-/// An observer of a further pass, which counts those before it too.
+/// Returns an observer for a further pass that adds the counts of the earlier passes.
 pub(crate) fn with_counts_of<'a>(
     earlier: &Report,
     observer: Observer<'a>,
@@ -151,12 +151,13 @@ pub(crate) fn with_counts_of<'a>(
     move |step| observer(&step.after(before))
 }
 
-/// Whether a solve has left an iterate, converged or not.
+/// Returns whether a solve has left an iterate, converged or not.
 pub(crate) fn has_iterate(outcome: &Result<()>) -> bool {
     matches!(outcome, Ok(()) | Err(Error::NotConverged(_)))
 }
 
-/// The status of a pass that observer or clock ended. Any other pass serves what follows it, finished or not.
+/// Returns the status of a pass that the observer or the clock ended. The result of any other pass is used by the next pass,
+/// converged or not.
 pub(crate) fn interrupted_status(outcome: Result<()>) -> Result<Option<Status>> {
     match outcome {
         Ok(()) => Ok(None),

@@ -1,4 +1,4 @@
-//! Properties of a map of contact: area, edge, spots.
+//! Properties of a contact map: area, edge and spots.
 
 use std::array::from_fn;
 
@@ -14,15 +14,15 @@ use crate::warning::{Resolution, Warning};
 /// A map of the cells that belong to a set.
 pub(crate) struct ContactMap<'a, F> {
     pub(crate) grid: Grid,
-    /// Whether it repeats along x and along y.
+    /// Whether the grid is periodic along x and along y.
     pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
-    /// The counts of all ranks that hold a slab each; nothing else is asked of their map.
+    /// Counts over all ranks if each rank stores a slab; the map itself is then not evaluated.
     pub(crate) counted: Option<&'a ContactCounts>,
 }
 
 impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
-    /// Of a solution. Of a slab nothing but its rows is known before a solve.
+    /// Creates the map of a solution. Before a solve, only the rows of a slab are known.
     pub(crate) fn of(
         grid: Grid,
         boundary: Boundary,
@@ -39,12 +39,12 @@ impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
 }
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
-    /// All counts.
+    /// Returns all counts.
     pub(crate) fn counts(&self) -> ContactCounts {
         self.counted.copied().unwrap_or_else(|| self.survey(None))
     }
 
-    /// Cells in the set.
+    /// Returns the number of cells in the set.
     pub(crate) fn cells(&self) -> usize {
         if let Some(counted) = self.counted {
             return counted.cells;
@@ -54,21 +54,21 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
             .count()
     }
 
-    /// Area by counting cells.
+    /// Returns the area by counting cells.
     pub(crate) fn area(&self) -> f64 {
         self.cells() as f64 * self.grid.cell_area()
     }
 
-    /// Area minus the excess from counting cells along the perimeter: `(pi - 1 + ln 2)/24` of a cell for
-    /// each pair of neighbours of which one is in the set (Yastrebov, Anciaux & Molinari, Tribology
-    /// International 114 (2017) 161, <https://doi.org/10.1016/j.triboint.2017.04.023>).
+    /// Returns the area minus the excess from counting cells along the perimeter: `(pi - 1 + ln 2)/24` of a cell for each pair of
+    /// neighbours of which exactly one is in the set (Yastrebov, Anciaux & Molinari, Tribology International 114 (2017) 161,
+    /// <https://doi.org/10.1016/j.triboint.2017.04.023>).
     pub(crate) fn corrected_area(&self) -> f64 {
         let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
         let cells = self.cells() as f64 - share * self.switches() as f64;
         cells.max(0.0) * self.grid.cell_area()
     }
 
-    /// Pairs of neighbours, along x or y, of which exactly one is in the set.
+    /// Returns the number of pairs of neighbours, along x or y, of which exactly one is in the set.
     pub(crate) fn switches(&self) -> usize {
         if let Some(counted) = self.counted {
             return counted.switches;
@@ -83,7 +83,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
             .sum()
     }
 
-    /// All warnings.
+    /// Returns all warnings.
     pub(crate) fn warnings(&self) -> Vec<Warning> {
         let ContactCounts {
             cells,
@@ -119,8 +119,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         warnings
     }
 
-    /// Cells on the radius of a spot of mean size, of a line on half its width, zero without spots; and the number of
-    /// spots.
+    /// Returns the radius of a spot of mean size, or half the width for a line, as a number of cells (zero without spots), and
+    /// the number of spots.
     pub(crate) fn mean_spot(&self) -> (f64, usize) {
         let counts = self.counts();
         let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
@@ -137,7 +137,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         neighbours(i, self.grid.size(), self.repeats)
     }
 
-    /// Contact cells on the edge of a grid that has edges.
+    /// Returns the number of contact cells on the edges of a grid that is not periodic.
     pub(crate) fn cells_on_edge(&self) -> usize {
         if let Some(counted) = self.counted {
             return counted.cells_on_edge;
@@ -156,8 +156,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         edge.filter(|&i| (self.contains)(i)).count()
     }
 
-    /// Calls `show` once for every cell of every spot (a set connected through cell sides): number of the spot, and cell.
-    /// Ends with the first error of `show`, and where memory cannot be had.
+    /// Calls `show` once for every cell of every spot (a set connected through cell sides) with the number of the spot and the
+    /// cell. Ends with the first error of `show`, or if the memory does not suffice.
     pub(crate) fn walk_spots(
         &self,
         mut show: impl FnMut(usize, usize) -> Result<()>,
@@ -184,7 +184,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         Ok(())
     }
 
-    /// The sides of a cell along y and along x beyond which the set ends.
+    /// Returns the number of sides of a cell along y and along x beyond which the set ends.
     pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
         let [left, below, right, above] = self
             .neighbours(cell)
@@ -194,7 +194,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 }
 
 impl HalfSpace {
-    /// Counts of the cells of the whole grid that are in a set, of the cells held here; `None` without ranks.
+    /// Counts the cells of the whole grid that are in a set, given for the local cells. Returns `None` without ranks.
     pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<ContactCounts> {
         let map = ContactMap {
             grid: self.grid(),
@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(sizes(&map), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
         assert_eq!(map.survey(None).extent, Some([7, 4]));
-        // 3 + 2 around the L within the grid, 6 around the bar, 5 beside the row at the bottom.
+        // The L has 3 + 2 within the grid, the bar has 6, and the row at the bottom has 5.
         assert_eq!(map.switches(), 6 + 6 + 5);
         let unresolved = Warning::UnresolvedSpots {
             unresolved: 3,
@@ -257,7 +257,7 @@ mod tests {
         // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
-        // Columns 4, 5 and 7 are free, and no row is.
+        // Columns 4, 5 and 7 are free; no row is free.
         assert_eq!(map.survey(None).extent, Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {

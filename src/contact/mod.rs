@@ -1,5 +1,5 @@
-//! What normal, tangential and coupled contacts have in common: the half-space posed to the engine, the loop over windows,
-//! starts from coarser cells and from earlier answers, and what the passes of a solve may take together.
+//! Common parts of normal, tangential and coupled contacts: the solver of the half-space, the loop over windows, starts from
+//! coarser grids and from earlier solutions, and the limits shared by the passes of a solve.
 
 pub(crate) mod contact_counts;
 pub(crate) mod map;

@@ -1,5 +1,5 @@
-//! Starts from coarser cells: far fewer steps are then left to do on the finest ones (Bornemann & Deuflhard's
-//! cascade, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
+//! Nested iteration: starts from coarser grids, so that far fewer steps remain on the finest grid (the cascadic method of
+//! Bornemann & Deuflhard, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
 
 use crate::bodies::component::Direction;
 use crate::cgm::{Constraint, ConstraintSet, InitialGuess, Settings};
@@ -10,34 +10,34 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Cells at or below which a grid is solved from a plain start, and a line.
+/// Maximum number of cells of a grid, and of a line, that is solved from a plain start.
 const COARSEST: usize = 40 * 40;
 const COARSEST_LINE: usize = 160;
-/// Cells along the shorter side below which a grid that is no line is not coarsened.
+/// Number of cells along the shorter side below which a grid that is not a line is not coarsened.
 const NARROW: usize = 8;
 
-/// A scene that can be posed on cells twice as large, whose answer is a start for its own.
+/// A problem that can be posed on cells twice as large, whose solution is a start for the original problem.
 pub(crate) trait MultilevelProblem<const N: usize>: Sized {
-    /// What a cell may carry.
+    /// Set of a cell.
     type Set: ConstraintSet<N>;
     type Constraint<'a>: Constraint<N, Set = Self::Set>
     where
         Self: 'a;
 
-    /// Directions of the unknowns.
+    /// Returns the directions of the unknowns.
     fn directions(&self) -> [Direction; N];
 
-    /// What is to be minimised.
+    /// Returns the minimisation problem.
     fn problem(
         &self,
         solver: &ElasticSolver<Self::Set, N>,
     ) -> ElasticProblem<'_, Self::Constraint<'_>, N>;
 
-    /// The scene on cells twice as large.
+    /// Returns the problem on cells twice as large.
     fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self>;
 
-    /// The part of the grid that is worth solving on from a start, and the scene there, where that is little of it. What
-    /// it misses the finest grid will see.
+    /// Returns the part of the grid to which a start confines the solve, and the problem on it, if the part is small. The solve
+    /// on the finest grid detects contact outside this part.
     fn restrict_to_window(
         &self,
         _bodies: &HalfSpace,
@@ -46,10 +46,10 @@ pub(crate) trait MultilevelProblem<const N: usize>: Sized {
         Ok(None)
     }
 
-    /// A start without any other answer.
+    /// Returns a start without any earlier solution.
     fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]>;
 
-    /// A start from the coarser scene's answer.
+    /// Returns a start prolongated from the solution of the coarser problem.
     fn refined_start(
         &self,
         levels: GridTransfer<'_>,
@@ -58,7 +58,7 @@ pub(crate) trait MultilevelProblem<const N: usize>: Sized {
     ) -> Result<[Vec<f64>; N]>;
 }
 
-/// Rectangles of `size` cells and of cells twice as large, and how their fields lie.
+/// Rectangles of `size` cells and of cells twice as large, with the transfer of fields between them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GridTransfer<'a> {
     size: [usize; 2],
@@ -67,38 +67,38 @@ pub(crate) struct GridTransfer<'a> {
 }
 
 impl GridTransfer<'_> {
-    /// A field on the coarser cells.
+    /// Restricts a field to the coarser cells.
     pub(crate) fn coarsened(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.coarsened(self.coarser, self.size, field)
     }
 
-    /// A field of the coarser cells on the finer ones.
+    /// Prolongates a field from the coarser cells to the finer cells.
     pub(crate) fn refined(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.refined(self.coarser, self.size, field)
     }
 
-    /// The same of a field that is positive in a zone and falls to zero like the root of the distance from its edge.
+    /// Prolongates a field that is positive in a zone and falls to zero like the square root of the distance from its edge.
     pub(crate) fn refined_zone(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.refined_zone(self.coarser, self.size, field)
     }
 
-    /// The area of a finer cell over that of a coarser one.
+    /// Returns the area of a finer cell over the area of a coarser cell.
     pub(crate) fn part_of_area(&self) -> f64 {
         self.bodies.grid().cell_area() / self.coarser.grid().cell_area()
     }
 
-    /// How the finer cells lie.
+    /// Returns the layout of the finer cells.
     pub(crate) fn layout(&self) -> Layout {
         self.bodies.layout(self.size)
     }
 
-    /// How the coarser cells lie.
+    /// Returns the layout of the coarser cells.
     pub(crate) fn coarse_layout(&self) -> Layout {
         self.coarser.layout(halved(self.size))
     }
 }
 
-/// A start from the answer on cells twice as large, itself found so.
+/// Computes a start from the solution on cells twice as large, which is computed recursively in the same way.
 pub(crate) fn nested_start<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
@@ -108,7 +108,7 @@ pub(crate) fn nested_start<S: MultilevelProblem<N>, const N: usize>(
     descend(bodies, size, scene, conditions).map(|(found, _)| found)
 }
 
-/// Whether an answer on cells twice as large is a start worth its cost.
+/// Returns whether a solution on cells twice as large is a start worth its cost.
 pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool {
     let is_line = bodies.lines().contains(&true);
     let is_small = if is_line {
@@ -119,7 +119,7 @@ pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool 
     !is_small && bodies.can_be_coarser()
 }
 
-/// What is known of a start on these cells.
+/// Returns the knowledge about a start on these cells.
 pub(crate) fn known_of_start<const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
@@ -131,8 +131,8 @@ pub(crate) fn known_of_start<const N: usize>(
     }
 }
 
-/// The [start](nested_start), and the residual that the coarser answer began with, infinite where there is no coarser
-/// answer; `None` if it was ended on the way, by observer or clock: then nothing more is solved.
+/// Computes the [start](nested_start). Also returns the initial residual of the coarser solve, infinite if there is no coarser
+/// solve, or `None` if the observer or the clock ended it; no further level is then solved.
 fn descend<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
@@ -167,8 +167,8 @@ fn descend<S: MultilevelProblem<N>, const N: usize>(
     Ok((scene.refined_start(levels, &coarse, &x)?, residual))
 }
 
-/// Solves a coarse scene roughly, where it is worth solving; returns the residual that it began with, `None` if observer
-/// or clock ended it.
+/// Solves a coarse problem with a loose tolerance on its confined part. Returns the initial residual, or `None` if the observer
+/// or the clock ended the solve.
 fn solve<S: MultilevelProblem<N>, const N: usize>(
     (bodies, size): (&HalfSpace, [usize; 2]),
     scene: &S,

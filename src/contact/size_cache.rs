@@ -1,11 +1,11 @@
-//! What is made for rectangles of one size, and what was made for others, for a while.
+//! Cache of objects for rectangles of different sizes.
 
-/// Uses after which a size that none of them asked for is given up.
+/// Number of uses after which a size that was not requested is dropped.
 const PATIENCE: u64 = 256;
 
-/// What is made for rectangles of one size.
+/// An object for rectangles of one size.
 pub(crate) trait HasSize {
-    /// Cells along x and along y.
+    /// Returns the number of cells along x and along y.
     fn size(&self) -> [usize; 2];
 
     fn cells(&self) -> usize {
@@ -13,18 +13,17 @@ pub(crate) trait HasSize {
     }
 }
 
-/// What is made for the present size, and what was made for sizes that were left for smaller ones, and those of smaller
-/// sizes that were left since: what goes to and fro between sizes finds them again. When a size comes that is larger than all
-/// before, the others are dropped.
+/// Cache of the object for the current size and of objects for sizes that were left recently. A contact that alternates between
+/// sizes finds them again. If a new size is larger than all earlier sizes, the other objects are dropped.
 ///
-/// A clone has the present one alone.
+/// A clone contains only the current object.
 #[derive(Debug)]
 pub(crate) struct SizeCache<T> {
-    /// `None` before the first.
+    /// Current object; `None` before the first use.
     pub(crate) present: Option<T>,
-    /// The one that was left last comes last.
+    /// Retired objects; the last one was retired most recently.
     left: Vec<RetiredEntry<T>>,
-    /// Cells of the largest size since there was last none here.
+    /// Number of cells of the largest size since the list of retired objects was last empty.
     largest: usize,
     uses: u64,
 }
@@ -32,7 +31,7 @@ pub(crate) struct SizeCache<T> {
 #[derive(Debug)]
 struct RetiredEntry<T> {
     made: T,
-    /// Count of uses when it was left.
+    /// Count of uses when the object was retired.
     at: u64,
 }
 
@@ -60,7 +59,7 @@ impl<T> SizeCache<T> {
 }
 
 impl<T: HasSize> SizeCache<T> {
-    /// Counts a use of the present size, and gives up what was not asked for in a long time.
+    /// Counts a use of the current size, and drops objects that have not been used for a long time.
     pub(crate) fn tick(&mut self) {
         self.uses += 1;
         let uses = self.uses;
@@ -70,11 +69,11 @@ impl<T: HasSize> SizeCache<T> {
         }
     }
 
-    /// Makes the present one fit a size, or puts one in its place that does, found here or made; the old one then stays
-    /// here.
+    /// Makes the object for a size the current one: keeps the current object if it fits, otherwise takes it from the cache or
+    /// creates it. The previous object is retired to the cache.
     ///
     /// # Errors
-    /// Those of `make`; nothing has changed then.
+    /// The errors of `make`; the cache is then unchanged.
     pub(crate) fn get_or_create<E>(
         &mut self,
         size: [usize; 2],
@@ -95,7 +94,7 @@ impl<T: HasSize> SizeCache<T> {
         Ok(self.present.insert(next))
     }
 
-    /// Keeps what is left for another size.
+    /// Retires an object when the size changes.
     fn retire(&mut self, made: T, next: [usize; 2]) {
         let at = self.uses;
         self.largest = self.largest.max(made.cells());
@@ -105,7 +104,7 @@ impl<T: HasSize> SizeCache<T> {
             self.largest = next;
             self.left.clear();
         }
-        // What waits is to take no more than twice the largest.
+        // The retired objects may have at most twice the number of cells of the largest size.
         let mut waiting: usize = self.left.iter().map(|left| left.made.cells()).sum();
         while waiting > 2 * self.largest {
             waiting -= self.left.remove(0).made.cells();
@@ -117,7 +116,7 @@ impl<T: HasSize> SizeCache<T> {
 mod tests {
     use super::*;
 
-    /// A square of so many cells along a side.
+    /// A square with this number of cells along a side.
     #[derive(Debug)]
     struct WindowSide(usize);
 
@@ -127,7 +126,7 @@ mod tests {
         }
     }
 
-    /// Goes from the first of the sizes to the next, and so on; tells which were found.
+    /// Switches through the sizes in turn and returns which of them were found in the cache.
     fn found(squares: &mut SizeCache<WindowSide>, sides: &[usize]) -> Vec<bool> {
         let mut found = Vec::new();
         for &side in sides {

@@ -1,34 +1,35 @@
-//! What the reusable solvers of all contacts have, word for word.
+//! Methods common to the reusable solvers of all contacts.
 
-/// Solutions of the right size, and the ways to solve, of a solver that has `try_new_solution` and `solve_checked` and keeps
-/// its bodies in `$($bodies).+`; the grid of a solution is that of its `$half`, if it has halves.
+/// Methods of a solver that create solutions of the right size and solve. The solver must have `try_new_solution` and
+/// `solve_checked`, and stores its bodies in `$($bodies).+`. The grid of a solution is the grid of its `$half`, if it has halves.
 macro_rules! solver_methods {
     ($Solution:ident $(.$half:ident())?, $($bodies:ident).+) => {
-        /// An empty solution of the right size for [`Self::solve_into`].
+        /// Creates an empty solution of the right size for [`Self::solve_into`].
         #[must_use]
         pub fn new_solution(&self) -> $Solution {
             crate::memory::fallible::unwrap_or_abort(self.try_new_solution())
         }
 
-        /// Solves into `solution`, whose last content does not matter.
+        /// Solves into `solution`, whose previous content does not matter.
         ///
         /// # Errors
-        /// [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch)
-        /// if the solution is of another grid or boundary, nothing changed; as
-        /// [`HalfSpace::operator`](crate::HalfSpace::operator);
-        /// [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) where the solve shows that a force slides
-        /// the contact; [`Error::NotConverged`](crate::Error::NotConverged) with the last feasible iterate in `solution`;
-        /// [`Error::Ranks`](crate::Error::Ranks).
+        /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch)
+        ///   if the solution has a different grid or boundary; nothing has changed then.
+        /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
+        /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the solve shows that a force slides the
+        ///   contact.
+        /// - [`Error::NotConverged`](crate::Error::NotConverged), with the last feasible iterate in `solution`.
+        /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
         pub fn solve_into(&mut self, solution: &mut $Solution) -> Result<()> {
             self.solve_observed(solution, |_| std::ops::ControlFlow::Continue(()))
         }
 
-        /// [`Self::solve_into`] with an observer that sees every step and may cancel. Once it has cancelled, the solve
-        /// returns [`Error::NotConverged`](crate::Error::NotConverged) with
-        /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate is within the tolerance.
+        /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. Once it has cancelled,
+        /// the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
+        /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate satisfies the tolerance.
         ///
         /// # Errors
-        /// As [`Self::solve_into`].
+        /// The errors of [`Self::solve_into`].
         pub fn solve_observed(
             &mut self,
             solution: &mut $Solution,

@@ -1,25 +1,25 @@
-//! The loop of a contact that is found on a window of the grid: solve there, look at the whole grid, go on where the window
-//! was too small.
+//! Loop over windows: solve the contact on a window of the grid, check the whole grid, and continue on a larger window if the
+//! window was too small.
 
 use crate::contact::{HasSize, SizeCache};
 use crate::error::{Error, Result};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 
-/// Overlap beyond the window, relative to the largest displacement, that a product may show by itself.
+/// Overlap beyond the window, relative to the largest displacement, that round-off of a product can cause.
 const ROUND_OFF: f64 = 1e-13;
 
-/// What solves on a window.
+/// A solver on a window.
 pub(crate) trait WindowEngine: Sized {
-    /// On a window, as [`HalfSpace::place`] has it.
+    /// Creates the solver on a window placed by [`HalfSpace::place`].
     fn new(bodies: &HalfSpace, window: Window) -> Result<Self>;
 
     fn window(&self) -> Window;
 
-    /// Moves to another place of the same size.
+    /// Moves the solver to another place of the same size.
     fn move_to(&mut self, bodies: &HalfSpace, window: Window);
 
-    /// Gives the buffers back that it borrows.
+    /// Gives the pooled buffers back.
     fn rest(&mut self) {}
 }
 
@@ -29,26 +29,26 @@ impl<E: WindowEngine> HasSize for E {
     }
 }
 
-/// What a pass on a window has come to.
+/// Outcome of a pass on a window.
 pub(crate) enum PassOutcome {
-    /// The answer.
+    /// The solution is accepted.
     Accepted,
-    /// On the grid the bound is wider than on the window, and wider than was asked for.
+    /// The error bound on the whole grid exceeds the bound on the window and the tolerance.
     BoundTooWide,
-    /// Bodies overlap there, beyond the window.
+    /// Bodies overlap within this window, beyond the window of the pass.
     OverlapOutside(Window),
 }
 
-/// What solves on the window that a contact has, and on those it has left.
+/// The solver on the current window of a contact, and the solvers on earlier windows.
 pub(crate) type Windows<E> = SizeCache<E>;
 
 impl<E: WindowEngine> Windows<E> {
-    /// The window of the contact; `None` before the first.
+    /// Returns the window of the contact, or `None` before the first.
     pub(crate) fn window(&self) -> Option<Window> {
         self.present.as_ref().map(E::window)
     }
 
-    /// Changes to a window.
+    /// Switches to the solver on a window, creating it if necessary.
     pub(crate) fn set_window(&mut self, bodies: &HalfSpace, window: Window) -> Result<()> {
         let window = bodies.place(window);
         let engine = self.get_or_create(window.size, || E::new(bodies, window))?;
@@ -56,7 +56,7 @@ impl<E: WindowEngine> Windows<E> {
         Ok(())
     }
 
-    /// Goes on as after a solve that ended with this window.
+    /// Restores the state after a solve that ended with this window.
     pub(crate) fn resume(&mut self, bodies: &HalfSpace, window: Option<Window>) -> Result<()> {
         match window {
             _ if window == self.window() => {}
@@ -66,11 +66,11 @@ impl<E: WindowEngine> Windows<E> {
         Ok(())
     }
 
-    /// Makes passes, each on the present window and with a look at the whole grid, to a part of the tolerance. Where bodies
-    /// overlap beyond the window the next has a wider one; where the bound is too wide the next is stricter.
+    /// Runs passes on the current window, each with a check of the whole grid and with a fraction of the tolerance. If bodies
+    /// overlap beyond the window, the next pass has a larger window. If the error bound is too large, the next pass is stricter.
     ///
     /// # Errors
-    /// Those of the passes, which also end it.
+    /// The errors of the passes, which also end the loop.
     pub(crate) fn solve(
         &mut self,
         bodies: &HalfSpace,
@@ -92,8 +92,8 @@ impl<E: WindowEngine> Windows<E> {
     }
 }
 
-/// Around the cells beyond a window where bodies overlap by more than round-off of the largest displacement; `gap` is that
-/// under load, of a cell held here.
+/// Returns the bounding box of the cells beyond a window whose bodies overlap by more than round-off of the largest displacement.
+/// `gap` is the gap under load of a local cell.
 pub(crate) fn overlap_outside(
     bodies: &HalfSpace,
     window: Window,

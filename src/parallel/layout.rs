@@ -1,4 +1,4 @@
-//! How the cells of a vector lie: in chunks, whose sums add up in a fixed tree, and dealt out to ranks.
+//! Layout of the cells of a vector: chunks whose sums are added in a fixed tree, distributed over ranks.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
@@ -9,14 +9,14 @@ use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::parallel::{self, Blocks, CHUNK, Combine, Split, Work};
 use crate::report::Status;
 
-/// The cells of an [`Operator`](crate::Operator) that are held here, and how they add up.
+/// Local cells of an [`Operator`](crate::Operator), and the order of their sums.
 ///
-/// Sums over cells follow a tree of chunks, which depends on the rows and columns of the cells alone: neither the
-/// threads nor the ranks that share the cells change a bit of them.
+/// Sums over cells follow a tree of chunks, which depends only on the rows and columns of the cells. Results are bitwise
+/// identical for any number of threads and ranks that share the cells.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Layout, Material, Operator, influence::Component};
-/// // Fields of bodies lie in rows; those of an operator of one's own, unless it tells otherwise, in one piece.
+/// // Fields of bodies are laid out in rows, those of a user-defined operator by default in one piece.
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let bodies = HalfSpace::new(Grid::new(40, 30, 1.0, 1.0)?, pair)?;
 /// let rows = bodies.operator(Component::ZZ)?.layout();
@@ -28,12 +28,12 @@ pub struct Layout {
     cells: usize,
     chunk: usize,
     share: Option<Arc<RowPartition>>,
-    /// Those that share the cells, or that all do the same on cells of their own.
+    /// Ranks that share the cells, or that all perform the same work on their own cells.
     team: Option<Arc<RankGroup>>,
 }
 
 impl Layout {
-    /// Cells one behind the other, all of them here.
+    /// Creates the layout of consecutive cells, all local.
     #[must_use]
     pub fn flat(cells: usize) -> Self {
         Self {
@@ -44,7 +44,7 @@ impl Layout {
         }
     }
 
-    /// A rectangle of cells, `[columns, rows]`, all of them here.
+    /// Creates the layout of a rectangle of cells, `[columns, rows]`, all local.
     pub(crate) fn of([columns, rows]: [usize; 2]) -> Self {
         Self {
             cells: columns * rows,
@@ -54,7 +54,7 @@ impl Layout {
         }
     }
 
-    /// A rectangle of cells in chunks of one row, all of them here.
+    /// Creates the layout of a rectangle of cells in chunks of one row, all local.
     pub(crate) fn of_rows([columns, rows]: [usize; 2]) -> Self {
         Self {
             chunk: columns,
@@ -62,7 +62,7 @@ impl Layout {
         }
     }
 
-    /// The part of this rank.
+    /// Creates the layout of the local part of a partition.
     pub(crate) fn shared(share: Arc<RowPartition>) -> Self {
         Self {
             cells: share.cells(),
@@ -72,19 +72,20 @@ impl Layout {
         }
     }
 
-    /// The same cells, of a team, if there is one, that shares them or of which every rank has all and does the same.
+    /// Returns the layout of the same cells with a team. The team shares the cells, or each of its ranks has all cells and
+    /// performs the same work.
     pub(crate) fn alike(mut self, team: Option<&Arc<RankGroup>>) -> Self {
         self.team = team.cloned();
         self
     }
 
-    /// Cells held here.
+    /// Returns the number of local cells.
     #[must_use]
     pub fn cells(&self) -> usize {
         self.cells
     }
 
-    /// Cells of all ranks together.
+    /// Returns the number of cells of all ranks together.
     pub(crate) fn of_all_ranks(&self) -> usize {
         match &self.share {
             Some(share) => share.size().into_iter().product(),
@@ -92,38 +93,39 @@ impl Layout {
         }
     }
 
-    /// Cells of a chunk; the last one may have fewer.
+    /// Returns the number of cells of a chunk; the last chunk may have fewer.
     pub(crate) fn chunk(&self) -> usize {
         self.chunk
     }
 
-    /// Chunks held here.
+    /// Returns the number of local chunks.
     pub(crate) fn tasks(&self) -> usize {
         self.cells.div_ceil(self.chunk)
     }
 
-    /// The cells of a chunk.
+    /// Returns the cells of a chunk.
     pub(crate) fn range(&self, task: usize) -> Range<usize> {
         task * self.chunk..((task + 1) * self.chunk).min(self.cells)
     }
 
-    /// The result of a step that every rank takes by itself; an error if it failed on any.
+    /// Returns the result of a step that every rank takes on its own, or an error if the step failed on any rank. The call is
+    /// collective.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         RankGroup::agreed_of(self.team.as_deref(), result)
     }
 
-    /// What the values of all ranks that share the cells come to.
+    /// Reduces the values of all ranks that share the cells.
     pub(crate) fn combined<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         let team = self.share.as_ref().map(|share| &**share.team());
         RankGroup::combined_of(team, own, combine)
     }
 
-    /// `Ok` without ranks, of what they cannot do together.
+    /// Returns an error naming `quantity` if there are ranks, for features that ranks do not support.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         RankGroup::check_alone(self.team.as_deref(), quantity)
     }
 
-    /// What the first rank says of going on, for all. Ranks that have lost each other have stalled.
+    /// Returns the decision of the first rank about continuing, for all ranks. Ranks that have lost each other report a stall.
     pub(crate) fn decided(&self, own: ControlFlow<Status>) -> ControlFlow<Status> {
         let Some(team) = &self.team else { return own };
         let endings = [Status::Cancelled, Status::TimeLimit, Status::Stalled];
@@ -140,12 +142,12 @@ impl Layout {
         }
     }
 
-    /// `Ok` as long as the ranks have reached each other.
+    /// Returns an error if the ranks have lost each other.
     pub(crate) fn check(&self) -> Result<()> {
         self.team.as_ref().map_or(Ok(()), |team| team.check())
     }
 
-    /// A slice with an entry for each cell, cut into chunks.
+    /// Splits a slice with one entry per cell into chunks.
     pub(crate) fn blocks<'a, T>(&self, items: &'a mut [T]) -> Blocks<'a, T> {
         Blocks {
             items,
@@ -153,8 +155,7 @@ impl Layout {
         }
     }
 
-    /// Runs `work(chunk, its part of data)` on all chunks held here and combines the results of all ranks pairwise in
-    /// the tree.
+    /// Calls `work(chunk, its part of data)` for all local chunks and combines the results of all ranks pairwise in the tree.
     pub(crate) fn sweep<D: Split, T: WireFormat>(
         &self,
         data: D,
@@ -172,13 +173,13 @@ impl Layout {
     ) -> T {
         match &self.share {
             Some(share) if T::COUNT > 0 => share.sweep(data, work, combine),
-            // A rank without cells has nothing to do.
+            // A rank without cells has nothing to compute.
             _ if self.tasks() == 0 => T::ZERO,
             _ => parallel::sweep_cells(self.cells, 0..self.tasks(), data, work, combine),
         }
     }
 
-    /// What the nodes of the tree come to that are added up here, of anything.
+    /// Computes the values of the nodes of the tree that are local, for any type.
     pub(crate) fn at_nodes<T: Send>(
         &self,
         leaf: impl Fn(Range<usize>) -> T + Sync,
@@ -192,7 +193,7 @@ impl Layout {
         }
     }
 
-    /// The value of the whole tree, from those of [`Layout::at_nodes`].
+    /// Computes the value of the whole tree from the values of [`Layout::at_nodes`].
     pub(crate) fn finished<T: WireFormat>(
         &self,
         mut own: impl Iterator<Item = T>,
@@ -204,7 +205,7 @@ impl Layout {
         }
     }
 
-    /// The same of ranges of cells, read-only.
+    /// Combines read-only results of ranges of cells, like [`Layout::sweep`].
     pub(crate) fn fold<T: WireFormat>(
         &self,
         leaf: impl Fn(Range<usize>) -> T + Sync,
@@ -214,7 +215,8 @@ impl Layout {
     }
 }
 
-/// Cells of a chunk: whole rows, or equal pieces of a long row, about [`CHUNK`] of them. A single row is cut anywhere.
+/// Returns the number of cells of a chunk: whole rows, or equal pieces of a long row, about [`CHUNK`] cells. A single row is cut
+/// anywhere.
 pub(crate) fn chunk_of([columns, rows]: [usize; 2]) -> usize {
     if rows <= 1 {
         return CHUNK;
@@ -241,7 +243,7 @@ mod tests {
             ([4096, 2], 4096),
             ([65536, 3], 4096),
             ([5000, 5000], 2500),
-            // A prime has no pieces.
+            // A prime number of columns has no equal pieces.
             ([4099, 2], 4096),
         ] {
             assert_eq!(chunk_of(size), chunk);

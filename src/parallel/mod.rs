@@ -1,11 +1,10 @@
-//! All use of threads is confined to this module.
+//! Thread parallelism of the crate.
 //!
-//! Work is cut into tasks by index. Where a sum is formed, the cut does not depend on the number of
-//! threads, so the bits of a result do not depend on it either. Only `rayon::join` is used: it runs in
-//! the caller's pool and allocates nothing there.
+//! Work is split into tasks by index. The tasks of a sum do not depend on the number of threads, so that results are bitwise
+//! identical for any number of threads. Only `rayon::join` is used: it runs in the caller's pool and allocates nothing there.
 //!
-//! The way into a pool is [`enter`], and [`enter_with`] for work on more than [`SERIAL_CELL_LIMIT`] cells. Everything
-//! else shares its tasks in the pool that its thread belongs to, and on a thread of no pool does them one after the other.
+//! Work enters a pool through [`enter`], or through [`enter_with`] if it has more than [`SERIAL_CELL_LIMIT`] cells. All other
+//! functions share their tasks in the pool of the current thread, and run them sequentially on a thread outside a pool.
 
 pub(crate) mod layout;
 pub mod ranks;
@@ -18,14 +17,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::error::Result;
 
-/// Samples per task of vector work; the summation tree follows these chunks.
+/// Number of samples per task of vector work; the summation tree consists of these chunks.
 pub(crate) const CHUNK: usize = 4096;
 
-/// Cells up to which all work on a contact stays on the thread that calls, its operators, fields and stresses included: to
-/// share it would only take time.
+/// Number of cells up to which all work on a contact runs on the calling thread, including its operators, fields and stresses.
+/// Sharing so little work between threads would only take time.
 ///
-/// A program that hands solves to a pool of its own saves the way there for contacts of no more cells. Many contacts in one
-/// call ([`History::step_all`](crate::History::step_all)) and stresses at more points than this
+/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. Many
+/// contacts in one call ([`History::step_all`](crate::History::step_all)) and stresses at more points than this
 /// ([`at_points`](crate::subsurface::at_points)) are shared.
 ///
 /// ```
@@ -38,12 +37,12 @@ pub const SERIAL_CELL_LIMIT: usize = CHUNK;
 #[cfg(feature = "parallel")]
 static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 
-/// Keeps work that is called outside of rayon's pools on the thread that calls, in this process from now on.
+/// Keeps work that is called outside of rayon's pools on the calling thread, from now on for the whole process.
 ///
-/// Without this, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool goes to rayon's global
-/// pool, whose threads are made at its first use. They do not live on in a forked process, which would wait for them for
-/// ever: a program that forks, or that is to start no thread, calls this first. Work that is called in a pool, by
-/// `rayon::ThreadPool::install`, is shared there as before. Results have the same bits either way.
+/// By default, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool runs in rayon's global pool,
+/// whose threads are created at its first use. These threads do not exist in a forked process, which would wait for them forever.
+/// A program that forks, or that must not start threads, calls this function first. Work that is called inside a pool, by
+/// `rayon::ThreadPool::install`, is still shared there. Results are bitwise identical in both cases.
 ///
 /// ```
 /// use stickslip::*;
@@ -61,7 +60,7 @@ pub fn disable_global_pool() {
     STAYS_OUTSIDE.store(true, Ordering::Relaxed);
 }
 
-/// Whether tasks are shared: the thread belongs to a pool, which has others.
+/// Returns whether tasks are shared, which is the case on a thread of a pool.
 fn is_in_pool() -> bool {
     #[cfg(feature = "parallel")]
     {
@@ -73,7 +72,7 @@ fn is_in_pool() -> bool {
     }
 }
 
-/// Whether work on this thread has no pool to go to.
+/// Returns whether work on this thread must not enter a pool.
 fn is_alone() -> bool {
     #[cfg(feature = "parallel")]
     {
@@ -85,7 +84,7 @@ fn is_alone() -> bool {
     }
 }
 
-/// Runs both, in a pool at once if a thread is free there.
+/// Runs both closures, in a pool concurrently if a thread is free.
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     if is_in_pool() {
         shared(a, b)
@@ -95,8 +94,8 @@ fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + 
     }
 }
 
-/// Runs both in the caller's pool. What they are is hidden from rayon, whose part is then compiled once
-/// and not once for each of the many things that run.
+/// Runs both closures in the caller's pool. Their types are hidden from rayon, so that its code is compiled once and not once per
+/// pair of closures.
 fn shared<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     let (mut a, mut b) = (Some(a), Some(b));
     let (mut from_a, mut from_b) = (None, None);
@@ -121,8 +120,8 @@ fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
     b();
 }
 
-/// Runs work inside the caller's pool, where cutting it further costs next to nothing; on a thread of no pool in the
-/// global one, unless the program [avoids](disable_global_pool) it.
+/// Runs work inside the caller's pool, in which further splitting is cheap. On a thread outside a pool, uses the global pool
+/// unless the program [avoids](disable_global_pool) it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     if is_in_pool() || is_alone() {
         work()
@@ -131,12 +130,12 @@ pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     }
 }
 
-/// A useful number of simultaneous tasks; only for work whose result does not depend on how it is cut.
+/// Returns a useful number of simultaneous tasks, for work whose result does not depend on the number of tasks.
 pub(crate) fn lanes() -> usize {
     if is_in_pool() { 4 * threads() } else { 1 }
 }
 
-/// Threads of the pool that [`enter`] goes to.
+/// Returns the number of threads of the pool that [`enter`] uses.
 pub(crate) fn threads() -> usize {
     #[cfg(feature = "parallel")]
     if !is_alone() {
@@ -145,10 +144,10 @@ pub(crate) fn threads() -> usize {
     1
 }
 
-/// Runs work on a pool of so many threads of its own, which it may block.
+/// Runs work on a separate pool with the given number of threads, which the work may block.
 ///
 /// # Panics
-/// If the threads cannot be made.
+/// Panics if the threads cannot be created.
 pub(crate) fn apart<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     #[cfg(feature = "parallel")]
     {
@@ -162,19 +161,19 @@ pub(crate) fn apart<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) ->
     }
 }
 
-/// Whether work on so many cells is too short to share.
+/// Returns whether work on this number of cells is too short to share.
 pub(crate) fn is_short(cells: usize) -> bool {
     cells <= SERIAL_CELL_LIMIT
 }
 
-/// [`enter`] for work on so many cells, which is done at once where it is too short to share.
+/// Runs work like [`enter`], or directly on the calling thread if its number of cells is too small to share.
 pub(crate) fn enter_with<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
     if is_short(cells) { work() } else { enter(work) }
 }
 
-/// Data that can be cut at a task boundary.
+/// Data that can be split at a task boundary.
 pub(crate) trait Split: Send + Sized {
-    /// The first `tasks` tasks, and the rest.
+    /// Splits off the first `tasks` tasks.
     fn split(self, tasks: usize) -> (Self, Self);
 }
 
@@ -184,7 +183,7 @@ impl Split for () {
     }
 }
 
-/// A mutable slice of which each task owns `width` consecutive items (the last task may own fewer).
+/// A mutable slice in which each task owns `width` consecutive items (the last task may own fewer).
 #[derive(Debug)]
 pub(crate) struct Blocks<'a, T> {
     pub(crate) items: &'a mut [T],
@@ -200,7 +199,7 @@ impl<T: Send> Split for Blocks<'_, T> {
     }
 }
 
-/// A mutable slice of which task `t` owns the items `starts[t]..starts[t + 1]`.
+/// A mutable slice in which task `t` owns the items `starts[t]..starts[t + 1]`.
 #[derive(Debug)]
 pub(crate) struct UnevenChunks<'a, T> {
     pub(crate) items: &'a mut [T],
@@ -248,20 +247,20 @@ impl<A: Split, const N: usize> Split for [A; N] {
             }
             low
         });
-        // `map` visits each part once, and there is a place for each.
+        // `map` visits each part once, and `places` has one entry per part.
         (low, high.map(|part| part.expect("every part was split")))
     }
 }
 
-/// What a task does with its part of the data. Behind a reference of this type, the tree of tasks is compiled once for each
-/// kind of data and not once for each work: a call costs nothing beside the work of a chunk.
+/// Work of a task on its part of the data. Behind a reference to this type, the tree of tasks is compiled once per type of data
+/// and not once per closure. The cost of the dynamic call is negligible compared with the work of a chunk.
 pub(crate) type Work<'a, D, T> = dyn Fn(usize, D) -> T + Sync + 'a;
 
-/// How two results become one.
+/// Combination of two results into one.
 pub(crate) type Combine<'a, T> = dyn Fn(T, T) -> T + Sync + 'a;
 
-/// Runs `work(task, its part of data)` for every task and combines the results pairwise in a
-/// fixed tree, which gives the same bits on any number of threads. On a thread of no pool it stays there.
+/// Calls `work(task, its part of data)` for every task and combines the results pairwise in a fixed tree, so that the result is
+/// bitwise identical for any number of threads. On a thread outside a pool all tasks run there.
 pub(crate) fn sweep<D: Split, T: Send>(
     tasks: Range<usize>,
     data: D,
@@ -279,7 +278,7 @@ pub(crate) fn sweep<D: Split, T: Send>(
     combine(low, high)
 }
 
-/// [`sweep`] on the calling thread alone.
+/// Runs like [`sweep`] on the calling thread alone.
 pub(crate) fn in_turn<D: Split, T>(
     tasks: Range<usize>,
     data: D,
@@ -294,7 +293,7 @@ pub(crate) fn in_turn<D: Split, T>(
     combine(low, in_turn(second, high, work, combine))
 }
 
-/// [`sweep`] of work on so many cells, on the calling thread alone where it is too short to share.
+/// Runs like [`sweep`], on the calling thread alone if the number of cells is too small to share.
 pub(crate) fn sweep_cells<D: Split, T: Send>(
     cells: usize,
     tasks: Range<usize>,
@@ -316,7 +315,7 @@ fn halves<D: Split>(tasks: Range<usize>, data: D) -> [(Range<usize>, D); 2] {
     [(tasks.start..middle, low), (middle..tasks.end, high)]
 }
 
-/// A slice of vector work with one chunk per task.
+/// Splits a slice of vector work into one chunk per task.
 pub(crate) fn blocks<T>(items: &mut [T]) -> Blocks<'_, T> {
     Blocks {
         items,
@@ -324,7 +323,7 @@ pub(crate) fn blocks<T>(items: &mut [T]) -> Blocks<'_, T> {
     }
 }
 
-/// [`sweep`] over chunks of `0..len`, read-only: `fold(index range) -> T`.
+/// Runs [`sweep`] over chunks of `0..len`, read-only: `leaf(index range) -> T`.
 pub(crate) fn fold<T: Send>(
     len: usize,
     leaf: impl Fn(Range<usize>) -> T + Sync,
@@ -338,7 +337,7 @@ pub(crate) fn fold<T: Send>(
     )
 }
 
-/// [`fold`] over the rows of a field of `width` columns: `leaf(row range) -> T`.
+/// Runs [`fold`] over the rows of a field with `width` columns: `leaf(row range) -> T`.
 pub(crate) fn fold_rows<T: Send>(
     rows: usize,
     width: usize,
@@ -351,7 +350,7 @@ pub(crate) fn fold_rows<T: Send>(
     sweep(0..rows.div_ceil(per_task), (), &leaf, &combine)
 }
 
-/// Runs `update(first index, chunk)` on chunks of one slice.
+/// Calls `update(first index, chunk)` for the chunks of a slice.
 pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) + Sync) {
     let tasks = items.len().div_ceil(CHUNK);
     sweep(
@@ -362,14 +361,14 @@ pub(crate) fn update<T: Send>(items: &mut [T], update: impl Fn(usize, &mut [T]) 
     );
 }
 
-/// Copies one slice into another of its length.
+/// Copies a slice into another slice of equal length.
 pub(crate) fn copy(from: &[f64], to: &mut [f64]) {
     update(to, |first, chunk| {
         chunk.copy_from_slice(&from[first..first + chunk.len()]);
     });
 }
 
-/// Runs `update(row, its items)` on the rows of a field of `width` columns.
+/// Calls `update(row, its items)` for the rows of a field with `width` columns.
 pub(crate) fn rows<T: Send>(
     items: &mut [T],
     width: usize,
@@ -389,9 +388,9 @@ pub(crate) fn rows<T: Send>(
     sweep(0..tasks, data, &work, &|(), ()| ());
 }
 
-/// The value in the cell, computed outside the cell's lock: a thread of the caller's pool that waits
-/// for the lock, while the tasks of the computing thread wait for that thread, would never wake. Two
-/// threads that arrive together both compute it, and one result is kept.
+/// Returns the value of the cell, or computes and stores it. The computation runs outside the lock of the cell to avoid a
+/// deadlock: a thread of the caller's pool could wait for the lock while the tasks of the computing thread wait for that thread.
+/// If two threads arrive together, both compute the value, and one result is kept.
 pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
     if let Some(value) = cell.get() {
         return Ok(value);

@@ -1,6 +1,6 @@
-//! Every sum, maximum and search over cells.
+//! Reductions over cells: sums, maxima and searches.
 //!
-//! Sums follow the tree of a [`Layout`], so that their bits do not depend on the number of threads or ranks.
+//! Sums follow the tree of a [`Layout`], so that they are bitwise identical for any number of threads and ranks.
 
 use std::array::from_fn;
 use std::collections::VecDeque;
@@ -9,7 +9,7 @@ use std::ops::Range;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::WireFormat;
 
-/// Quantities that add up: numbers, and arrays and tuples of them.
+/// Quantities that can be added: numbers, and arrays and tuples of them.
 pub(crate) trait Reduction: WireFormat {
     fn plus(self, other: Self) -> Self;
 }
@@ -41,7 +41,7 @@ impl<T: Reduction, const K: usize> Reduction for [T; K] {
     }
 }
 
-/// A tuple adds up part by part.
+/// Implements [`Reduction`] for a tuple, component by component.
 macro_rules! tally_of_tuple {
     ($($part:ident $place:tt),+) => {
         impl<$($part: Reduction),+> Reduction for ($($part,)+) {
@@ -57,7 +57,7 @@ tally_of_tuple!(A 0, B 1);
 tally_of_tuple!(A 0, B 1, C 2);
 tally_of_tuple!(A 0, B 1, C 2, D 3);
 
-/// What the chunks add up to.
+/// Sums the results of the chunks.
 pub(crate) fn over_chunks<T: Reduction>(
     layout: &Layout,
     leaf: impl Fn(Range<usize>) -> T + Sync,
@@ -65,12 +65,12 @@ pub(crate) fn over_chunks<T: Reduction>(
     layout.fold(leaf, T::plus)
 }
 
-/// The sum of a slice.
+/// Returns the sum of a slice.
 pub(crate) fn total(layout: &Layout, values: &[f64]) -> f64 {
     over_chunks(layout, |range| in_lanes(&values[range]))
 }
 
-/// The sum of `f(i)` over the cells, bit for bit that of the slice of these values.
+/// Returns the sum of `f(i)` over the cells, bitwise identical to the sum of the slice of these values.
 pub(crate) fn total_of(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     over_chunks(layout, |range| {
         let mut lanes = [0.0; 8];
@@ -83,7 +83,7 @@ pub(crate) fn total_of(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 
     })
 }
 
-/// The sum of a chunk, in lanes so that additions overlap.
+/// Returns the sum of a chunk, in lanes so that additions overlap.
 pub(crate) fn in_lanes(values: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let groups = values.chunks_exact(8);
@@ -96,19 +96,19 @@ pub(crate) fn in_lanes(values: &[f64]) -> f64 {
     lanes.iter().sum::<f64>() + rest
 }
 
-/// `sum f(i)` over the cells.
+/// Returns `sum f(i)` over the cells.
 pub(crate) fn sum<T: Reduction>(layout: &Layout, f: impl Fn(usize) -> T + Sync) -> T {
     over_chunks(layout, |range| range.map(&f).fold(T::ZERO, T::plus))
 }
 
-/// Sums by groups, `sum f(i).1` over the cells with `f(i).0 = group`, of groups from zero to `count`. The groups of
-/// neighbouring cells lie near each other.
+/// Returns sums by groups, `sum f(i).1` over the cells with `f(i).0 = group`, for groups from zero to `count`. Neighbouring cells
+/// should belong to groups with similar numbers.
 pub(crate) fn grouped<T: Reduction>(
     layout: &Layout,
     count: usize,
     f: impl Fn(usize) -> Option<(usize, T)> + Sync,
 ) -> Vec<T> {
-    /// Sums that ranks put together at once.
+    /// Number of sums in one reduction over the ranks.
     const AT_ONCE: usize = 64;
     let leaf = |cells: Range<usize>| {
         let values = cells.filter_map(&f);
@@ -126,7 +126,7 @@ pub(crate) fn grouped<T: Reduction>(
     sums
 }
 
-/// Sums of the groups from the first one that has any to the last.
+/// Sums of the groups from the first to the last group with a value.
 struct Groups<T> {
     first: usize,
     sums: VecDeque<T>,
@@ -163,18 +163,18 @@ impl<T: Reduction> Groups<T> {
     }
 }
 
-/// The larger of two numbers; NaN if either is.
+/// Returns the larger of two numbers, or NaN if either is NaN.
 #[inline]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// `max f(i)` over the cells of non-negative quantities; NaN wins, so that it is seen.
+/// Returns `max f(i)` over the cells for non-negative quantities. NaN propagates, so that it is detected.
 pub(crate) fn max(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     layout.fold(|range| range.map(&f).fold(0.0, larger), larger)
 }
 
-/// The least of the values `f(i)` where they are given, and what is told of its cell; the first of equals.
+/// Returns the least of the values `f(i)` that are given, with the data of its cell; the first if several are equal.
 pub(crate) fn least<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<(f64, T)> + Sync,
@@ -186,7 +186,7 @@ pub(crate) fn least<T: WireFormat>(
     layout.fold(|range| range.map(&f).fold(None, lesser), lesser)
 }
 
-/// The first of the values `f(i)` that is given.
+/// Returns the first of the values `f(i)` that is given.
 pub(crate) fn first<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<T> + Sync,
@@ -194,12 +194,12 @@ pub(crate) fn first<T: WireFormat>(
     layout.fold(|mut range| range.find_map(&f), Option::or)
 }
 
-/// Whether a condition holds in any cell.
+/// Returns whether a condition holds in any cell.
 pub(crate) fn any(layout: &Layout, holds: impl Fn(usize) -> bool + Sync) -> bool {
     layout.fold(|mut range| range.any(&holds), |a, b| a || b)
 }
 
-/// Any other quantity of chunks, combined pairwise in the tree.
+/// Combines any other quantity of chunks pairwise in the tree.
 pub(crate) fn fold<T: WireFormat>(
     layout: &Layout,
     leaf: impl Fn(Range<usize>) -> T + Sync,

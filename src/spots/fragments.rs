@@ -1,4 +1,4 @@
-//! Spots as slabs have them: fragments, joined by links across the ends of slabs and the edges of a grid that repeats.
+//! Spots of distributed contacts: fragments of spots, joined across the ends of slabs and the edges of a periodic grid.
 
 use std::sync::Arc;
 
@@ -11,31 +11,32 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::tangential::Zone;
 
-/// What is summed up over cells, in whole numbers: no order of them changes a bit.
+/// Sums over cells in integer arithmetic, so that they are bitwise identical for any order of the cells.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SpotSums {
     pub(super) cells: usize,
     pub(super) stick: usize,
-    /// Sides of cells along y and along x beyond which the contact ends.
+    /// Numbers of sides of cells along y and along x beyond which the contact ends.
     pub(super) open_sides: [usize; 2],
-    /// Of columns and rows, counted from the first ones of the whole grid; exact below 2^53.
+    /// Sums of the columns and rows, counted from the first ones of the whole grid; exact below 2^53.
     pub(super) place: [f64; 2],
-    /// Of the pressure, in parts of a unit.
+    /// Sum of the pressure, in fractions of a unit.
     parts: u128,
     /// Largest pressure.
     pub(super) largest: f64,
 }
 
-/// Parts of the unit of the pressure, which is the power of two next below the largest one: 2^47 cells have room.
+/// Number of fractions per unit of the pressure. The unit is the largest power of two that is at most the largest pressure: sums
+/// over 2^47 cells do not overflow.
 const PARTS: f64 = (1_u128 << 80) as f64;
 
 impl SpotSums {
-    /// Of the pressure.
+    /// Returns the sum of the pressure.
     pub(super) fn pressure(&self, unit: f64) -> f64 {
         self.parts as f64 / PARTS * unit
     }
 
-    /// With those of other cells, which lie so many columns and rows beyond the place where they were counted.
+    /// Adds the sums of other cells, whose columns and rows are shifted by `beyond` from the place where they were counted.
     fn add(&mut self, other: &Self, beyond: [f64; 2]) {
         self.cells += other.cells;
         self.stick += other.stick;
@@ -48,7 +49,7 @@ impl SpotSums {
     }
 }
 
-/// As they travel, with the parts of the pressure in halves.
+/// Sums as sent in a message, with the pressure split into two halves.
 type FragmentMessage = ([usize; 4], [f64; 3], [u64; 2]);
 
 impl WireFormat for SpotSums {
@@ -84,26 +85,26 @@ impl WireFormat for SpotSums {
     }
 }
 
-/// The spots of the rows held here, cut at the ends of the slab and at the edges of the grid.
+/// Fragments of the spots in the local rows, cut at the ends of the slab and at the edges of the grid.
 pub(super) struct Fragments<'a> {
     grid: Grid,
     repeats: [bool; 2],
     share: Option<&'a Arc<RowPartition>>,
     layout: Layout,
-    /// Of the pressure.
+    /// Unit of the pressure.
     pub(super) unit: f64,
-    /// The number of the fragment of every cell, counted from one; zero outside the contact.
+    /// Number of the fragment of every cell, counted from one; zero outside the contact.
     labels: Vec<u32>,
     sums: Vec<SpotSums>,
 }
 
-/// Where fragments meet: across the end of a slab, or across the edge of the grid in x or in y.
+/// Places where fragments meet: across the end of a slab, or across the edge of the grid in x or in y.
 const SLABS: usize = 0;
 const EDGE_X: usize = 1;
 const EDGE_Y: usize = 2;
 
-/// Two fragments, by their numbers among those of all ranks, of which the second begins where the first ends, and how many
-/// pairs of cells meet there.
+/// Link of two fragments, by their numbers among those of all ranks: the second starts where the first ends. Also the place where
+/// they meet and the number of adjacent pairs of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {
@@ -158,7 +159,8 @@ impl<'a> Fragments<'a> {
         })
     }
 
-    /// The number of the spot of every cell, counted from one, and the sums of all spots, in the order of their first cells.
+    /// Joins the fragments. Returns the number of the spot of every local cell, counted from one, and the sums of all spots, in
+    /// the order of their first cells.
     pub(super) fn joined(mut self) -> Result<(Vec<u32>, Vec<SpotSums>)> {
         let team = self.share.map(|share| &**share.team());
         let (fragments, lengths) = RankGroup::gathered_of(team, std::mem::take(&mut self.sums))?;
@@ -167,7 +169,8 @@ impl<'a> Fragments<'a> {
         let below = self.row_below(first, fragments.len());
         let links = self.layout.collective_result(self.links(first, &below))?;
         let (mut links, _) = RankGroup::gathered_of(team, links)?;
-        // Where a spot closes around the grid, the order of the links decides which way its cells are counted.
+        // If a spot closes around the grid, the order of the links determines the direction in which the positions of its cells
+        // are counted.
         links.sort_by_key(|(_, (across, _))| *across);
         let whole = self.grid.whole().size();
         let (spots, sums) = self
@@ -179,7 +182,7 @@ impl<'a> Fragments<'a> {
         Ok((self.labels, sums))
     }
 
-    /// Links across the edge in x, and to the row below the first one.
+    /// Returns the links across the edge in x, and to the row below the first local row.
     fn links(&self, first: usize, below: &[u64]) -> Result<Vec<Link>> {
         let mut links: Vec<Link> = Vec::new();
         let mut link = |across: usize, one: Option<usize>, other: Option<usize>| {
@@ -207,8 +210,8 @@ impl<'a> Fragments<'a> {
         Ok(links)
     }
 
-    /// Of the row below the first one, on this rank or on another, the numbers of the fragments among those of all ranks,
-    /// counted from one; nothing below the first row of a grid that ends there.
+    /// Returns the numbers of the fragments in the row below the first local row, which may be on another rank, among the
+    /// fragments of all ranks, counted from one. Empty below the first row of a grid that is not periodic.
     fn row_below(&self, first: usize, fragments: usize) -> Vec<u64> {
         let (nx, repeats) = (self.grid.nx(), self.repeats[1]);
         let last = self.labels.chunks_exact(nx).next_back().unwrap_or(&[]);
@@ -236,7 +239,7 @@ impl<'a> Fragments<'a> {
             team.all_to_all(blocks, &is_expected);
             return Vec::new();
         };
-        // A rank that has all rows keeps what it would send to itself.
+        // A rank that has all rows keeps the row instead of sending it to itself.
         let own = std::mem::take(&mut blocks[me]);
         is_expected[sender] = sender != me;
         let mut received = team.all_to_all(blocks, &is_expected);
@@ -252,12 +255,13 @@ impl<'a> Fragments<'a> {
     }
 }
 
-/// Counted from one.
+/// Returns the label of a fragment or spot, counted from one.
 fn label(number: usize) -> u32 {
     u32::try_from(number + 1).unwrap_or(u32::MAX)
 }
 
-/// The number of the spot of every fragment, counted from one, and the sums of the spots, on so many columns and rows.
+/// Returns the number of the spot of every fragment, counted from one, and the sums of the spots. `whole` is the number of
+/// columns and rows of the grid.
 fn join(
     mut fragments: Vec<SpotSums>,
     links: &[Link],
@@ -290,12 +294,12 @@ fn join(
     Ok((spots, sums))
 }
 
-/// Fragments that are one spot: of each another one of it, the first one of itself, and how many columns and rows beyond its
-/// own place it lies from there.
+/// Disjoint sets of fragments that form one spot. Each entry has the parent fragment (itself for the first fragment of a spot),
+/// and the shift in columns and rows from the own position of the fragment to its position relative to the parent.
 struct DisjointSets(Vec<(usize, [f64; 2])>);
 
 impl DisjointSets {
-    /// The first fragment of a spot, and how far beyond its place this one lies from there.
+    /// Returns the first fragment of a spot, and the shift of this fragment relative to it.
     fn root(&mut self, fragment: usize) -> (usize, [f64; 2]) {
         let (mut at, mut beyond) = (fragment, [0.0; 2]);
         loop {
@@ -310,7 +314,7 @@ impl DisjointSets {
         }
     }
 
-    /// Joins two, of which the second lies so far beyond its place, from the first.
+    /// Joins two fragments, where the second is shifted by `beyond` relative to the first.
     fn join(&mut self, [one, other]: [usize; 2], beyond: [f64; 2]) {
         let ((one, from), (other, to)) = (self.root(one), self.root(other));
         let far = plus(plus(from, beyond), to.map(|to| -to));
@@ -345,7 +349,7 @@ mod tests {
         ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
     }
 
-    /// Of a slab of these pressures, with every third cell sticking.
+    /// Returns the spots of a slab with these pressures, in which every third cell sticks.
     fn spots(bodies: &HalfSpace, pressure: &[f64]) -> ContactSpots {
         let (grid, gap) = (bodies.grid(), Field::zeros(bodies.grid()));
         let first = grid.rows().start * grid.nx();
@@ -360,10 +364,10 @@ mod tests {
         ContactSpots::new(&normal, Some(&zones)).unwrap()
     }
 
-    /// A spot as a walk from cell to cell finds it: its cells, with the places where the walk came to them.
+    /// A spot found by a walk from cell to cell: its cells, with the positions at which the walk reached them.
     type Walked = Vec<(usize, [f64; 2])>;
 
-    /// The spots by walks, and whether each closes around the grid.
+    /// Finds the spots by walks, and whether each spot closes around the grid.
     fn walked(grid: Grid, repeats: [bool; 2], pressure: &[f64]) -> Vec<(Walked, bool)> {
         let mut places: HashMap<usize, [f64; 2]> = HashMap::new();
         let mut found = Vec::new();
@@ -424,7 +428,7 @@ mod tests {
             } = *spot;
             assert_eq!(spot.cells, cells.len());
             assert_eq!(spot.stick_ratio, Some(stick as f64 / count));
-            // The rounding of a sum one by one.
+            // The rounding error of a sequential sum.
             let rounding = f64::EPSILON * (1.0 + 0.5 * count);
             assert!((found / load - 1.0).abs() < rounding, "{found} {load}");
             assert!((perimeter - sides).abs() <= 1e-12 * sides);
@@ -440,8 +444,8 @@ mod tests {
         }
     }
 
-    /// Random cells under random pressures: one process finds what walks find, also across edges, and of spots that close
-    /// around the grid; ranks, of which some have few rows or none, find the bits of one process.
+    /// Random cells under random pressures. One process finds the same spots as the walks, also across edges and for spots that
+    /// close around the grid. Ranks, some of which have few rows or none, find bitwise identical results.
     #[test]
     fn slabs_have_the_spots_of_the_whole() {
         let mut random = 1_u64;
@@ -451,7 +455,7 @@ mod tests {
                 .wrapping_add(1_442_695_040_888_963_407);
             (random >> 33) as f64 / (1_u64 << 31) as f64
         };
-        // Of 1400 columns a rank has two rows at least.
+        // With 1400 columns a rank has at least two rows.
         for (nx, ny) in [
             (1400, 12),
             (2100, 7),

@@ -1,4 +1,4 @@
-//! Contact spots.
+//! Contact spots: connected sets of contact cells, with their area, load and perimeter.
 
 mod fragments;
 
@@ -17,8 +17,8 @@ use crate::support::debug::shown;
 use crate::support::serialise::checked;
 use crate::tangential::{TangentialSolution, Zone};
 
-/// The spots of a contact: sets of contact cells connected through their sides, across the edges of a periodic grid
-/// too. Where [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its own cells.
+/// The spots of a contact: sets of contact cells connected through their sides, also across the edges of a periodic grid. If
+/// [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its local cells.
 ///
 /// ```
 /// use stickslip::*;
@@ -41,14 +41,14 @@ use crate::tangential::{TangentialSolution, Zone};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactSpots {
     grid: Grid,
-    /// The number of the spot of every cell, counted from one; zero outside the contact.
+    /// Number of the spot of every cell, counted from one; zero outside the contact.
     labels: Vec<u32>,
     spots: Vec<Spot>,
 }
 
 shown!(ContactSpots: grid, largest());
 
-/// What is read, before it is checked.
+/// Deserialised data before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "ContactSpots")]
@@ -77,28 +77,28 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
     }
 }
 
-/// One contact spot.
+/// A contact spot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Spot {
-    /// Number of its cells.
+    /// Number of cells of the spot.
     pub cells: usize,
-    /// Area, by counting cells (a length squared); that with the parts of the cells at the edge is among the
-    /// [areas of its edges](crate::edges::Edges::areas_of).
+    /// Area, by counting cells (a length squared). The [areas of the edges](crate::edges::Edges::areas_of) include the fractions
+    /// of the cells at the edge.
     pub area: f64,
-    /// Normal force that it carries (a force).
+    /// Normal force on the spot (a force).
     pub load: f64,
     /// Load over area (a pressure).
     pub mean_pressure: f64,
-    /// Largest pressure of its cells (a pressure).
+    /// Largest pressure of the cells of the spot (a pressure).
     pub max_pressure: f64,
-    /// Centre of the area, in the whole grid (lengths). That of a spot across the edges of a periodic grid is given inside the
-    /// grid; for a spot that spans the whole period it is not meaningful.
+    /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid it is given
+    /// inside the grid; for a spot that spans the whole period it is not meaningful.
     pub centroid: [f64; 2],
-    /// Length of its edge (a length), along the sides of its cells: longer than the edge of a round spot by a factor of 4/pi.
+    /// Length of the edge (a length), along the sides of the cells: longer than the edge of a round spot by a factor of 4/pi.
     pub perimeter: f64,
-    /// Stick cells over all its cells; `None` for a contact that is pressed only.
+    /// Number of sticking cells over the number of cells; `None` for a contact that is only pressed.
     pub stick_ratio: Option<f64>,
 }
 
@@ -118,33 +118,33 @@ impl ContactSpots {
         })
     }
 
-    /// The spots, in the order of their first cells.
+    /// Returns the spots, in the order of their first cells.
     #[must_use]
     pub fn as_slice(&self) -> &[Spot] {
         &self.spots
     }
 
-    /// The place of the spot that a cell belongs to, in [`ContactSpots::as_slice`]; `None` outside the contact and
-    /// the grid.
+    /// Returns the index in [`ContactSpots::as_slice`] of the spot that a cell belongs to, or `None` outside the contact and the
+    /// grid.
     #[must_use]
     pub fn label(&self, cell: usize) -> Option<usize> {
         let label = self.labels.get(cell).copied().unwrap_or(0);
         (label as usize).checked_sub(1)
     }
 
-    /// The number of the spot of every cell, counted from one; zero outside the contact. Row-major with x fastest.
+    /// Returns the number of the spot of every cell, counted from one; zero outside the contact. Row-major with x fastest.
     #[must_use]
     pub fn labels(&self) -> &[u32] {
         &self.labels
     }
 
-    /// The grid of the labels.
+    /// Returns the grid of the labels.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.grid
     }
 
-    /// The largest spot, by cells; the first of equals, `None` without contact.
+    /// Returns the spot with the largest number of cells, the first if several are equal, or `None` without contact.
     #[must_use]
     pub fn largest(&self) -> Option<&Spot> {
         self.spots.iter().rev().max_by_key(|spot| spot.cells)
@@ -177,7 +177,7 @@ impl SpotSums {
     }
 }
 
-/// For signatures that cannot fail.
+/// Unwraps the outcome for signatures without an error.
 fn spots_or_abort(outcome: Result<ContactSpots>) -> ContactSpots {
     match outcome {
         Err(error @ Error::Ranks(_)) => panic!("{error}"),
@@ -186,29 +186,32 @@ fn spots_or_abort(outcome: Result<ContactSpots>) -> ContactSpots {
 }
 
 impl NormalSolution {
-    /// The contact spots; all ranks that share the contact call this.
+    /// Returns the contact spots. The call is collective over the ranks that share the contact.
     ///
     /// # Panics
-    /// If ranks have lost each other.
+    /// Panics if a rank has failed or been lost.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
         spots_or_abort(self.try_spots())
     }
 
-    /// [`Self::spots`] where memory may run out, or a rank be lost.
+    /// Returns the [`spots`](Self::spots), or an error if the memory does not suffice or a rank is lost.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Ranks`].
+    /// - [`Error::Memory`] if the memory does not suffice.
+    /// - [`Error::Ranks`] if a rank has failed or been lost.
     pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self, None)
     }
 }
 
 impl TangentialSolution {
-    /// The contact spots under this pressure, with the part of each that sticks; all ranks that share the contact call this.
+    /// Returns the contact spots under this pressure, with the sticking fraction of each spot. The call is collective over the
+    /// ranks that share the contact.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`] for a pressure on another grid; as [`NormalSolution::try_spots`].
+    /// - [`Error::GridMismatch`] if the pressure is on a different grid.
+    /// - The errors of [`NormalSolution::try_spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
         let checked = self.grid().expect("normal contact", normal.grid());
         RankGroup::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
@@ -218,19 +221,20 @@ impl TangentialSolution {
 
 #[cfg(feature = "history")]
 impl History {
-    /// The contact spots after the last step, with the part of each that sticks; all ranks that share the history call this.
+    /// Returns the contact spots after the last step, with the sticking fraction of each spot. The call is collective over the
+    /// ranks that share the history.
     ///
     /// # Panics
-    /// If ranks have lost each other.
+    /// Panics if a rank has failed or been lost.
     #[must_use]
     pub fn spots(&self) -> ContactSpots {
         spots_or_abort(self.try_spots())
     }
 
-    /// [`Self::spots`] where memory may run out, or a rank be lost.
+    /// Returns the [`spots`](Self::spots), or an error if the memory does not suffice or a rank is lost.
     ///
     /// # Errors
-    /// As [`NormalSolution::try_spots`].
+    /// The errors of [`NormalSolution::try_spots`].
     pub fn try_spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self.normal(), Some(self.zones()))
     }

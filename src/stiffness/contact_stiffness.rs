@@ -1,4 +1,4 @@
-//! The stiffness of a contact that is solved.
+//! Stiffness of a solved contact.
 
 use std::ops::ControlFlow;
 
@@ -19,24 +19,25 @@ use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
 use crate::tangential::{Axis, Friction, TangentialSolution};
 
-/// The normal stiffness of a contact.
+/// Normal stiffness of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NormalStiffness {
-    /// $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
+    /// Derivative $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
     pub value: f64,
-    /// Bound of its relative error as the answer of the linear problem at these sets; infinite where pressure and traction are
-    /// found together. The round-off of the products comes on top, and so does what the errors of the solution change.
+    /// Bound of the relative error of the solution of the linear problem at these sets; infinite if pressure and traction are
+    /// coupled. The bound does not include the round-off of the products, nor the effect of the errors of the contact solution.
     pub bound: f64,
 }
 
-/// The tangential stiffness of a contact: forces along x and y and the moment, by shifts along x and y and the twist.
+/// Tangential stiffness of a contact: derivatives of the forces along x and y and of the moment with respect to the shifts along
+/// x and y and the twist.
 ///
-/// Rows are loads, columns motions: forces over lengths in the upper left two by two, moments over radians in the last
-/// place, forces (over radians) between. `None` of loads and motions that the model does not have: in the scalar model
-/// what is across its axis and the twist, on grids that repeat the twist; and of a reversal that was
-/// [left out](crate::stiffness::StiffnessWorkspace::reversal).
+/// Rows are loads, columns are motions. The upper left two by two entries are forces over lengths, the last entry is a moment
+/// over radians, and the entries between are forces (over radians). Entries are `None` for loads and motions that the model does
+/// not have: in the scalar model the direction across its axis and the twist, on periodic grids the twist. The entries of a
+/// reversal that was [left out](crate::stiffness::StiffnessWorkspace::reversal) are also `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -45,47 +46,49 @@ pub struct TangentialStiffness {
     /// direction. For a ball that is sheared under a constant normal load it is
     /// [Cattaneo's and Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
-    /// Cells that came into contact in the step follow the motion with their [own
-    /// compliance](crate::guide::load_steps). After a step that presses a ball from zero load, loading is therefore
-    /// about two thirds of Mindlin's stiffness, although all cells stick. The stiffness of the next step is an
-    /// [option](crate::stiffness::StiffnessWorkspace::next_step): there these cells resist fully.
+    /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps).
+    /// After a step that presses a ball from zero load, the loading stiffness is therefore about two thirds of Mindlin's
+    /// stiffness, although all cells stick. The stiffness of the next step is an
+    /// [option](crate::stiffness::StiffnessWorkspace::next_step): in it these cells resist fully.
     pub loading: [[Option<f64>; 3]; 3],
-    /// If the motion reverses: all cells of the contact stick. Of a circle, by
-    /// [Mindlin](crate::analytical::MindlinFullStick): $`8 G^* a`$.
+    /// Stiffness if the motion reverses: all cells of the contact stick. For a circle it is
+    /// [Mindlin's](crate::analytical::MindlinFullStick) $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
-    /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal,
-    /// of the matrix for a twist about the centre of the contact. Infinite where pressure and traction are found together.
-    /// As with [`NormalStiffness::bound`] round-off and the errors of the solution come on top.
+    /// Bound of the errors. No error of an entry exceeds this bound times the root of the product of the two diagonal entries,
+    /// for the matrix with the twist about the centre of the contact. Infinite if pressure and traction are coupled. As with
+    /// [`NormalStiffness::bound`], round-off and the errors of the contact solution are not included.
     pub bound: f64,
 }
 
-/// The stiffness of a contact in all directions.
+/// Stiffness of a contact in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct ContactStiffness {
-    /// Normal force by approach.
+    /// Derivative of the normal force with respect to the approach.
     pub normal: NormalStiffness,
-    /// Tangential forces and moment by shift and twist.
+    /// Derivatives of the tangential forces and the moment with respect to shift and twist.
     pub tangential: TangentialStiffness,
-    /// Tangential forces (over a length) and moment (a force) by the approach while slip continues, through the friction
-    /// limit of the cells that slip and the lag of those that entered the contact in the step of a history: if the shift
-    /// grows in the same step, or the approach decreases. Pressed further at a held shift these cells stick, and the slope
-    /// is zero. Without a bound of its own; the change of pressure behind it has a relative error, in the energy norm, of
-    /// the root of the bound of `normal`. Of problems with [one-way coupling](crate::Coupling::OneWay) without what the
-    /// pressure moves the surfaces, which steps of histories have. `None` of loads that the model does not have.
+    /// Derivatives of the tangential forces (over a length) and the moment (a force) with respect to the approach while slip
+    /// continues. They follow from the friction limit of the slipping cells and from the lag of the cells that came into contact
+    /// in the step of a history. They are valid if the shift grows in the same step, or if the approach decreases. If the bodies
+    /// are pressed further at a constant shift, these cells stick and the derivative is zero.
+    ///
+    /// The entries have no error bound. The underlying change of pressure has a relative error, in the energy norm, of the root
+    /// of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) they exclude the tangential
+    /// displacement by the pressure, which steps of histories include. `None` for loads that the model does not have.
     pub by_approach: [Option<f64>; 3],
-    /// Normal force (over a length, for the twist a force) by shifts along x and y and the twist: zero but where pressure and
-    /// shear are found together. `None` of motions that the model does not have.
+    /// Derivatives of the normal force (over a length, for the twist a force) with respect to the shifts along x and y and the
+    /// twist. They are zero unless pressure and shear are coupled. `None` for motions that the model does not have.
     pub normal_by_motion: [Option<f64>; 3],
 }
 
 impl TangentialStiffness {
-    /// The stiffness behind springs: forces and moment by the motion of the far ends of springs along x and y (a force
-    /// over a length each), and by the twist, $`(K^{-1} + k^{-1})^{-1}`$.
+    /// Returns the stiffness in series with springs, $`(K^{-1} + k^{-1})^{-1}`$: derivatives of forces and moment with respect to
+    /// the motion of the far ends of springs along x and y (with stiffnesses in force over length) and with respect to the twist.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for a spring.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the stiffness of a spring is not positive.
     pub fn in_series_with(&self, springs: [f64; 2]) -> Result<Self> {
         for stiffness in springs {
             positive("stiffness of the spring", stiffness)?;
@@ -112,29 +115,30 @@ impl TangentialStiffness {
 }
 
 impl NormalSolution {
-    /// The normal stiffness $`dW/d\delta_z`$, by one solve on the cells of the contact.
+    /// Computes the normal stiffness $`dW/d\delta_z`$ with one linear solve on the cells of the contact.
     ///
-    /// The set of cells is held, so that the stiffness jumps where a cell comes into contact; it is that of a contact
-    /// whose edge runs along sides of cells. On a periodic grid the approach is that of the mean planes.
+    /// The set of contact cells is fixed, so that the stiffness jumps when a cell comes into contact. It is the stiffness of a
+    /// contact whose edge follows the sides of cells. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch),
-    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies that the solution is
-    /// not of; [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the half of a coupled solution of dissimilar
-    /// bodies, whose pressure follows from the shear too; [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere and
-    /// resists without limit; [`Error::NotPositive`](crate::Error::NotPositive) for operators of a user without a lower bound;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
-    /// [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies.
+    /// - [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the normal half of a coupled solution of dissimilar
+    ///   bodies, whose pressure also depends on the shear.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere, with unbounded resistance.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) for a user-defined operator without a lower bound.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the linear solve fails or is cancelled.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         self.stiffness_observed(bodies, unwatched)
     }
 
-    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
-    /// cancel; the residual it sees is that of the linear problem under way.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
+    /// cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &self,
         bodies: &HalfSpace,
@@ -150,27 +154,29 @@ impl NormalSolution {
 }
 
 impl TangentialSolution {
-    /// The tangential stiffness, by a solve for each motion of the model and each of the two sets of cells.
+    /// Computes the tangential stiffness with one linear solve for each motion of the model and each of the two sets of cells.
     ///
-    /// Loading is the derivative of this solution by its load. In the vector model that includes how the slip of the
-    /// step resists turning; on grids that do not repeat the vector model has the twist.
+    /// Loading is the derivative of this solution with respect to its load. In the vector model it includes the resistance of the
+    /// slip of the step to a rotation of the tractions. The vector model also has the twist on grids that are not periodic.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) or
-    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) for bodies that the solution is not of;
-    /// [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the half of a coupled solution of dissimilar bodies;
-    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`];
-    /// [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) if
+    ///   the solution belongs to other bodies.
+    /// - [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the tangential half of a coupled solution of dissimilar
+    ///   bodies.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         self.stiffness_observed(bodies, unwatched)
     }
 
-    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
-    /// cancel; the residual it sees is that of the linear problem under way.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
+    /// cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &self,
         bodies: &HalfSpace,
@@ -196,11 +202,11 @@ impl TangentialSolution {
 }
 
 impl ContactStiffness {
-    /// Of a contact under a load from rest: pressed, and sheared with this friction.
+    /// Computes the stiffness of a contact that was loaded from rest: pressed, and sheared with this friction.
     ///
     /// # Errors
-    /// As [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`];
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for the friction.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the friction has a different grid.
+    /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,
         normal: &NormalSolution,
@@ -210,11 +216,11 @@ impl ContactStiffness {
         Self::observed(bodies, normal, friction, shear, unwatched)
     }
 
-    /// [`new`](Self::new) with an observer that is asked before every product with an operator and may cancel; the
-    /// residual it sees is that of the linear problem under way.
+    /// Computes the stiffness like [`new`](Self::new), with an observer that is called before every product with an operator and
+    /// may cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn observed(
         bodies: &HalfSpace,
         normal: &NormalSolution,
@@ -275,7 +281,7 @@ impl ContactStiffness {
     }
 }
 
-/// Zero of what the model has.
+/// Returns zero entries for the loads and motions of the model.
 pub(super) fn without_contact(
     axis: Option<Axis>,
     boundary: Boundary,
@@ -297,20 +303,20 @@ pub(super) fn without_contact(
     (stiffness, none)
 }
 
-/// What is known of a pressed contact.
+/// Data of a pressed contact.
 #[derive(Clone, Copy)]
 pub(crate) struct NormalContact<'a> {
     pub(crate) normal: &'a NormalSolution,
-    /// Where it was found, if that is known.
+    /// Window in which the contact was solved, if known.
     pub(crate) window: Option<Window>,
     pub(crate) friction: &'a Friction,
     pub(crate) hardness: Option<&'a Hardness>,
-    /// Whether pressure moves the surfaces tangentially, and shear does not change it.
+    /// Whether the pressure moves the surfaces tangentially while shear does not change the pressure.
     pub(crate) is_drawn: bool,
 }
 
 impl<'a> NormalContact<'a> {
-    /// Of elastic bodies whose pressure moves the surfaces normally alone.
+    /// Creates the data of elastic bodies whose pressure moves the surfaces only normally.
     fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
         Self {
             normal,
@@ -322,7 +328,7 @@ impl<'a> NormalContact<'a> {
     }
 }
 
-/// The window in which a contact was found, whose operators are at hand, or the smallest around it.
+/// Returns the window in which the contact was solved, whose operators exist already, or the smallest window around the contact.
 pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
     let found = found.filter(|window| window.covers(contact));
     found.unwrap_or_else(|| bodies.restrict_to_window(contact))

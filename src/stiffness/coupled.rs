@@ -1,4 +1,4 @@
-//! The stiffness of a contact whose pressure and shear are found together.
+//! Stiffness of a contact with coupled pressure and shear.
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::{ConeProblem, ConeWorkspace, FrozenState};
@@ -27,44 +27,44 @@ use crate::stiffness::{
 use crate::tangential::{Axis, Friction, centre};
 use std::ops::ControlFlow;
 
-/// Components of a vector: along z, x and y.
+/// Number of components of a vector: along z, x and y.
 const N: usize = 3;
 
-/// A bound that is not known.
+/// Value of an unknown bound.
 const UNKNOWN: f64 = f64::INFINITY;
 
-/// What is known of a contact under pressure and shear.
+/// Data of a contact under pressure and shear.
 pub(crate) struct Coupled<'a> {
     pub(crate) pressure: &'a Field,
     pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step; `None` of a step that is to come.
+    /// Slip of the step; `None` for the stiffness of the next step.
     pub(crate) slip: Option<[&'a [f64]; 2]>,
-    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
+    /// Entry compliance of the cells that came into contact in the step; empty if there are none.
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
     pub(crate) hardness: Option<&'a Hardness>,
-    /// Where it was found, if that is known.
+    /// Window in which the contact was solved, if known.
     pub(crate) window: Option<Window>,
 }
 
-/// Normal force, tangential forces and moment by a motion.
+/// Derivatives of the normal force, the tangential forces and the moment with respect to a motion.
 type LoadVector = [f64; 4];
 
-/// The buffers of coupled contacts on a window.
+/// Buffers for coupled contacts on a window.
 #[derive(Debug)]
 pub(super) struct CoupledBuffers {
     compliance: Compliance<N>,
-    /// How far a unit tangential traction displaces its own cell.
+    /// Tangential displacement of a cell under a unit tangential traction on it.
     self_compliance: f64,
     workspace: ConeWorkspace,
-    /// Pressure, tractions, slips, compliance of their own and hardness of the cells.
+    /// Pressure, tractions, slips, entry compliance and hardness of the cells.
     cells: [Vec<f64>; 7],
     right: Vec<[f64; N]>,
     unknowns: Vec<[f64; N]>,
 }
 
 impl CoupledBuffers {
-    /// Those of a window, in the buffers there are if they are of it.
+    /// Returns the buffers for a window, reusing the existing buffers if they belong to it.
     fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,
@@ -91,8 +91,8 @@ impl CoupledBuffers {
 }
 
 impl Coupled<'_> {
-    /// By the approach, the shifts along x and y and the twist, while slip continues, and by the last three while all
-    /// sticks.
+    /// Returns the derivatives of the loads with respect to the approach, the shifts along x and y and the twist while slip
+    /// continues, and with respect to the shifts and the twist while all cells stick.
     pub(crate) fn stiffness(
         &self,
         bodies: &HalfSpace,
@@ -130,7 +130,7 @@ impl Coupled<'_> {
         }))
     }
 
-    /// The loads by a unit of each motion that the grid allows, the approach first.
+    /// Computes the loads per unit of each motion that the grid allows, the approach first.
     fn loads(
         &self,
         bodies: &HalfSpace,
@@ -212,8 +212,9 @@ impl Coupled<'_> {
 }
 
 impl CoupledSolution {
-    /// The stiffness of the contact: normal force, tangential forces and moment, each by the approach and by the motions,
-    /// with the friction it was solved for. Loading is the derivative of this solution by its load.
+    /// Computes the stiffness of the contact with the friction of the problem: derivatives of the normal force, the tangential
+    /// forces and the moment with respect to the approach and the tangential motions. Loading is the derivative of this solution
+    /// with respect to its load.
     ///
     /// ```
     /// use stickslip::*;
@@ -236,19 +237,22 @@ impl CoupledSolution {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) for bodies or friction that the solution is not of;
-    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere;
-    /// [`Error::NotConverged`](crate::Error::NotConverged); as [`HalfSpace::operator`]; those of a contact that has yielded
-    /// as [`NormalSolution::stiffness`](crate::NormalSolution::stiffness); [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies or another friction.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - The errors of [`NormalSolution::stiffness`](crate::NormalSolution::stiffness) for a contact that has yielded.
+    /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace, friction: &Friction) -> Result<ContactStiffness> {
         self.stiffness_observed(bodies, friction, unwatched)
     }
 
-    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may cancel.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
+    /// cancel.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &self,
         bodies: &HalfSpace,
@@ -272,7 +276,7 @@ impl CoupledSolution {
     }
 }
 
-/// How approach, shifts along x and y and the twist about the origin move a point.
+/// Returns the displacement of a point by a unit of approach, shift along x, shift along y or twist about the origin.
 fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
     match motion {
         0 => [1.0, 0.0, 0.0],
@@ -283,7 +287,7 @@ fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
 }
 
 impl ContactStiffness {
-    /// Zero of what the model in the plane has.
+    /// Returns zero entries for the vector model.
     fn without_contact(boundary: Boundary, course: &mut LinearSolveContext<'_>) -> Self {
         let (tangential, none) = without_contact(None, boundary, course);
         Self {
@@ -298,7 +302,7 @@ impl ContactStiffness {
     }
 }
 
-/// The stiffness by the loads of each motion.
+/// Returns the stiffness from the loads per unit of each motion.
 fn whole(
     boundary: Boundary,
     loading: &[LoadVector; 4],

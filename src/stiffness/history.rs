@@ -1,4 +1,4 @@
-//! The stiffness of the contact of a history.
+//! Stiffness of the contact of a history.
 
 use std::ops::ControlFlow;
 
@@ -14,21 +14,22 @@ use crate::stiffness::tangential::{LastStep, ShearedContact};
 use crate::stiffness::{ContactStiffness, StiffnessWorkspace};
 
 impl History {
-    /// The stiffness of the contact: normal, tangential on loading and at reversal, and of the tangential load by the
-    /// approach; see [`crate::stiffness`].
+    /// Computes the stiffness of the contact: normal, tangential on loading and at reversal, and the derivatives of the
+    /// tangential loads with respect to the approach; see [`crate::stiffness`].
     ///
-    /// Loading is the derivative of the force of the last step by its motion, the sets held. In the vector model the slip
-    /// of that step adds to the stiffness of cells that slip. The cells that [entered](crate::guide::load_steps) the
-    /// contact in that step follow the motion by a compliance of their own. The [state](Self::state) keeps both, so that
-    /// the stiffness after [`set_state`](Self::set_state) or a restart has the same bits. Cells that come into contact
-    /// during further motion are not included.
+    /// Loading is the derivative of the force of the last step with respect to its motion, at fixed sets. In the vector model the
+    /// slip of that step adds to the stiffness of slipping cells. Cells that [came into contact](crate::guide::load_steps)
+    /// in that step follow the motion with their entry compliance. The [state](Self::state) contains both slip and entry
+    /// compliance, so that the stiffness after [`set_state`](Self::set_state) or a restart is bitwise identical. Cells that come
+    /// into contact during further motion are not included.
     ///
     /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
     /// [`StiffnessWorkspace::next_step`].
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) where a periodic contact is closed everywhere,
-    /// [`Error::NotConverged`](crate::Error::NotConverged), as [`HalfSpace::operator`](crate::HalfSpace::operator).
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]
     #[doc(alias = "tangent")]
@@ -37,11 +38,11 @@ impl History {
         self.stiffness_observed(unwatched)
     }
 
-    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with an operator and may cancel;
-    /// the residual it sees is that of the linear problem under way.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with an operator and may
+    /// cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &self,
         observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
@@ -49,11 +50,11 @@ impl History {
         self.stiffness_with(&mut StiffnessWorkspace::new(), observer)
     }
 
-    /// [`stiffness_observed`](Self::stiffness_observed) in buffers that are kept: after the first time without allocations,
-    /// to its tolerance, with a report.
+    /// Computes the stiffness like [`stiffness_observed`](Self::stiffness_observed), with the tolerance of a workspace. The
+    /// workspace stores the report and the buffers, so that later calls do not allocate.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_with(
         &self,
         workspace: &mut StiffnessWorkspace,
@@ -61,7 +62,7 @@ impl History {
     ) -> Result<ContactStiffness> {
         let (pair, grid) = (self.bodies.pair(), self.grid());
         let memory = self.state.contact.as_ref();
-        // Without contact there is no memory, and in the next step no cell has slipped or entered yet.
+        // Without contact there is no memory of a step. In the next step no cell has slipped or come into contact yet.
         let step = memory.filter(|_| !workspace.is_of_next_step());
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
         let last = LastStep {

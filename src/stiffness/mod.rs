@@ -1,42 +1,41 @@
-//! The stiffness of a contact: how its forces change with its motions, at fixed sets of cells.
+//! Stiffness of a contact: derivatives of its forces with respect to its motions, at fixed sets of cells.
 //!
-//! A multi-body code or a Newton iteration around this crate needs $`dW/d\delta_z`$ and $`dF/d\delta`$. Differences of
-//! solves give them with the noise of the sets, and one-sided ones mix loading with reversal. Here they follow from
-//! linear solves with the operator on the cells of the contact:
+//! A multi-body code or a Newton iteration around this crate needs $`dW/d\delta_z`$ and $`dF/d\delta`$. Finite differences of
+//! solves contain the noise of the sets, and one-sided differences mix loading with reversal. This module computes the
+//! derivatives from linear solves with the operator on the cells of the contact:
 //!
 //! - **normal**: all cells that carry pressure follow a change of the approach;
-//! - **loading**: cells that stick follow a change of the shift, cells that slip stay at their limit. In the scalar model
-//!   that holds their traction; in the vector model it turns, against the stiffness $`|s|/m`$ that slip s under the limit m
-//!   has;
-//! - **reversal**: all cells of the contact stick, as they do at first when the shift goes back;
-//! - **by approach**: the limit of cells that slip follows the pressure, and with it the tangential force, while slip
-//!   continues: where the shift grows in the same step, or the approach decreases. If the bodies are pressed further at a
-//!   held shift, the cells that slipped stick, and the force stays.
+//! - **loading**: sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model their
+//!   traction is constant. In the vector model it turns, against the stiffness $`|s|/m`$ for the slip s and the limit m;
+//! - **reversal**: all cells of the contact stick, as they do initially when the shift reverses;
+//! - **by approach**: the limit of slipping cells follows the pressure while slip continues, and so does the tangential force.
+//!   This holds if the shift grows in the same step, or if the approach decreases. If the bodies are pressed further at a
+//!   constant shift, the cells that slipped stick, and the force stays constant.
 //!
-//! All of that holds the pressure while the bodies are sheared, and the tractions while they are pressed. Histories have
-//! more:
+//! In all these cases the pressure is constant while the bodies are sheared, and the tractions are constant while they are
+//! pressed. Histories add the following:
 //!
-//! - in steps in which the contact grows, cells that entered follow the motion by their [own
-//!   compliance](crate::guide::load_steps): the stiffness is the derivative of the force of the step by the motion at
-//!   its end. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully;
-//! - cells that have reached the hardness carry no more, as long as the bodies are pressed further;
-//! - where pressure moves the surfaces one way, pressing shears;
-//! - where pressure and shear are found together ([coupled](crate::coupled)), they answer each motion together: the normal
-//!   force has a [slope by the shift](ContactStiffness::normal_by_motion). That system is not symmetric, and its
-//!   stiffness has no bound (an infinite one), but the residual of the tolerance.
+//! - in steps in which the contact grows, cells that came into contact follow the motion with their [entry
+//!   compliance](crate::guide::load_steps): the stiffness is the derivative of the force of the step with respect to the
+//!   motion at its end. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully;
+//! - cells at the hardness carry no additional pressure while the bodies are pressed further;
+//! - with one-way coupling, pressing also shears the contact;
+//! - if pressure and shear are [coupled](crate::coupled), both respond to each motion: the normal force has a [derivative with
+//!   respect to the shift](ContactStiffness::normal_by_motion). That system is not symmetric. Its stiffness has no error bound
+//!   (the bound is infinite); only the residual satisfies the tolerance.
 //!
-//! Each is a solution of the [linear problem](crate::cgm) of the engine at its last sets, by bases whose products are of
-//! single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound is that of the
-//! linear problem. The round-off of its double-precision products comes on top, and so do the errors of pressure and
-//! tractions, which change the sets and the slips that it is of.
+//! Each stiffness is a solution of the [linear problem](crate::cgm) of the solver at its final sets. GMRES solves it with
+//! products in single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound applies
+//! to the linear problem. It does not include the round-off of the double-precision products, nor the errors of pressure and
+//! tractions, which change the sets and the slips.
 //!
-//! The halves of a solution of [`CoupledProblem`](crate::CoupledProblem) are refused with
-//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials): [the solution](crate::CoupledSolution::stiffness) has the
-//! stiffness of both.
+//! The two halves of a solution of [`CoupledProblem`](crate::CoupledProblem) return
+//! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials). Use the stiffness of [the whole
+//! solution](crate::CoupledSolution::stiffness) instead.
 //!
-//! The motions are shift along x, shift along y and twist; the loads are the forces and the moment about the origin of
-//! the grid. What a model leaves out is `None`: in the scalar model the motion across its axis and the twist. The matrices
-//! are symmetric.
+//! The motions are the shift along x, the shift along y and the twist; the loads are the forces and the moment about the origin
+//! of the grid. Entries that a model does not have are `None`: in the scalar model the motion across its axis and the twist. The
+//! matrices are symmetric.
 //!
 //! ```
 //! use stickslip::*;
@@ -52,12 +51,12 @@
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! let closed_form = 2.0 * bodies.pair().contact_modulus() * hertz.contact_radius();
 //! assert!((stiffness.normal.value / closed_form - 1.0).abs() < 0.01);
-//! // Half of the load that slides: the slope falls with the radius of the stick zone, and is back at reversal.
+//! // At half of the sliding load the slope falls with the radius of the stick zone, and recovers at reversal.
 //! let along_x = |matrix: [[Option<f64>; 3]; 3]| matrix[0][0].unwrap();
 //! let tangential = stiffness.tangential;
 //! let ratio = along_x(tangential.loading) / along_x(tangential.reversal);
 //! assert!((ratio - 0.5_f64.cbrt()).abs() < 0.01);
-//! // The scalar model along x knows nothing of y.
+//! // The scalar model along x has no entries for y.
 //! assert_eq!(tangential.loading[1][1], None);
 //! // Pressure that grows while slip continues raises the force.
 //! assert!(stiffness.by_approach[0] > Some(0.0));

@@ -1,4 +1,4 @@
-//! The motions of the bodies, as those of the cells of a window.
+//! Motions of the bodies, expressed as displacements of the cells of a window.
 
 use std::array::from_fn;
 
@@ -8,24 +8,24 @@ use crate::numerics::cell_vector::{minus, plus};
 use crate::parallel::layout::Layout;
 use crate::tangential::Axis;
 
-/// Which of shift along x, shift along y and twist a model of tractions along these axes has.
+/// Returns whether a model with tractions along these axes has the shift along x, the shift along y and the twist.
 pub(super) fn kinds(axes: &[Axis], boundary: Boundary) -> [bool; 3] {
     let has = |axis: Axis| axes.contains(&axis);
     let may_turn = axes.len() == 2 && boundary.may_turn();
     [has(Axis::X), has(Axis::Y), may_turn]
 }
 
-/// The motions of a model: shifts, and the twist about the centre of the contact.
+/// Motions of a model: shifts, and the twist about the centre of the contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Motions<const N: usize> {
     axes: [Axis; N],
-    /// Which of shift along x, shift along y and twist the model has.
+    /// Whether the model has the shift along x, the shift along y and the twist.
     has: [bool; 3],
     centre: [f64; 2],
 }
 
 impl<const N: usize> Motions<N> {
-    /// Of a contact whose cells have these centres.
+    /// Creates the motions of a contact whose cells have these centres.
     pub(super) fn new(
         axes: [Axis; N],
         boundary: Boundary,
@@ -42,7 +42,7 @@ impl<const N: usize> Motions<N> {
         }
     }
 
-    /// The kinds of the motions, in their order.
+    /// Returns the indices of the motions that the model has, in order.
     fn kinds(&self) -> impl Iterator<Item = usize> + use<N> {
         let has = self.has;
         (0..3).filter(move |&kind| has[kind])
@@ -52,7 +52,7 @@ impl<const N: usize> Motions<N> {
         self.kinds().count()
     }
 
-    /// How a motion moves a point.
+    /// Returns the displacement of a point by a unit of a motion.
     pub(super) fn at(&self, motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
         let moved = match self.kinds().nth(motion) {
             Some(0) => [1.0, 0.0],
@@ -63,14 +63,15 @@ impl<const N: usize> Motions<N> {
         self.axes.map(|axis| moved[axis.index()])
     }
 
-    /// Loads by the kinds of motions, about the origin of the grid; `None` of those that the model does not have.
+    /// Returns the loads in the order of all motions, about the origin of the grid, and `None` for loads that the model does not
+    /// have.
     pub(super) fn loads(&self, loads: [f64; 3]) -> [Option<f64>; 3] {
         let loads = self.all_loads(loads);
         from_fn(|kind| self.has[kind].then_some(loads[kind]))
     }
 
-    /// A matrix by the kinds of motions, about the origin of the grid; `None` of loads and motions that the model does not
-    /// have.
+    /// Returns the matrix in the order of all motions, about the origin of the grid, and `None` for loads and motions that the
+    /// model does not have.
     pub(super) fn matrix(&self, matrix: &[[f64; 3]; 3]) -> [[Option<f64>; 3]; 3] {
         let matrix = self.full_matrix(matrix);
         from_fn(|load| {
@@ -78,7 +79,7 @@ impl<const N: usize> Motions<N> {
         })
     }
 
-    /// Zero where the model has none.
+    /// Returns the loads in the order of all motions, zero for loads that the model does not have.
     fn all_loads(&self, loads: [f64; 3]) -> [f64; 3] {
         let mut all = [0.0; 3];
         for (kind, load) in self.kinds().zip(loads) {

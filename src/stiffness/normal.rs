@@ -1,4 +1,4 @@
-//! How the pressure of a contact answers the approach.
+//! Response of the pressure of a contact to the approach.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{Interval, Row};
@@ -13,8 +13,8 @@ use crate::stiffness::tangential::{ApproachSensitivity, collect};
 use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::SystemOf;
 
-/// The stiffness, zero without contact, on the window where the contact was found, if that is known; cells at this hardness
-/// carry no more pressure. `growth` becomes by how much the pressures grow for each growth of the approach.
+/// Computes the normal stiffness, zero without contact, on the window in which the contact was solved, if it is known. Cells at
+/// the hardness carry no additional pressure. Sets `growth` to the derivative of the pressures with respect to the approach.
 pub(super) fn press(
     (bodies, found): (&HalfSpace, Option<Window>),
     normal: &NormalSolution,

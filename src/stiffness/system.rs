@@ -1,21 +1,20 @@
-//! The stiffness at fixed sets of cells, from the tractions that answer the motions of the bodies.
+//! Stiffness at fixed sets of cells, from linear solves (GMRES) for the tractions caused by motions of the bodies.
 //!
-//! Cells that stick are free, cells that slip move along a line, all others are fixed. With the projection P onto the
-//! directions that cells may move in, the turning stiffness D and the motions $`b_a`$ of the cells, the tractions
-//! $`y_a`$ that a unit of each motion causes solve $`A\,y_a = P\,b_a`$, $`A = P C P + D`$. D includes the compliance of
-//! cells that entered the contact in the step. The stiffness is $`K_{ab} = b_a' P A^{-1} P\,b_b`$. With the residuals
-//! $`r_a = P\,b_a - A\,y_a`$ and the errors $`e_a = A^{-1} r_a`$ of the tractions,
+//! Sticking cells are free, slipping cells move along a line, and all other cells are fixed. Let P be the projection onto the
+//! admissible directions of the cells, D the stiffness against rotation of the tractions, and $`b_a`$ the motions of the cells. D
+//! also contains the entry compliance of cells that came into contact in the step. The tractions $`y_a`$ caused by a unit of each
+//! motion solve $`A\,y_a = P\,b_a`$ with $`A = P C P + D`$. The stiffness is $`K_{ab} = b_a' P A^{-1} P\,b_b`$. With the
+//! residuals $`r_a = P\,b_a - A\,y_a`$ and the errors $`e_a = A^{-1} r_a`$ of the tractions,
 //!
 //! ```math
 //! K_{ab} = y_a' A\,y_b + y_a' r_b + r_a' y_b + e_a' A\,e_b .
 //! ```
 //!
-//! The last term is left out. It is at most $`\epsilon_a \epsilon_b`$ with $`\epsilon_a^2 = e_a' A\,e_a = e_a' r_a`$.
+//! The last term is neglected. Its magnitude is at most $`\epsilon_a \epsilon_b`$ with $`\epsilon_a^2 = e_a' A\,e_a = e_a' r_a`$.
 //! No matrix of loads is inverted, so that nearly parallel motions lose no accuracy.
 //!
-//! The least eigenvalue $`\lambda`$ of C may hold among tractions without mean only, as on periodic grids. The sums of
-//! the errors follow from the shifts c, whose motions are constant:
-//! $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n cells that move,
+//! The least eigenvalue $`\lambda`$ of C may be valid only for tractions without mean, as on periodic grids. The sums of the
+//! errors follow from the shifts c, whose motions are constant: $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n moving cells,
 //!
 //! ```math
 //! |e_a|^2 \le \frac{\epsilon_a^2}{\lambda} + \frac{1}{n} \sum_c (|y_c' r_a| + \epsilon_c \epsilon_a)^2
@@ -29,7 +28,7 @@
 //! \epsilon_a^2 \le |r_a|^2 \Bigl(\frac{1}{\lambda} + \frac{2}{n} \sum_c \epsilon_c^2\Bigr) + |r_a| \tau_a .
 //! ```
 //!
-//! The sum over the shifts bounds $`\sum_c \epsilon_c^2`$ first.
+//! Summing over the shifts first gives a bound of $`\sum_c \epsilon_c^2`$.
 
 use crate::cgm::reduce::{self, larger};
 use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row};
@@ -46,32 +45,32 @@ use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::get_or_create;
 use crate::tangential::CouplingDisplacement;
 
-/// Relative bound that a stiffness must have, unless its tolerance is wider.
+/// Maximum relative bound of an accepted stiffness, unless the tolerance is larger.
 const ALLOWED: f64 = 1e-10;
 
-/// A vector of `N` components a cell.
+/// A vector of `N` components per cell.
 pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 
-/// The operator on a window, what its cells may do, and the buffers of the linear problem.
+/// Operator on a window, admissible motions of its cells, and buffers of the linear problem.
 #[derive(Debug)]
 pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
     linear: LinearWorkspace<R, N>,
-    /// Compliance that cells have of their own beside the operator; of no cells where none has.
+    /// Entry compliance of the cells; empty if no cell has one.
     own: Vec<f64>,
     columns: [ResponseColumn<N>; 3],
-    /// Number of cells that move, of all ranks.
+    /// Number of moving cells on all ranks.
     moving: f64,
     restricted: Vec<[f64; N]>,
-    /// Tractions that are forced upon cells, and what they displace.
+    /// Tractions imposed on cells, and their displacement.
     pub(super) forced: Vector<N>,
     pub(super) displacement: Vector<N>,
-    /// How pressure moves the surfaces tangentially, once that is asked for.
+    /// Tangential displacement by the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
 }
 
-/// A solution of `A y = P b` of the unknowns of the cells that move.
+/// Solution of `A y = P b` for the unknowns of the moving cells.
 #[derive(Debug, Default)]
 struct ResponseColumn<const N: usize> {
     right: Vec<[f64; N]>,
@@ -80,22 +79,22 @@ struct ResponseColumn<const N: usize> {
     left: Vec<[f64; N]>,
 }
 
-/// Forces by motions at fixed sets, each cell with the area one.
+/// Derivatives of forces with respect to motions at fixed sets, for cells of unit area.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     pub(super) matrix: [[f64; 3]; 3],
-    /// No entry is further off than this times the root of the product of the two on the diagonal.
+    /// Bound of the errors: no entry has a larger error than this times the root of the product of the two diagonal entries.
     pub(super) bound: f64,
 }
 
-/// Motions of the cells, of which there are three at most: as many shifts as a cell has components, then the others.
+/// Motions of the cells, at most three: one shift per component of a cell first, then other motions.
 pub(super) struct CellMotions<F> {
     pub(super) count: usize,
     pub(super) of_cell: F,
 }
 
 impl<R: Row<N>, const N: usize> System<R, N> {
-    /// That of a window, in the buffers there are if they are of it.
+    /// Returns the system for a window, reusing the existing buffers if they belong to it.
     pub(super) fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,
@@ -122,8 +121,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         })
     }
 
-    /// Takes what each cell may do, and has of its own; of no cells where none has. Refuses cells that repeat and are all free:
-    /// they resist a common motion without limit.
+    /// Sets the admissible motions of the cells and their entry compliance, which is empty if no cell has one. Rejects a periodic
+    /// contact whose cells are all free: it resists a common motion without limit.
     pub(super) fn hold(
         &mut self,
         boundary: Boundary,
@@ -145,7 +144,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         self.linear.hold(row)
     }
 
-    /// How far a unit traction displaces its own cell.
+    /// Returns the displacement of a cell under a unit traction on it.
     pub(super) fn self_compliance(&self) -> f64 {
         self.compliance.operator.self_compliance()
     }
@@ -172,7 +171,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         }
         let matrix = self.matrix(motions.count);
         let bound = self.bound(motions.count, &matrix);
-        // The bound decides, wherever round-off has left the residuals.
+        // The bound decides, even if round-off keeps the residuals above the tolerance.
         course.require_eigenvalue_bound(self.compliance.operator.eigenvalue_bound());
         course.report.status = if bound <= ALLOWED.max(course.tolerance) {
             Status::Converged
@@ -183,7 +182,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(Stiffness { matrix, bound })
     }
 
-    /// Computes `y' A y + y' r + r' y`, with `A y + r = P b` as the mean of `y' P b + r' y` and its transpose.
+    /// Computes `y' A y + y' r + r' y`, with `A y + r = P b`, as the mean of `y' P b + r' y` and its transpose.
     fn matrix(&self, count: usize) -> [[f64; 3]; 3] {
         let half = self.table(count, |one, two| {
             self.linear.product(&one.y, &two.right) + self.linear.product(&one.left, &two.y)
@@ -196,7 +195,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         let residuals = self.table(count, |one, two| self.linear.product(&one.left, &two.left));
         let sums = self.table(count, |one, two| self.linear.product(&one.y, &two.left));
         let (least, cells) = (self.compliance.operator.lower_bound(), self.moving.max(1.0));
-        // |r|^2 / lambda + |r| tau of a motion.
+        // Bound |r|^2 / lambda + |r| tau for one motion.
         let plain = |a: usize| {
             let sums = [0, 1, 2].map(|c| if c < N { sums[c][a] } else { 0.0 });
             let square = residuals[a][a];
@@ -219,7 +218,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         (0..count).fold(0.0, |largest, a| larger(largest, relative(a)))
     }
 
-    /// Computes a number of every two of the first columns, and zero of the others.
+    /// Computes one number for each pair of the first `count` columns, and zero for other pairs.
     fn table(
         &self,
         count: usize,
@@ -235,7 +234,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         [0, 1, 2].map(|a| [0, 1, 2].map(|b| entry(a, b)))
     }
 
-    /// Returns the tractions of all cells under a unit of the first motion.
+    /// Returns the tractions of all cells per unit of the first motion.
     pub(super) fn unit(&mut self) -> [&[f64]; N] {
         for part in &mut self.forced {
             part.fill(0.0);
@@ -249,7 +248,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         slices(&self.forced)
     }
 
-    /// The displacement that the forced tractions cause.
+    /// Computes the displacement caused by the imposed tractions.
     pub(super) fn displace(&mut self, course: &mut LinearSolveContext<'_>) -> Result<()> {
         course.notify_observer(&self.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
@@ -257,7 +256,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(())
     }
 
-    /// Adds the displacement that pressures of the window cause.
+    /// Adds the displacement caused by pressures on the window.
     pub(super) fn draw(
         &mut self,
         make: impl FnOnce() -> Result<CouplingDisplacement>,
@@ -270,7 +269,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         let drawing = get_or_create(&mut self.drawing, |_| true, make)?;
         let mut parts = self.displacement.iter_mut();
         drawing.displace(pressures, |_, drawn| {
-            // The axes of both are the same, in order.
+            // Both have the same axes in the same order.
             for (u, drawn) in parts.next().into_iter().flatten().zip(drawn) {
                 *u += drawn;
             }
@@ -278,7 +277,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(())
     }
 
-    /// Computes the loads of the first motions while these are held and forced tractions displace the cells.
+    /// Computes the loads of the first motions, with the motions held at zero, caused by the imposed tractions.
     pub(super) fn reaction(&mut self, count: usize) -> Result<[f64; 3]> {
         let displacement = slices(&self.displacement);
         let displaced = |cell: usize| at(&displacement, cell);
@@ -297,7 +296,7 @@ fn transposed(matrix: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
     Small(*matrix).transposed().0
 }
 
-/// `A B`.
+/// Returns `A B`.
 pub(super) fn times(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let columns = transposed(b);
     a.map(|row| columns.map(|column| dot(row, column)))

@@ -1,4 +1,4 @@
-//! The tangential stiffness of a contact, and its loads by the approach.
+//! Tangential stiffness of a contact, and derivatives of its loads with respect to the approach.
 
 use crate::cgm::{Ball, CellMotion, LinearisedSet, NormBound, Row, reduce};
 use crate::error::Result;
@@ -17,33 +17,33 @@ use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::{Buffers, SystemOf};
 use crate::tangential::{Axis, CouplingDisplacement, Zone, centre};
 
-/// The set of what friction holds of `N` tractions.
+/// Friction set of `N` traction components.
 type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 
-/// The stiffness, and the loads by the approach.
+/// The stiffness, and the derivatives of the loads with respect to the approach.
 type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
-/// What is known of a sheared contact.
+/// Data of a sheared contact.
 pub(crate) struct ShearedContact<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
     pub(crate) last: LastStep<'a>,
-    /// Where it was found, if that is known.
+    /// Window in which the contact was solved, if known.
     pub(crate) window: Option<Window>,
 }
 
-/// Slip and entering cells of the last step, on the cells of a window that this rank stores.
+/// Slip and entry compliance of the last step, on the local cells of a window.
 #[derive(Clone, Copy)]
 pub(crate) struct LastStep<'a> {
     pub(crate) window: Window,
-    /// Slip of the step; of no cells along axes on which it has no influence.
+    /// Slip of the step; empty along axes on which it has no influence.
     pub(crate) slip: [&'a [f64]; 2],
-    /// Compliance of their own of the cells that entered the contact in the step; of no cells where none did.
+    /// Entry compliance of the cells that came into contact in the step; empty if there are none.
     pub(crate) entered: &'a [f64],
 }
 
 impl<'a> LastStep<'a> {
-    /// A step from rest, of all cells.
+    /// Creates the data of a step from rest on the whole grid.
     pub(crate) fn from_rest(grid: Grid, slip: [&'a Field; 2]) -> Self {
         Self {
             window: Window::whole(grid).held(grid),
@@ -52,17 +52,18 @@ impl<'a> LastStep<'a> {
         }
     }
 
-    /// Returns the value of a vector in a cell of the grid, zero if the vector has no such cell.
+    /// Returns the value of a vector in a cell of the grid, or zero if the vector has no such cell.
     fn of(&self, part: &[f64], cell: usize) -> f64 {
         let value = self.window.place(cell).and_then(|place| part.get(place));
         value.copied().unwrap_or(0.0)
     }
 }
 
-/// The same of the cells of a window that are solved here, and what the approach changes in them for each unit.
+/// Sensitivity to the approach: changes of the cells per unit of approach, and the data of the contact on the local cells of a
+/// window.
 #[derive(Debug, Default)]
 pub(super) struct ApproachSensitivity {
-    /// Of the pressures of the cells of the grid held here.
+    /// Change of the pressures of the local cells of the grid.
     pub(super) pressure: Vec<f64>,
     /// One in cells whose pressure follows the approach, else zero.
     pub(super) follows: Vec<f64>,
@@ -71,18 +72,18 @@ pub(super) struct ApproachSensitivity {
 
 #[derive(Debug, Default)]
 struct Cells {
-    /// Zero of cells apart, one of those that stick, two of those that slip.
+    /// Zero in separated cells, one in sticking cells, two in slipping cells.
     zone: Vec<f64>,
     traction: [Vec<f64>; 2],
     slip: [Vec<f64>; 2],
     entered: Vec<f64>,
-    /// Growth of the friction limit, of the pressure over itself, and of the pressure.
+    /// Changes of the friction limit, of the pressure relative to itself, and of the pressure.
     limit: Vec<f64>,
     relative: Vec<f64>,
     pressure: Vec<f64>,
 }
 
-/// Writes what `of` says of the cells of the grid held here to those of the region.
+/// Copies the values of `of` for the local cells of the grid to the cells of the region.
 pub(super) fn collect(
     region: &Region,
     of: impl Fn(usize) -> f64,
@@ -139,7 +140,7 @@ impl Cells {
         axes.map(|axis| self.traction[axis.index()][cell])
     }
 
-    /// How a cell moves while the contact sticks; what carries nothing at its limit never does.
+    /// Returns the motion of a cell while the contact sticks. A cell at a zero limit never sticks.
     fn sticking<R: Row<N>, const N: usize>(&self, cell: usize) -> R {
         let is_idle = self.traction.iter().all(|part| part[cell] == 0.0);
         if !self.touches(cell) || self.slips(cell) && is_idle {
@@ -149,7 +150,8 @@ impl Cells {
         }
     }
 
-    /// How a cell moves while slip continues: one that slips not at all along one axis, in the plane it turns.
+    /// Returns the motion of a cell while slip continues. A slipping cell is fixed in the scalar model and turns in the vector
+    /// model.
     fn slipping<const N: usize>(
         &self,
         axes: [Axis; N],
@@ -171,7 +173,7 @@ impl Cells {
         turning.with_preconditioner_weight(self_compliance, self.entered[cell])
     }
 
-    /// Forces upon cells that slip the tractions by which their limits grow.
+    /// Imposes on slipping cells the change of traction by the change of their limits.
     fn force<R, const N: usize>(&self, axes: [Axis; N], system: &mut System<R, N>) {
         for cell in 0..self.zone.len() {
             let q = self.traction(axes, cell);
@@ -187,7 +189,7 @@ impl Cells {
         }
     }
 
-    /// Adds what cells displace themselves: a compliance of its own falls as the pressure grows.
+    /// Adds the displacement of cells by their entry compliance, which decreases as the pressure grows.
     fn add_own<R, const N: usize>(&self, axes: [Axis; N], system: &mut System<R, N>) {
         for (cell, &own) in self
             .entered
@@ -202,7 +204,7 @@ impl Cells {
         }
     }
 
-    /// The stiffness against tractions along these axes.
+    /// Computes the stiffness for tractions along these axes.
     fn along<const N: usize>(
         &self,
         (bodies, region): (&HalfSpace, &Region),
@@ -231,7 +233,7 @@ impl Cells {
             reversal = Some(system.stiffness(&of_cells, course)?);
         }
         let self_compliance = system.self_compliance();
-        // Where no rank has cells that entered, none has a compliance of its own.
+        // If no rank has cells that came into contact, no cell has an entry compliance.
         let has_own = reduce::any(region.layout(), |cell| self.entered[cell] > 0.0);
         let own = if has_own { &*self.entered } else { &[] };
         system.hold(
@@ -273,8 +275,8 @@ impl Cells {
 }
 
 impl ShearedContact<'_> {
-    /// The stiffness; and the loads by the approach, if the pressed contact is given, whose pressures grow as the buffers
-    /// say.
+    /// Computes the stiffness. If the pressed contact is given, also computes the derivatives of the loads with respect to the
+    /// approach, from the change of the pressures in the buffers.
     pub(super) fn stiffness(
         &self,
         bodies: &HalfSpace,

@@ -1,4 +1,4 @@
-//! What a stiffness is found in, again and again.
+//! Reusable buffers for computing stiffnesses.
 
 use std::ops::ControlFlow;
 
@@ -14,14 +14,14 @@ use crate::stiffness::coupled::CoupledBuffers;
 use crate::stiffness::system::System;
 use crate::stiffness::tangential::ApproachSensitivity;
 
-/// The system of a kind of set.
+/// The system for one kind of set.
 pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
-/// Buffers, tolerance and report of stiffnesses that are found one after the other.
+/// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
 ///
-/// The first stiffness allocates; further ones of contacts on the same bodies, found in a window of the same size, do not once
-/// one has had as many cells and steps, and their operators are made once. A Newton iteration around a
-/// [`History`](crate::History) holds one.
+/// Create one workspace for a Newton iteration around a [`History`](crate::History). The first stiffness allocates and creates
+/// the operators. Later stiffnesses reuse both if the contact is on the same bodies and was solved in a window of the same size;
+/// they allocate only for more cells or steps than before.
 ///
 /// ```
 /// use stickslip::stiffness::StiffnessWorkspace;
@@ -32,7 +32,7 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 /// let ball = surface::sphere(grid, 20.0)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.4)?).build()?;
 /// history.step(&LoadStep::hold().normal(NormalControl::Approach(0.5)))?;
-/// // What a step that presses on needs: without the second set of cells.
+/// // A step that presses further does not need the second set of cells.
 /// let mut workspace = StiffnessWorkspace::new().reversal(false);
 /// let slope = history.stiffness_with(&mut workspace, |_| std::ops::ControlFlow::Continue(()))?;
 /// assert_eq!(slope.tangential.reversal[0][0], None);
@@ -52,7 +52,7 @@ pub struct StiffnessWorkspace {
     buffers: Buffers,
 }
 
-/// The buffers of each kind of contact, from its first stiffness on.
+/// Buffers of each kind of contact, created with its first stiffness.
 #[derive(Debug, Default)]
 pub(super) struct Buffers {
     pub(super) normal: Option<SystemOf<Interval, 1>>,
@@ -76,24 +76,24 @@ impl Default for StiffnessWorkspace {
 }
 
 impl StiffnessWorkspace {
-    /// Without buffers yet.
+    /// Creates a workspace without buffers.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// With a relative residual at which the linear problems count as solved (default: 1e-11). The error of a stiffness is
-    /// of the order of its square.
+    /// Sets the relative residual at which the linear problems count as solved (default: 1e-11). The error of a stiffness is of
+    /// the order of its square.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// - [`Error::NotPositive`] if the tolerance is not positive.
     pub fn tolerance(mut self, tolerance: f64) -> Result<Self> {
         self.tolerance = positive("tolerance", tolerance)?;
         Ok(self)
     }
 
-    /// With or without the stiffness at reversal, which is half of the cost (default: with); without it its entries are
-    /// `None`.
+    /// Sets whether to compute the stiffness at reversal (default: yes). Without it the cost is halved, and the entries at
+    /// reversal are `None`.
     #[must_use]
     pub fn reversal(mut self, has_reversal: bool) -> Self {
         self.has_reversal = has_reversal;
@@ -103,15 +103,14 @@ impl StiffnessWorkspace {
     /// Sets whether a history returns the stiffness of its next step instead of the stiffness of its last step (default:
     /// the last step).
     ///
-    /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the
-    /// motion of a next step that starts from the present state. Cells that stick resist fully, also cells that came into
-    /// contact in the last step. Cells at their limit continue to slip: in the scalar model they keep their traction, in the
-    /// vector model it can turn freely. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) follows from the
-    /// same cells.
+    /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the motion
+    /// of a next step that starts from the current state. Sticking cells resist fully, including cells that came into contact in
+    /// the last step. Cells at their limit continue to slip: in the scalar model they keep their traction, in the vector model
+    /// their traction can turn freely. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
     ///
-    /// A host that shears the contact in its next step under the same normal load needs this stiffness. Where [pressure and
-    /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach: subtract
-    /// `by_approach` times `normal_by_motion` over the normal stiffness for a constant normal force.
+    /// A simulation that shears the contact in its next step under the same normal load needs this stiffness. If [pressure and
+    /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach. For a constant normal force,
+    /// subtract `by_approach` times `normal_by_motion` over the normal stiffness.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -126,7 +125,7 @@ impl StiffnessWorkspace {
     ///
     /// let mut workspace = StiffnessWorkspace::new().next_step(true);
     /// let next = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()))?.tangential;
-    /// // All cells stick. In the step that pressed they entered the contact, and followed its motion in part.
+    /// // All cells stick. In the pressing step they came into contact and followed its motion only in part.
     /// let [loading, reversal] = [next.loading, next.reversal].map(|matrix| matrix[0][0].unwrap_or(0.0));
     /// assert!((loading / reversal - 1.0).abs() < 1e-9);
     /// assert!(history.stiffness()?.tangential.loading[0][0] < Some(0.8 * loading));
@@ -138,25 +137,25 @@ impl StiffnessWorkspace {
         self
     }
 
-    /// Returns whether the stiffness is that of the next step.
+    /// Returns whether the workspace computes the stiffness of the next step.
     pub(crate) fn is_of_next_step(&self) -> bool {
         self.is_of_next_step
     }
 
-    /// How the last stiffness was found: steps and products of all linear problems together, residual and status of the
-    /// last; the time is not taken.
+    /// Returns the report of the last stiffness: steps and products of all linear problems together, and residual and status of
+    /// the last problem. The time is not measured.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// `Ok` if all ranks ask for the same.
+    /// Checks that all ranks use the same settings.
     pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
         let settings = (self.tolerance, self.has_reversal, self.is_of_next_step);
         bodies.collective_result_checked(Ok(()), &[("settings of the stiffness", &settings)])
     }
 
-    /// Begins another stiffness.
+    /// Starts a new stiffness.
     pub(super) fn begin<'a>(
         &'a mut self,
         observer: Observer<'a>,
@@ -172,7 +171,7 @@ impl StiffnessWorkspace {
     }
 }
 
-/// What is in a slot, if it is the one that is asked for, else what `make` makes.
+/// Returns the value in a slot if it is the required one, else stores and returns the value of `make`.
 pub(super) fn get_or_create<T>(
     slot: &mut Option<T>,
     is_own: impl Fn(&T) -> bool,
@@ -182,17 +181,17 @@ pub(super) fn get_or_create<T>(
     Ok(slot.insert(own))
 }
 
-/// What is asked of the solves, and their report.
+/// Settings of the solves, and their report.
 pub(super) struct LinearSolveContext<'a> {
     pub(super) tolerance: f64,
-    /// Whether the stiffness at reversal is asked for too.
+    /// Whether to compute the stiffness at reversal.
     pub(super) has_reversal: bool,
     pub(super) report: &'a mut Report,
     pub(super) observer: Observer<'a>,
 }
 
 impl LinearSolveContext<'_> {
-    /// Finds the unknowns that answer a right side, to the tolerance or to where round-off leaves them.
+    /// Solves for a right side, to the tolerance or to the round-off limit.
     pub(super) fn respond<R: Row<N>, const N: usize>(
         &mut self,
         held: &FixedSetSystem<'_, N>,
@@ -212,7 +211,7 @@ impl LinearSolveContext<'_> {
         })
     }
 
-    /// A bound rests on an eigenvalue known so, beside those found before.
+    /// Records the origin of the eigenvalue behind a bound, and keeps the least reliable one so far.
     pub(super) fn require_eigenvalue_bound(&mut self, known: EigenvalueBound) {
         let report = &mut *self.report;
         report.eigenvalue_bound = match report.eigenvalue_bound {
@@ -221,7 +220,7 @@ impl LinearSolveContext<'_> {
         };
     }
 
-    /// `Ok` if the last solve has come to the tolerance, and not only to where round-off leaves it.
+    /// Returns an error unless the last solve reached the tolerance; a stop at the round-off limit does not count.
     pub(super) fn check_solved(&self) -> Result<()> {
         if self.report.is_converged() {
             Ok(())
@@ -230,13 +229,13 @@ impl LinearSolveContext<'_> {
         }
     }
 
-    /// Nothing is to be solved.
+    /// Marks the report as converged without a solve.
     pub(super) fn finish_at_once(&mut self) {
         self.report.status = Status::Converged;
         self.report.residual = 0.0;
     }
 
-    /// Asks the observer, the same of all ranks, before a product beside the solves, and counts it.
+    /// Calls the observer, with the same decision on all ranks, before a product outside the solves, and counts the product.
     pub(super) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
         let report = &mut *self.report;
         let shown = Iteration {

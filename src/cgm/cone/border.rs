@@ -1,4 +1,5 @@
-//! The totals beside the cells: how changes of the multipliers spread, and which of them keep the totals.
+//! Border of the linear system of a semismooth Newton step: the spread of the multipliers over the cells, and their changes that
+//! keep the totals.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
@@ -10,16 +11,16 @@ use crate::cgm::{Total, reduce};
 use crate::numerics::cell_vector::{dot, norm, slices};
 use crate::parallel;
 
-/// Part of the mobility along an axis below which cells that all slip cannot carry a change along it.
+/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along it.
 const LEAST_TURN: f64 = 1e-13;
-/// Times that all cells of a contact that cannot turn are made to stick.
+/// Number of times that all cells of a contact whose tractions cannot turn are set to stick.
 const TRIALS: usize = 2;
 
-/// The cells that slip least of those that could carry more of what is missing.
+/// Selection of the least slipping cells among those that could carry more of the deficit.
 #[derive(Debug, Clone, Copy)]
 struct NearestToStick {
     missing: [f64; 2],
-    /// The most that they slip.
+    /// Maximum slip of the selected cells.
     most: f64,
 }
 
@@ -29,7 +30,7 @@ impl NearestToStick {
     }
 }
 
-/// How far a cell slips whose traction points against what is missing.
+/// Returns the slip of a cell whose traction points against the deficit, else `None`.
 fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
     match law.kind {
         CellKind::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
@@ -38,7 +39,7 @@ fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> O
 }
 
 impl<F: Cone> ConeRun<'_, '_, F> {
-    /// Finds how changes of the multipliers spread; the totals that no cell can change have no part in it.
+    /// Determines the spread of the multipliers. Totals that no cell can change are inactive.
     pub(super) fn border(&mut self) -> Border<N> {
         let (totals, mut border) = (self.problem.totals, Border::NONE);
         for a in (0..N).filter(|&a| totals[a] != Total::Free) {
@@ -54,14 +55,14 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         border
     }
 
-    /// What is missing of the totals.
+    /// Returns the deficit of the totals.
     pub(super) fn missing(&self) -> [f64; N] {
         let sums = sums_of(self.problem.layout, &slices(&self.x));
         let multiplier = self.workspace.multiplier;
         std::array::from_fn(|c| self.problem.totals[c].missing(sums[c][0], multiplier[c]))
     }
 
-    /// The multipliers of springs follow what the tractions have become.
+    /// Updates the multipliers of the springs to the current tractions.
     pub(super) fn hold_springs(&mut self) {
         let sums = sums_of(self.problem.layout, &slices(&self.x));
         let multiplier = &mut self.workspace.multiplier;
@@ -72,8 +73,8 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         }
     }
 
-    /// Where all cells in contact are at their hardness and a normal force is prescribed, their pressures may move: else
-    /// nothing would change the approach.
+    /// Releases the pressures if all cells in contact are at their hardness and a normal force is prescribed. Otherwise the
+    /// approach could not change.
     pub(super) fn free_hardness_cells(&mut self) {
         if self.problem.totals[0] == Total::Free {
             return;
@@ -90,8 +91,8 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         }
     }
 
-    /// Where all cells slip the same way and tangential sums are prescribed, they stick: turning alone could not carry
-    /// a change along that way.
+    /// Sets slipping cells to stick if all cells slip in the same direction and tangential sums are prescribed: rotation of the
+    /// tractions alone could not carry a change along that direction.
     pub(super) fn restore_stick(&mut self) {
         let totals = self.problem.totals;
         let w = &*self.workspace;
@@ -101,7 +102,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         });
         let [[xx, xy], [_, yy]] = mobility;
         let (has_sum, all) = (totals.map(|total| total.sum().is_some()), xx + yy);
-        // About the least part of a change along any way that is prescribed, times `all`.
+        // Estimate of the least part of a change along any prescribed direction, times `all`.
         let least = match has_sum {
             [_, true, true] => xx * yy - xy * xy,
             [_, true, false] => xx * all,
@@ -124,8 +125,8 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         });
     }
 
-    /// Once it has not helped that all cells stick: the slipping cells that could carry more of what is missing, and of
-    /// these those that slip least.
+    /// Selects the least slipping cells among those that could carry more of the deficit, once letting all cells stick has not
+    /// helped. Returns `None` before that, or if there is no such cell.
     fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;

@@ -1,30 +1,30 @@
-//! How a cell of the cone moves: apart, without friction, sticking or slipping.
+//! State of a cell of the friction cone in the semismooth Newton method: apart, frictionless, sticking or slipping.
 
 use crate::cgm::cone::{Cone, N};
 use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
 use crate::numerics::cell_vector::{dot, norm, plus};
 
-/// How a cell may move, in the linear system of a step.
+/// State of a cell in the linear system of a step.
 ///
-/// Its unknowns are the changes of the pressure and of the traction: of both components where it sticks, along the
-/// circle of its limit where it slips, where the limit follows the pressure.
+/// Its unknowns are the changes of the pressure and of the traction. A sticking cell has both components of the traction; a
+/// slipping cell has the component along the circle of its limit, which follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ConeCellState {
     pub(super) kind: CellKind,
-    /// Whether the cell is at its hardness: its pressure stays.
+    /// Whether the cell is at its hardness and its pressure is fixed.
     pub(super) is_held: bool,
-    /// What the preconditioner makes of its tangential residual.
+    /// Weight of the tangential residual in the preconditioner.
     weight: Weight,
     pub(super) lag: EntryLag,
 }
 
-/// How a cell that enters the contact lags behind its motion: by $`\kappa g\,q/p`$ from a gap g.
+/// Lag of a cell that comes into contact in the step: $`\kappa g\,q/p`$ for a gap g.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EntryLag {
-    /// $`\kappa g/p`$, the mean of all directions; zero where the cell does not enter.
+    /// Mean of the entry compliance $`\kappa g/p`$ over all directions; zero if the cell does not come into contact.
     pub(super) own: f64,
-    /// The rest of it: `[a, b]` of the matrix of the rows `[a, b]` and `[b, -a]`.
+    /// Deviatoric part of the entry compliance: `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`.
     pub(super) deviator: [f64; 2],
     /// Traction over pressure, $`q/p`$.
     pub(super) ratio: [f64; 2],
@@ -38,33 +38,33 @@ impl EntryLag {
     };
 }
 
-/// How a cell of the cone stands.
+/// Contact state of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum CellKind {
-    /// Apart.
+    /// The cell is apart from the other body.
     Open,
-    /// In contact, and carries no shear.
+    /// The cell is in contact and carries no shear.
     Frictionless,
-    /// In contact, and moves with the other body.
+    /// The cell is in contact and moves with the other body.
     Stick,
-    /// In contact at its limit.
+    /// The cell is in contact and slips at its friction limit.
     Slip(Slip),
 }
 
-/// A cell at its limit.
+/// State of a slipping cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Slip {
-    /// Direction of the traction.
+    /// Unit direction of the traction.
     pub(super) normal: [f64; 2],
-    /// The limit, and how it grows with the pressure.
+    /// Friction limit and its derivative with respect to the pressure.
     limit: f64,
     slope: f64,
-    /// Slip over the limit: what the curvature of the circle adds to the stiffness.
+    /// Slip over the limit: the stiffness added by the curvature of the circle.
     stiffness: f64,
 }
 
 impl Slip {
-    /// Along a direction of length one; the rest is [measured](ConeCellState::measured).
+    /// Creates a slipping state along a unit direction; the other fields are [measured](ConeCellState::measured).
     fn along(normal: [f64; 2]) -> CellKind {
         CellKind::Slip(Self {
             normal,
@@ -79,23 +79,23 @@ impl Slip {
     }
 }
 
-/// What a change of sets is decided by.
+/// Thresholds for a change of state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Noise {
-    /// An overlap that is round-off of the inner solution.
+    /// Overlap that counts as round-off of the inner solution.
     pub(super) gap: f64,
-    /// A slip along the traction that is.
+    /// Slip along the traction that counts as round-off of the inner solution.
     pub(super) slip: f64,
-    /// By how much a cell that touches lags, for each traction over pressure.
+    /// Lag of a cell that touches, per ratio of traction to pressure.
     pub(super) lag: f64,
-    /// The largest pressure of the cell.
+    /// Maximum pressure of the cell.
     pub(super) hardness: f64,
 }
 
-/// Relative distance from the limit within which a traction is at it.
+/// Relative distance from the limit within which a traction counts as at the limit.
 const RIM: f64 = 1e-12;
 
-/// A traction `size` in the direction of `v`, which is not zero.
+/// Returns a traction of length `size` in the direction of `v`, which must not be zero.
 fn along(v: [f64; 2], size: f64) -> [f64; 2] {
     let scale = size / norm(v);
     v.map(|v| v * scale)
@@ -113,7 +113,7 @@ impl ConeCellState {
         }
     }
 
-    /// At the tractions of a start.
+    /// Returns the state for the tractions of a start.
     pub(super) fn of([p, x, y]: [f64; N], limit: f64, hardness: f64) -> Self {
         let q = [x, y];
         let kind = if p <= 0.0 {
@@ -128,13 +128,13 @@ impl ConeCellState {
         Self::new(kind, p > 0.0 && p >= hardness)
     }
 
-    /// Whether the cell moves as under another law.
+    /// Returns whether the cell moves as in another state.
     pub(super) fn is_like(self, other: Self) -> bool {
         let [now, then] = [self, other].map(|law| (law.moves(), law.is_free(), law.is_held));
         now == then
     }
 
-    /// The same but slip, which becomes stick.
+    /// Returns the state with slip replaced by stick.
     pub(super) fn stuck(self) -> Self {
         match self.kind {
             CellKind::Slip(_) => Self {
@@ -145,12 +145,12 @@ impl ConeCellState {
         }
     }
 
-    /// The change of the pressure, or the equation of the gap: nothing where the pressure stays.
+    /// Returns the change of the pressure or the equation of the gap, or zero if the pressure is fixed.
     fn pressed(self, value: f64) -> f64 {
         if self.is_held { 0.0 } else { value }
     }
 
-    /// What the cell can do of a uniform motion, a matrix of x and y.
+    /// Returns the part of a uniform motion that the cell can follow, a matrix of x and y.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self.kind {
             CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
@@ -162,8 +162,8 @@ impl ConeCellState {
         }
     }
 
-    /// With limit, slope and stiffness at slip `s`; limits below `least` have the stiffness of that. The last is how far a
-    /// unit traction displaces its own cell.
+    /// Returns the state with limit, slope and stiffness at slip `s`. A limit below `least` is replaced by `least` in the
+    /// stiffness. `self_compliance` is the displacement of a cell under a unit traction on it.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],
@@ -185,8 +185,8 @@ impl ConeCellState {
         self
     }
 
-    /// How a cell moves next, and where it stands, after the linear system has left it at the tractions `x` with gap
-    /// and slip `r`.
+    /// Returns the next state of a cell and its projected tractions, after the linear system has left it at the tractions `x`
+    /// with gap and slip `r`.
     pub(super) fn next(
         self,
         cell: usize,
@@ -203,7 +203,7 @@ impl ConeCellState {
         if x[0] < 0.0 {
             return (Self::OPEN, [0.0; N]);
         }
-        // A gap that opens at the hardness asks for less pressure.
+        // A gap that opens at the hardness requires a lower pressure.
         let is_held = if self.is_held {
             r[0] <= noise.gap
         } else {
@@ -231,7 +231,7 @@ impl ConeCellState {
                     let q = if size > 0.0 { along(q, size) } else { [0.0; 2] };
                     return carrying(CellKind::Stick, q);
                 }
-                // At most an eighth of a turn.
+                // Limits the rotation to an eighth of a turn.
                 let size = limit.max(slip.limit);
                 let turned = if size > 0.0 { dot(t, q) / size } else { 0.0 };
                 let turned = turned.clamp(-1.0, 1.0);
@@ -325,7 +325,7 @@ impl Row<N> for ConeCellState {
 }
 
 impl CellKind {
-    /// What becomes of a cell that is apart.
+    /// Returns the next state of a cell that is apart.
     fn entered(cell: usize, r: [f64; N], friction: &impl Cone, noise: Noise) -> Self {
         let (g, s) = (r[0], [r[1], r[2]]);
         let slope = friction.slope(cell, 0.0);

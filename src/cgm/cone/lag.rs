@@ -1,7 +1,7 @@
-//! Cells that enter the contact lag behind their motion by $`\kappa g\,q/p`$.
+//! Entry compliance: cells that come into contact in the step lag behind their motion by $`\kappa g\,q/p`$.
 //!
-//! The lag depends on the pressure that is sought. With $`r = q/p`$ its change is $`\kappa g/p\,(dq - r\,dp)`$; a cell that
-//! slips from the moment it touches has $`r = m'(0)\,n`$ while its pressure is zero.
+//! The lag depends on the unknown pressure. With $`r = q/p`$ its change is $`\kappa g/p\,(dq - r\,dp)`$. For a cell that slips
+//! from the moment of contact, $`r = m'(0)\,n`$ while its pressure is zero.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
 use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
@@ -9,16 +9,16 @@ use crate::cgm::reduce;
 use crate::numerics::cell_vector::{at, slices, update_cells};
 use crate::parallel;
 
-/// Part of the largest pressure that stands for a smaller one in `kappa g / p`.
+/// Fraction of the largest pressure that replaces a smaller pressure in `kappa g / p`.
 const LEAST: f64 = 1e-9;
 
 impl<F: Cone> ConeProblem<'_, F> {
-    /// $`\kappa g`$ of a cell, the mean of all directions.
+    /// Returns the mean of $`\kappa g`$ over all directions for a cell.
     pub(super) fn closing_of(&self, cell: usize) -> f64 {
         self.closing.map_or(0.0, |closing| closing.mean(cell))
     }
 
-    /// Traction over pressure of a cell.
+    /// Returns traction over pressure of a cell.
     pub(super) fn ratio(&self, cell: usize, law: ConeCellState, [p, x, y]: [f64; N]) -> [f64; 2] {
         match law.kind {
             _ if p > 0.0 => [x / p, y / p],
@@ -29,7 +29,7 @@ impl<F: Cone> ConeProblem<'_, F> {
 }
 
 impl<F: Cone> ConeRun<'_, '_, F> {
-    /// Finds what the cells have of their own at the present pressure, and adds the lag to the product.
+    /// Updates the entry compliance at the current pressure, and adds the lag to the product.
     pub(super) fn refresh_lag(&mut self) {
         let problem = self.problem;
         let Some(closing) = problem.closing else {
@@ -58,7 +58,7 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         self.add_entry_compliance(1.0);
     }
 
-    /// Adds so many times the lag, as it was last found, to the product.
+    /// Adds `part` times the last computed lag to the product.
     pub(super) fn add_entry_compliance(&mut self, part: f64) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let Some(closing) = problem.closing else {

@@ -1,23 +1,23 @@
-//! Pressure and shear in one solve: Coulomb's cone in every cell, by Newton's method on all three tractions.
+//! Pressure and shear in one solve: Coulomb's friction cone in every cell, solved by a semismooth Newton method on all three
+//! tractions.
 //!
-//! Bodies of different materials move tangentially where they are pressed and normally where they are sheared. The
-//! unknowns of a cell are its pressure and its traction, `x = (p, q)`; with the gap `g` and the slip `s` of the cell,
-//!
+//! Bodies of different materials move tangentially under pressure and normally under shear. The unknowns of a cell are its
+//! pressure and its traction, `x = (p, q)`. With the gap `g` and the slip `s` of the cell, the cone complementarity problem is
 //! ```math
 //! \begin{pmatrix} g \\ s \end{pmatrix} = C x + b - \delta, \qquad
 //! p \ge 0,\; g \ge 0,\; p\,g = 0, \qquad
 //! |q| \le m(p), \quad s = 0 \text{ where } |q| < m, \quad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! `C` is symmetric and positive definite, but the law is not the condition of a minimum: the limit `m` grows with the pressure
-//! that is sought. Newton's method linearises both at once, `dq = m'(p) n dp + t dtau` where a cell slips along `n`,
-//! which leaves a system that is not symmetric: right-preconditioned GMRES solves it, on the cells in contact.
+//! `C` is symmetric and positive definite, but the conditions are not the optimality conditions of a minimum: the limit `m` grows
+//! with the unknown pressure. The semismooth Newton method linearises both together, `dq = m'(p) n dp + t dtau` in a cell that
+//! slips along `n`. The resulting system is not symmetric; right-preconditioned GMRES solves it on the cells in contact.
 //!
-//! A cell may have a hardness, `p <= H`: while its pressure stays there the bodies may overlap, and its equation of the gap
-//! is left out.
+//! A cell may have a hardness, `p <= H`. While its pressure is at the hardness the bodies may overlap, and the equation of its
+//! gap is dropped.
 //!
-//! A cell that newly touches slips against its slip unless that is less than what its overlap would hold,
-//! `|s| <= m' |g|`. Were it to stick, the method would circle at the edge of every contact that grows.
+//! A cell that newly touches slips against its slip unless the slip is at most the slip that its overlap could prevent,
+//! `|s| <= m' |g|`. If the cell stuck instead, the method would cycle at the edge of every growing contact.
 
 mod border;
 mod cell_state;
@@ -41,57 +41,57 @@ use crate::report::Status;
 pub(crate) use response::FrozenState;
 pub(crate) use workspace::ConeWorkspace;
 
-/// Components of a vector: along z, x and y.
+/// Number of components of a vector: along z, x and y.
 const N: usize = 3;
 
-/// How much shear a cell carries under a pressure.
+/// Friction limit of a cell as a function of its pressure.
 pub(crate) trait Cone: Sync {
-    /// The limit, non-negative and growing with the pressure.
+    /// Returns the limit, non-negative and non-decreasing in the pressure.
     fn limit(&self, cell: usize, pressure: f64) -> f64;
 
-    /// How it grows there.
+    /// Returns the derivative of the limit with respect to the pressure.
     fn slope(&self, cell: usize, pressure: f64) -> f64;
 }
 
-/// What to solve: pressures and tractions, z first, from the displacements of `operator`.
+/// The cone complementarity problem for pressures and tractions, z first, given the displacements of `operator`.
 #[derive(Clone, Copy)]
 pub(crate) struct ConeProblem<'a, F> {
     pub(crate) operator: &'a dyn Operator<N>,
     pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
-    /// The gap before loading, and minus what the cells are asked to follow along x and y.
+    /// Gap before loading, and minus the prescribed displacements of the cells along x and y.
     pub(crate) linear: [&'a [f64]; N],
-    /// $`\kappa g`$ of the cells that would enter the contact from a gap g, a tensor: they lag behind their motion by
-    /// $`\kappa g\,q/p`$. Zero elsewhere; `None` where no cell of any rank does.
+    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by
+    /// $`\kappa g\,q/p`$. Zero in the other cells; `None` if no cell of any rank has it.
     pub(crate) closing: Option<CellCompliance<'a>>,
-    /// The largest pressure of each cell.
+    /// Maximum pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,
     pub(crate) friction: F,
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
     pub(crate) lower_bounds: [LowerBound; 2],
-    /// How far a unit tangential traction displaces its own cell.
+    /// Tangential displacement of a cell under a unit tangential traction on it.
     pub(crate) self_compliance: f64,
-    /// Tangential displacement by pressure, over the normal one: tangential residuals are relative to that at least.
+    /// Ratio of tangential to normal displacement under pressure; it sets the minimum scale of the tangential residuals.
     pub(crate) coupling: f64,
 }
 
-/// What an iterate shows, from one product.
+/// Measures of an iterate from one product.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ConeMeasures {
-    /// Residual of gap and of slip, over the largest displacements.
+    /// Residual of gap and of slip, relative to the largest displacements.
     pub(crate) residual: f64,
-    /// What is missing of the prescribed sums.
+    /// Relative deficit of the prescribed sums.
     pub(crate) load_error: f64,
-    /// Bounds of the errors of pressure and of traction in the energy norm, each with the other as it is, over the root
-    /// of `x' C x`.
+    /// Bounds of the errors of pressure and of traction in the energy norm, each with the other fixed, relative to the root of
+    /// `x' C x`.
     pub(crate) bounds: [f64; 2],
-    /// Cells that stick.
+    /// Number of sticking cells.
     free: usize,
 }
 
 impl ConeMeasures {
-    /// What has to fall to the tolerance.
+    /// Returns the quantity that must fall to the tolerance.
     pub(crate) fn merit(&self) -> f64 {
         let [normal, tangential] = self.bounds;
         let parts = [self.residual, self.load_error, normal, tangential];
@@ -99,14 +99,14 @@ impl ConeMeasures {
     }
 }
 
-/// What is known of a start.
+/// Knowledge about a start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ConeStart {
-    /// Its sets come from coarser cells: a deep first solve would be wasted on them.
+    /// The sets come from a coarser grid; an accurate first solve would be wasted on them.
     Coarse,
-    /// Its sets are good.
+    /// The sets are reliable.
     Trusted,
-    /// It is to be refused if its residual is larger.
+    /// The start is rejected if its residual is larger.
     Tentative(f64),
 }
 
@@ -116,7 +116,7 @@ impl ConeStart {
     }
 }
 
-/// One solve under way.
+/// State of one solve.
 pub(crate) struct ConeRun<'a, 'b, F> {
     problem: &'a ConeProblem<'b, F>,
     monitor: Monitor<'a>,
@@ -131,12 +131,11 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     border: Border<N>,
 }
 
-/// Solves from the tractions `x` into them, at multipliers that the workspace begins and ends with; `None` where the
-/// start is refused, or where the sets cycle, which another start may cure. The findings are those of what is
-/// left in `x`.
+/// Solves from the tractions `x` and the multipliers of the workspace, and stores the solution in both. The status is `None` if
+/// the start is rejected or if the sets cycle; a different start may then succeed. The findings belong to the returned `x`.
 ///
 /// # Errors
-/// [`Error::Memory`](crate::Error::Memory).
+/// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
 pub(crate) fn solve<F: Cone>(
     problem: &ConeProblem<'_, F>,
     settings: &Settings,
@@ -163,7 +162,7 @@ pub(crate) fn solve<F: Cone>(
     };
     let status = newton(&mut run);
     if !run.is_fresh && status.is_some() {
-        // It may have ended within a linear system, which lets cells leave their cones.
+        // The solve may have ended within a linear system, which lets cells leave their cones.
         run.set_laws();
     }
     run.refresh();

@@ -1,4 +1,4 @@
-//! The outer steps: measure, solve the linear system, decide for all cells at once how they move next.
+//! Outer steps of the semismooth Newton method: measure, solve the linear system, update the state of all cells simultaneously.
 
 use std::ops::ControlFlow;
 
@@ -16,30 +16,31 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// Reduction of the inner residual in sets from coarser cells, while sets change, and the least when they stand.
+/// Reduction of the inner residual: for sets from a coarser grid, while sets change, and its lower limit once they no longer
+/// change.
 const FIRST_REDUCTION: f64 = 0.3;
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
-/// Residual above which a product in single precision tells the sets as well.
+/// Residual above which a product in single precision identifies the sets equally well.
 const EARLY: f64 = 1e-3;
-/// Steps without halving the residual after which the method is stuck.
+/// Number of steps without halving the residual after which the method is stuck.
 const PATIENCE: usize = 4;
-/// What is missing of the totals, over their size, that is round-off.
+/// Deficit of the totals, relative to their size, that counts as round-off.
 const ROUND_OFF: f64 = 1e-12;
-/// Part of the tolerance that is noise of the inner solution.
+/// Fraction of the tolerance that counts as noise of the inner solution.
 const NOISE: f64 = 0.1;
-/// Part of the largest limit below which a limit is as good as none.
+/// Fraction of the largest limit below which a limit counts as zero.
 pub(super) const NOTHING: f64 = 1e-9;
 
-/// How the steps of a solve go on.
+/// Progress of the outer steps of a solve.
 #[derive(Debug)]
 pub(super) struct NewtonProgress {
-    /// Least residual so far, and steps without halving it.
+    /// Least residual so far, and number of steps without halving it.
     best: f64,
     without: usize,
-    /// Least that was missing of the totals.
+    /// Least deficit of the totals so far.
     missing: f64,
-    /// Cells that the last step has put into other sets.
+    /// Number of cells that changed sets in the last step.
     changes: usize,
     residual: f64,
     load_error: f64,
@@ -71,7 +72,7 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
         });
         let mut findings = self.findings();
         if is_early && findings.merit() <= self.monitor.tolerance() {
-            // Only what is exact is an end.
+            // Only an exact product may end the solve.
             self.refresh();
             findings = self.findings();
         }
@@ -84,12 +85,12 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
-        // What is missing of the totals does no harm: the first step adds it.
+        // A deficit of the totals does not matter: the first step corrects it.
         if course.best.is_infinite() && self.opening.refuses(course.residual) {
             return true;
         }
-        // Close to sliding the shift grows with each step and the cells turn into the direction of the force, at a
-        // residual that stays: the force comes nearer first.
+        // Close to sliding, the shift grows with each step and the tractions turn into the direction of the force at a constant
+        // residual: the force converges first.
         let is_nearer = course.missing > ROUND_OFF && course.load_error < 0.5 * course.missing;
         course.missing = course.missing.min(course.load_error);
         if merit < 0.5 * course.best {
@@ -141,7 +142,7 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
 }
 
 impl<'a, F: Cone> ConeRun<'a, '_, F> {
-    /// Brings the tractions within their cones, and finds how the cells move there.
+    /// Projects the tractions onto their cones and determines the state of the cells.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
         let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
@@ -168,7 +169,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         self.hold_springs();
     }
 
-    /// `product = C x`, and the friction limits of the pressures, unless they are at hand.
+    /// Computes `product = C x` and the friction limits of the pressures unless they are up to date.
     pub(super) fn refresh(&mut self) {
         if !self.is_fresh {
             self.refresh_in(Precision::Double);
@@ -196,7 +197,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         self.refresh_lag();
     }
 
-    /// Examines the iterate by the product at hand, and writes the findings to the report.
+    /// Examines the iterate with the current product and writes the findings to the report.
     pub(super) fn findings(&mut self) -> ConeMeasures {
         let (problem, w) = (self.problem, &*self.workspace);
         let normal = Iterate {
@@ -230,7 +231,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
         let pressed = normal.measure();
-        // A contact that sticks from rest does not move: what the pressure alone would do is the measure.
+        // A contact that sticks from rest does not move: the displacement by the pressure alone is then the scale.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
         let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
         let residuals = [
@@ -254,7 +255,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         }
     }
 
-    /// The stiffness of every cell that slips, from the slip just measured.
+    /// Updates the stiffness of every slipping cell from the last measured slip.
     fn measure_slip(&mut self) {
         let (friction, self_compliance) = (&self.problem.friction, self.problem.self_compliance);
         let w = &mut *self.workspace;
@@ -272,12 +273,12 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         });
     }
 
-    /// The linear problem of the cells as they may move now: what they have of their own is in their laws.
+    /// Returns the linear problem for the current state of the cells, which includes their entry compliance.
     pub(super) fn linear(&mut self) -> Linear<'_, 'a, ConeCellState, N> {
         self.parts().0
     }
 
-    /// The same, and the iterate that its solution moves.
+    /// Returns the linear problem and the iterate that its solution updates.
     fn parts(&mut self) -> (Linear<'_, 'a, ConeCellState, N>, UpdatedIterate<'_, 'a, N>) {
         let (problem, w) = (self.problem, &mut *self.workspace);
         let linear = Linear {
@@ -300,7 +301,8 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
         (linear, moved)
     }
 
-    /// Decides at the equilibrated state how every cell moves next, and puts it into its set. Returns how many changed.
+    /// Determines the next state of every cell at the equilibrated state, and projects its tractions. Returns the number of
+    /// changed cells.
     fn reclassify(&mut self, tolerance: f64) -> usize {
         self.is_fresh = false;
         let w = &mut *self.workspace;
@@ -332,7 +334,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
     }
 }
 
-/// Puts every cell where `next` says, with its law; returns how many changed sets.
+/// Sets every cell to the state and tractions of `next`. Returns the number of cells that changed sets.
 fn move_cells(
     layout: &Layout,
     x: &mut [&mut [f64]; N],

@@ -1,4 +1,4 @@
-//! The laws of the cells of a contact at its last state, as the linear problem of a stiffness has them.
+//! States of the cells at the end of a step, fixed for the linear problem of a stiffness.
 
 use crate::cgm::cone::cell_state::{ConeCellState, EntryLag};
 use crate::cgm::cone::newton::NOTHING;
@@ -8,21 +8,21 @@ use crate::cgm::reduce;
 use crate::error::Result;
 use crate::numerics::cell_vector::at;
 
-/// Where the cells stand: tractions, slip of the last step, and compliance of their own, of no cells where none has one.
+/// State of the cells: tractions, slip of the last step, and entry compliance, which is empty if no cell has one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrozenState<'a> {
     pub(crate) x: [&'a [f64]; N],
     pub(crate) slip: [&'a [f64]; 2],
     pub(crate) own: &'a [f64],
-    /// Whether cells at their limits slip on; else they stick.
+    /// Whether cells at their limits continue to slip; otherwise they stick.
     pub(crate) slips: bool,
 }
 
 impl ConeWorkspace {
-    /// The linear problem of the cells at this state, whose laws are held.
+    /// Sets up the linear problem with the cells fixed in this state.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
     pub(crate) fn hold(
         &mut self,
         problem: &ConeProblem<'_, impl Cone>,

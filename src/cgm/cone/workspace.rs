@@ -1,4 +1,4 @@
-//! What a solve of cones writes to.
+//! Buffers of a solve with friction cones.
 
 use crate::cgm::cone::N;
 use crate::cgm::cone::cell_state::ConeCellState;
@@ -9,19 +9,19 @@ use crate::memory::fallible;
 use crate::operator::Operator;
 use crate::report::Report;
 
-/// Everything a solve writes to besides its tractions; made once, reused by every solve of one size.
+/// Buffers of a solve except its tractions, created once and reused by every solve of the same size.
 #[derive(Debug, Clone)]
 pub(crate) struct ConeWorkspace {
-    /// Its rows are the laws of the cells.
+    /// Linear problem; its rows are the states of the cells.
     pub(super) linear: LinearWorkspace<ConeCellState, N>,
     pub(super) product: [Vec<f64>; N],
-    /// The friction limit of every cell.
+    /// Friction limit of every cell.
     pub(super) limits: Vec<f64>,
     pub(super) multiplier: [f64; N],
 }
 
 impl ConeWorkspace {
-    /// Buffers for an operator and its preconditioner.
+    /// Creates buffers for an operator and its preconditioner.
     pub(crate) fn new(
         operator: &dyn Operator<N>,
         preconditioner: &dyn Operator<N>,
@@ -35,14 +35,14 @@ impl ConeWorkspace {
         })
     }
 
-    /// Lists the cells in contact, and makes room for their unknowns.
+    /// Lists the cells in contact, and allocates their unknowns.
     pub(super) fn list_contact(&mut self) -> Result<()> {
         let (laws, moving) = (&self.linear.rows, &mut self.linear.moving);
         moving.update(|i| laws[i].moves());
         self.linear.list()
     }
 
-    /// Writes `C x` to `out`; the answer stays.
+    /// Writes `C x` to `out`; the stored solution is unchanged.
     pub(crate) fn apply(
         &mut self,
         operator: &dyn Operator<N>,
@@ -52,7 +52,7 @@ impl ConeWorkspace {
         operator.apply(x, out, &mut self.linear.operator);
     }
 
-    /// The product `C x` of the tractions last returned.
+    /// Returns the product `C x` of the tractions last returned.
     pub(crate) fn product(&self) -> [&[f64]; N] {
         self.product.each_ref().map(Vec::as_slice)
     }
@@ -70,7 +70,7 @@ impl ConeWorkspace {
     }
 }
 
-/// Gap and slip of the cells.
+/// Returns gap and slip of the cells.
 pub(super) fn gradient<'a>(
     product: &'a [Vec<f64>; N],
     linear: [&'a [f64]; N],

@@ -1,16 +1,15 @@
-//! Discs: two unknowns a cell, a vector no longer than a limit.
+//! Discs: two unknowns per cell, a vector whose length is at most a limit, with the updates of the semismooth Newton method.
 //!
-//! At its limit a cell keeps one unknown, the angle of its traction `q`. With the gradient `g = C q + b - delta` (the
-//! slip) and the tangent $`t`$ and outward normal $`n = q/m`$ of the circle, the condition $`t \cdot g = 0`$ has the
-//! derivative
+//! A cell at its limit keeps one unknown, the angle of its traction `q`. Let `g = C q + b - delta` be the gradient (the slip) and
+//! $`t`$ and $`n = q/m`$ the tangent and the outward normal of the circle. The derivative of the condition $`t \cdot g = 0`$ is
 //!
 //! ```math
 //! t' \frac{\partial g}{\partial q}\, t - \frac{n \cdot g}{m} ,
 //! ```
 //!
-//! the stiffness of the operator along the circle and $`|g|/m`$ more, because turning the traction turns the tangent
-//! too. Without the second term iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of
-//! the Delft Institute of Applied Mathematics, 2014).
+//! the stiffness of the operator along the circle plus $`|g|/m`$, because turning the traction also turns the tangent. Without
+//! the second term, iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the Delft Institute of
+//! Applied Mathematics, 2014).
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::disc_motion::DiscMotion;
@@ -24,23 +23,23 @@ use crate::numerics::small_matrix::Small;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// The vectors no longer than `radius`, finite and not negative; zero fixes the cell.
+/// The vectors whose length is at most `radius`, which must be finite and not negative. A zero radius fixes the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
-    /// Greatest length.
+    /// Maximum length.
     pub radius: f64,
 }
 
-/// Relative distance from the circle within which a traction is on it.
+/// Relative distance from the circle within which a traction counts as on the circle.
 const RIM: f64 = 1e-12;
 
 impl Disc {
-    /// Whether a vector is at the limit.
+    /// Returns whether a vector is at the limit.
     pub(crate) fn is_at_limit(self, q: [f64; 2]) -> bool {
         norm(q) >= self.radius * (1.0 - RIM)
     }
 
-    /// The vector of the full length in the direction of another, which is not zero.
+    /// Returns the vector of maximum length in the direction of `q`, which must not be zero.
     pub(crate) fn rim_along(self, q: [f64; 2]) -> [f64; 2] {
         let scale = self.radius / norm(q);
         q.map(|q| q * scale)
@@ -93,7 +92,7 @@ impl LinearisedSet<2> for Disc {
     fn duality_gap(self, q: [f64; 2], g: [f64; 2]) -> f64 {
         let (size, slip) = (norm(q), norm(g));
         let (along, across) = (dot(g, q), g[0] * q[1] - g[1] * q[0]);
-        // `g.q + |g| |q|` with all its digits where the two are opposite, as in every slipping cell.
+        // `g.q + |g| |q|`, accurate to round-off if the two vectors are opposite, as in every slipping cell.
         let turned = if along < 0.0 {
             across * across / (slip * size - along)
         } else {
@@ -103,7 +102,7 @@ impl LinearisedSet<2> for Disc {
     }
 
     fn excess(self, q: [f64; 2]) -> f64 {
-        // A vector put on its circle may be a rounding outside.
+        // A vector scaled to its circle may lie outside by a rounding error.
         (norm(q) - self.radius - 4.0 * f64::EPSILON * self.radius).max(0.0)
     }
 
@@ -151,8 +150,9 @@ impl LinearisedSet<2> for Disc {
         match was {
             DiscMotion::Fixed => (was, self.project(q)),
             DiscMotion::Free if size <= self.radius => (was, self.project(q)),
-            // As stiff as if its own compliance alone had held what is beyond the limit. Were it not stiff before its
-            // slip is measured, a total that is spread in the meantime would turn it right round.
+            // A cell that starts to slip receives the stiffness that it would have if its own compliance alone carried the excess
+            // over the limit. Without this stiffness, distributing a total before the slip is measured could reverse the traction
+            // of the cell.
             DiscMotion::Free => {
                 let excess = self_compliance * (1.0 - self.radius / size);
                 let held = self.measured(DiscMotion::along(q, 0.0), q.map(|q| -excess * q));
@@ -194,7 +194,7 @@ impl LinearisedSet<2> for Disc {
         })
     }
 
-    /// The cells at their limits stay there if the others suffice: moved a little off the circle they would count as
+    /// The cells at their limits stay there if the other cells suffice: moved slightly off the circle they would count as
     /// sticking.
     fn restore(
         layout: &Layout,
@@ -217,11 +217,11 @@ impl LinearisedSet<2> for Disc {
             };
             constraint.of(i).project(plus(q, 1.0, shift))
         });
-        // All cells move on, each as it did.
+        // All cells keep moving, each in its previous way.
         true
     }
 
-    /// Refused before any work.
+    /// Unreachable: [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is rejected for discs before the solve starts.
     fn single_loop<K: Constraint<2, Set = Self>>(
         run: &mut ActiveSetSolve<'_, '_, K, 2>,
     ) -> Option<Status> {
@@ -229,9 +229,9 @@ impl LinearisedSet<2> for Disc {
     }
 }
 
-/// The `t` at which the vectors `P_i(q_i + t)` of the selected cells, and the others as they are, have the sums, and
-/// whether they have them: the selected cells may not suffice. The sums are the gradient of a convex function of `t`:
-/// Newton's method, damped.
+/// Returns the shift `t` for which the vectors `P_i(q_i + t)` of the selected cells and the unchanged other vectors have the
+/// sums, and whether the sums are met: the selected cells may not suffice. The sums are the gradient of a convex function of `t`,
+/// and the method is a damped Newton iteration.
 fn shift_to_sums(
     layout: &Layout,
     q: &[&[f64]; 2],
@@ -250,7 +250,7 @@ fn shift_to_sums(
             break;
         }
         let step = best.step(sums);
-        // Half as far until the sums come nearer.
+        // Halve the step until the deficit of the sums decreases.
         let parts = std::iter::successors(Some(1.0), |part| Some(0.5 * part));
         let nearer = parts.take_while(|part| *part >= 1e-9).find_map(|part| {
             let next = plus(t, part, step);
@@ -265,11 +265,11 @@ fn shift_to_sums(
     (t, norm(best.missing) <= 1e-12 * best.size)
 }
 
-/// What the sums become when the selected vectors are moved by the same amount and projected.
+/// Sums after shifting the selected vectors by the same amount and projecting them.
 struct ShiftedSums {
-    /// What is left to the prescribed sums.
+    /// Deficit of the prescribed sums.
     missing: [f64; 2],
-    /// Derivative of the sums.
+    /// Derivative of the sums with respect to the shift.
     slope: Small<2>,
     /// Sum of the lengths.
     size: f64,
@@ -291,7 +291,7 @@ fn shifted(
         let moved = plus(held, 1.0, t);
         let (disc, length) = (constraint.of(i), norm(moved));
         let nearest = disc.project(moved);
-        // The derivative of the projection: along the circle, shrunk, once outside.
+        // Outside the circle, the derivative of the projection is the tangential part, scaled by the radius over the length.
         let slope = if disc.radius <= 0.0 {
             [[0.0; 2]; 2]
         } else if length > disc.radius {
@@ -312,7 +312,7 @@ fn shifted(
 }
 
 impl ShiftedSums {
-    /// Newton's step in the components whose sum is prescribed.
+    /// Returns Newton's step in the components whose sum is prescribed.
     fn step(&self, sums: [Option<f64>; 2]) -> [f64; 2] {
         let prescribed = sums.map(|sum| sum.is_some());
         let trace = self.slope.0[0][0] + self.slope.0[1][1];
@@ -330,7 +330,7 @@ mod tests {
     use super::*;
     use crate::cgm::AbsBound;
 
-    /// Restores the sums of three cells of limit one, two of them at their limits, as when the engine ends.
+    /// Restores the sums of three cells with limit one, two of them at their limits, as at the end of a solve.
     fn restored(sums: [f64; 2]) -> [[f64; 3]; 2] {
         let [mut x, mut y] = [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3]];
         let layout = Layout::of([3, 1]);

@@ -1,54 +1,55 @@
-//! How a cell of a disc moves: freely while it sticks, along the circle while it slips.
+//! Motion of a cell of a disc in the semismooth Newton step: free while it sticks, along the circle while it slips.
 
 use crate::cgm::law::state::{CellMotion, Row};
 use crate::numerics::cell_vector::{dot, norm};
 
-/// How a cell of a disc may move.
+/// Motion of a cell of a disc.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DiscMotion {
-    /// In any direction: it sticks.
+    /// The cell sticks and moves in any direction.
     Free,
-    /// Along the circle: it slips.
+    /// The cell slips and moves along the circle.
     Tangential {
-        /// Direction of the circle where the vector is.
+        /// Direction of the circle at the traction.
         tangent: [f64; 2],
-        /// Gradient against the vector over the radius: what the curvature of the circle adds to the stiffness.
+        /// Component of the gradient against the traction over the radius: the stiffness added by the curvature of the circle.
         stiffness: f64,
-        /// What the preconditioner makes of a residual here.
+        /// Weight of the cell in the preconditioner.
         weight: Weight,
     },
-    /// Not at all.
+    /// The cell does not move.
     Fixed,
 }
 
-/// What of a residual the preconditioner answers as a smooth pattern, and what the cell alone.
+/// Weights of a cell in the preconditioner: for the inverse operator and for the cell alone.
 ///
-/// The inverse operator $`M`$ does not know the stiffness $`k`$ of the circles, nor what cells have of their own, which
-/// is a part of $`k`$. Both limits of the system $`C + k`$
-/// have an inverse at hand: that of $`k \ll C`$ is $`M`$, that of $`k \gg C`$ is $`1 / (c_1 + k)`$ in each cell, with
-/// $`c_1`$ the compliance of a cell that moves alone. Between them the preconditioner is
+/// The inverse operator $`M`$ does not include the stiffness $`k`$ of the circles, nor the additional compliance of the cells,
+/// which is a part of $`k`$. The inverse of the system $`C + k`$ is known in two limits: it is $`M`$ for $`k \ll C`$, and
+/// $`1 / (c_1 + k)`$ in each cell for $`k \gg C`$, with $`c_1`$ the compliance of a cell that moves alone. Between them the
+/// preconditioner is
 ///
 /// ```math
 /// W M W + (1 - W^2)\, (c_1 + k)^{-1}, \qquad W = \frac{e}{e + k} ,
 /// ```
 ///
-/// with the weights $`0 < W \le 1`$ of the cells: symmetric and positive definite like both parts, and exact in both
-/// limits. The stiffness $`e`$ at which a pattern counts a quarter is a choice, measured: half of $`c_1`$. From two fifths
-/// to three fifths of it, and with $`c_1`$ from four to six least eigenvalues of a half-space, the steps change by 2 % on
-/// smooth and rough balls in growing contact; the root of the weight costs a tenth more, in cells that enter a third.
+/// with the weights $`0 < W \le 1`$ of the cells. It is symmetric and positive definite like both parts, and exact in both
+/// limits. The stiffness $`e`$ at which a pattern has the weight one quarter is chosen from measurements as half of $`c_1`$. With
+/// $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six least eigenvalues of a half-space, the
+/// number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of the weight costs a tenth more
+/// steps, and a third more in cells that come into contact.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight {
-    /// Of the residual before, and of the answer after the inverse operator.
+    /// Factor of the residual before, and of the result after the inverse operator.
     pattern: f64,
-    /// Answer of the cell alone.
+    /// Factor of the residual for the cell alone.
     own: f64,
 }
 
@@ -58,7 +59,8 @@ impl Weight {
         own: 0.0,
     };
 
-    /// For a stiffness of the circle beside an operator of this [compliance](crate::Operator::self_compliance) of a cell.
+    /// Creates the weights for a stiffness of the circle and an operator with this [compliance](crate::Operator::self_compliance)
+    /// of a cell.
     pub(crate) fn new(stiffness: f64, self_compliance: f64) -> Self {
         let even = 0.5 * self_compliance;
         if even <= 0.0 {
@@ -71,24 +73,25 @@ impl Weight {
         }
     }
 
-    /// What of a residual goes to the inverse operator.
+    /// Returns the part of a residual that the inverse operator receives.
     pub(crate) fn weighted(self, r: f64) -> f64 {
         self.pattern * r
     }
 
-    /// The preconditioned residual, with the answer of the inverse operator and what went there.
+    /// Returns the preconditioned residual from the result of the inverse operator and its input.
     pub(in crate::cgm) fn preconditioned_from(self, answer: f64, weighted: f64) -> f64 {
         self.preconditioned(answer, weighted / self.pattern.max(f64::MIN_POSITIVE))
     }
 
-    /// The preconditioned residual, with the answer of the inverse operator.
+    /// Returns the preconditioned residual from the result of the inverse operator and the residual.
     pub(crate) fn preconditioned(self, answer: f64, r: f64) -> f64 {
         self.pattern * answer + self.own * r
     }
 }
 
 impl DiscMotion {
-    /// At its limit with this traction, of this stiffness, of which the preconditioner is not told yet.
+    /// Creates the motion of a slipping cell with this traction and stiffness; the preconditioner does not include the stiffness
+    /// yet.
     pub(in crate::cgm) fn along(q: [f64; 2], stiffness: f64) -> Self {
         let size = norm(q);
         Self::Tangential {

@@ -1,4 +1,4 @@
-//! Intervals: one unknown a cell between two bounds.
+//! Intervals: one unknown per cell between two bounds, with the updates of the primal-dual active-set method.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::state::{CellMotion, LinearisedSet, Row, TotalFeasibility};
@@ -11,26 +11,26 @@ use crate::report::Status;
 /// The numbers from `lower` to `upper`; equal bounds fix the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Least value; may be minus infinity.
+    /// Lower bound; may be minus infinity.
     pub lower: f64,
-    /// Greatest value; may be infinity.
+    /// Upper bound; may be infinity.
     pub upper: f64,
 }
 
-/// Where a cell stands in its interval.
+/// State of a cell in its interval.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IntervalMotion {
-    /// Between the bounds, or free to move from one.
+    /// Between the bounds, or released from a bound.
     Free,
-    /// Held by the lower bound.
+    /// Fixed at the lower bound.
     Lower,
-    /// Held by the upper bound.
+    /// Fixed at the upper bound.
     Upper,
-    /// Held by equal bounds.
+    /// Fixed by equal bounds.
     Fixed,
 }
 
@@ -124,7 +124,7 @@ impl LinearisedSet<1> for Interval {
 
     #[inline]
     fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
-        // The minimum or maximum of NaN and a number is the number: NaN is passed on.
+        // `min` and `max` of NaN and a number return the number, so NaN is passed on explicitly.
         [if g.is_nan() {
             g
         } else if self.lower >= self.upper {
@@ -140,7 +140,7 @@ impl LinearisedSet<1> for Interval {
 
     #[inline]
     fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
-        // The signs of gradients near the answer come in no order: a choice costs less than a branch.
+        // The signs of gradients near the solution are unordered: selecting a value costs less than a branch.
         let bound = if g > 0.0 { self.lower } else { self.upper };
         let least = if g == 0.0 { 0.0 } else { bound * g };
         g * x - least
@@ -216,7 +216,7 @@ impl LinearisedSet<1> for Interval {
             let Self { lower, upper } = constraint.of(i);
             [lower, upper, lower.abs(), upper.abs()]
         });
-        // Round-off of either sum; an infinite side is never reached.
+        // Round-off of the two sums; an infinite bound is never reached.
         let edge = |size: f64| if size.is_finite() { EDGE * size } else { 0.0 };
         let (low_edge, high_edge) = (edge(lower_size), edge(upper_size));
         if !total.is_finite() || total < lower - low_edge || total > upper + high_edge {
@@ -256,11 +256,11 @@ impl LinearisedSet<1> for Interval {
     }
 }
 
-/// Relative distance from an extreme total that still counts as the extreme.
+/// Relative distance from an extreme total within which a total counts as the extreme.
 pub(in crate::cgm) const EDGE: f64 = 1e-12;
 
-/// Moves the selected cells to the nearest points of their intervals that have the total:
-/// `x_i = P_i(x_i + t)`, with one `t` for all. Returns whether the total was reached.
+/// Moves the selected cells to the nearest points of their intervals that have the total: `x_i = P_i(x_i + t)`, with the same `t`
+/// for all cells. Returns whether the total was reached.
 pub(in crate::cgm) fn shift_to_total(
     layout: &Layout,
     x: &mut [f64],
@@ -268,12 +268,12 @@ pub(in crate::cgm) fn shift_to_total(
     selected: impl Fn(usize) -> bool + Sync,
     total: f64,
 ) -> bool {
-    // A `t` far larger than what it leaves rounds that off; from there the next one is small.
+    // A shift `t` much larger than the resulting values loses them to round-off; the second pass then needs only a small shift.
     (0..2).any(|_| shift(layout, x, constraint, &selected, total))
 }
 
-/// One move. The sum grows with `t` piecewise linearly, so Newton's method between brackets ends in a
-/// few passes.
+/// Performs one shift. The sum is piecewise linear and non-decreasing in `t`, so Newton's method with bracketing ends after a few
+/// passes.
 fn shift(
     layout: &Layout,
     x: &mut [f64],
@@ -314,7 +314,7 @@ fn shift(
         } else if low.is_finite() && high.is_finite() {
             0.5 * (low + high)
         } else {
-            // Nothing moves and one side is open: step out until something does.
+            // No cell moves and one side of the bracket is open: increase the step until a cell moves.
             let step = magnitude.max(missing.abs()).max(shift.abs());
             shift + step.copysign(missing)
         };

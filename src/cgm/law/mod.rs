@@ -1,4 +1,4 @@
-//! What each cell is allowed to carry.
+//! Constraints of the minimisation: the closed convex set of values that each cell may take.
 
 pub(super) mod disc;
 pub(super) mod disc_motion;
@@ -10,10 +10,10 @@ use crate::cgm::{Disc, Interval};
 use crate::error::{Result, length};
 use crate::grid::per_cell::PerCell;
 
-/// The sets of all cells: one closed convex set a cell, from those that [`ConstraintSet`] lists.
+/// The sets of all cells: one closed convex set per cell, of a kind that implements [`ConstraintSet`].
 ///
-/// The engine asks for [`of`](Self::of) and nothing else of a cell, and each answer must be the same at every call.
-/// `N` is the number of components a cell has, one by default.
+/// The solver calls only [`of`](Self::of), which must return the same set at every call. `N` is the number of components per
+/// cell, one by default.
 ///
 /// ```
 /// use stickslip::cgm::{self, Constraint, Interval, Problem, Settings};
@@ -40,25 +40,25 @@ pub trait Constraint<const N: usize = 1>: Sync {
     /// The kind of set.
     type Set: ConstraintSet<N>;
 
-    /// The number of cells the constraint is for; `None` (the default) if it fits any.
+    /// Returns the number of cells of the constraint, or `None` (the default) if it fits any number.
     fn cells(&self) -> Option<usize> {
         None
     }
 
-    /// The set of a cell.
+    /// Returns the set of a cell.
     fn of(&self, cell: usize) -> Self::Set;
 }
 
-/// A closed convex set of `N` components: an [`Interval`] of one, a [`Disc`] of two.
+/// A closed convex set of `N` components: an [`Interval`] for one, a [`Disc`] for two.
 ///
-/// Sealed, because the engine linearises each kind of set in its own way.
+/// The trait is sealed because the solver linearises each kind of set in its own way.
 pub trait ConstraintSet<const N: usize>: LinearisedSet<N> {
-    /// The nearest point of the set.
+    /// Returns the nearest point of the set.
     #[must_use]
     fn project(self, x: [f64; N]) -> [f64; N];
 }
 
-/// `Ok` if a constraint fits this many cells and leaves each a point.
+/// Checks that a constraint fits this number of cells and that no set is empty.
 pub(crate) fn check<const N: usize>(constraint: &impl Constraint<N>, cells: usize) -> Result<()> {
     if let Some(own) = constraint.cells() {
         length("constraint", cells, own)?;
@@ -82,7 +82,7 @@ impl Constraint for NonNegative {
     }
 }
 
-/// `0 <= p <= H`, with or without a limit.
+/// `0 <= p <= H`, with a finite or an infinite limit `H`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BoundedPressure<'a>(pub(crate) PerCell<&'a [f64]>);
 
@@ -105,10 +105,10 @@ impl Constraint for BoundedPressure<'_> {
     }
 }
 
-/// Where nothing limits the pressure.
+/// Unlimited pressure.
 pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 
-/// `lower_i <= x_i <= upper_i`.
+/// The bounds `lower_i <= x_i <= upper_i`.
 ///
 /// ```
 /// use stickslip::cgm::{ConstraintSet, Bounds, Constraint};
@@ -127,7 +127,7 @@ impl Constraint for Bounds<'_> {
     type Set = Interval;
 
     fn cells(&self) -> Option<usize> {
-        // Slices of different length fit no number of cells.
+        // Slices of different lengths fit no number of cells.
         Some(if self.lower.len() == self.upper.len() {
             self.lower.len()
         } else {
@@ -144,8 +144,8 @@ impl Constraint for Bounds<'_> {
     }
 }
 
-/// `|x_i| <= m_i`: shear under the friction limit of each cell, along an axis (`N = 1`) or in the plane
-/// (`N = 2`, `|x|` being the length of the vector).
+/// The limits `|x_i| <= m_i`: shear under the friction limit of each cell, along an axis (`N = 1`) or in the plane (`N = 2`,
+/// where `|x|` is the length of the vector).
 ///
 /// ```
 /// use stickslip::cgm::{self, AbsBound, Problem, Settings};
@@ -179,16 +179,16 @@ where
     }
 }
 
-/// Vectors within a radius; [`Ball`] says which set that is for each number of components.
+/// Vectors within a radius; [`Ball`] defines the set for each number of components.
 #[derive(Debug, Clone, Copy)]
 pub struct NormBound;
 
-/// The set of all vectors of `N` components no longer than a radius.
+/// The set of all vectors of `N` components whose length is at most a radius.
 pub trait Ball<const N: usize> {
     /// [`Interval`] for one component, [`Disc`] for two.
     type Set: ConstraintSet<N>;
 
-    /// The ball of a radius.
+    /// Returns the ball with this radius.
     fn of_radius(radius: f64) -> Self::Set;
 }
 

@@ -1,7 +1,7 @@
-//! How a cell may move at a state of its set, and what the engine asks of each kind of set.
+//! Linearisation of the sets: the motion of a cell in the linear problem, and the interface of each kind of set.
 //!
-//! Newton's method linearises the law of every cell: a cell that cannot move leaves the linear system, one inside
-//! its set moves freely, and one on a curved bound moves along the tangent, against the curvature of the bound.
+//! The semismooth Newton method linearises the condition of every cell. A cell that cannot move leaves the linear system, a cell
+//! inside its set moves freely, and a cell on a curved bound moves along the tangent, against the curvature of the bound.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::{Constraint, ConstraintSet};
@@ -9,129 +9,130 @@ use crate::error::Result;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// How the unknowns of one cell enter the linear problem of an outer step.
+/// Row of one cell in the linear problem of an outer step.
 ///
-/// A change `v` of the unknowns changes the tractions by [`extend`](Self::extend), and of the displacements `w` that
-/// follow the cell has the equations [`restrict`](Self::restrict). Where the problem is the condition of a minimum one is
-/// the transpose of the other.
+/// A change `v` of the unknowns changes the tractions by [`extend`](Self::extend). [`restrict`](Self::restrict) forms the
+/// equations of the cell from the resulting displacements `w`. If the problem is the optimality condition of a minimum, the two
+/// maps are transposes of each other.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
-    /// Whether a cell that can move may move in less than all directions.
+    /// Whether some cell that can move has fewer free directions than components.
     const IS_CURVED: bool;
-    /// Whether the same cells move from start to end: those whose set has more than a point.
+    /// Whether the same cells move throughout the solve: all cells whose set has more than one point.
     const IS_STEADY: bool;
-    /// Whether a cell may displace itself.
+    /// Whether a row can have an additional displacement of its cell, see [`lag`](Self::lag).
     const HAS_LAG: bool = false;
-    /// In any direction.
+    /// Row of a cell that moves in any direction.
     const FREE: Self;
-    /// Not at all.
+    /// Row of a cell that does not move.
     const FIXED: Self;
 
-    /// Whether the cell takes part in the linear system.
+    /// Returns whether the cell takes part in the linear system.
     fn moves(self) -> bool;
 
-    /// Whether the cell moves in any direction.
+    /// Returns whether the cell moves in any direction.
     fn is_free(self) -> bool;
 
-    /// The change of the tractions that a change of the unknowns makes.
+    /// Returns the change of the tractions for a change of the unknowns.
     fn extend(self, v: [f64; N]) -> [f64; N];
 
-    /// The equations of the cell, from displacements.
+    /// Returns the residual of the equations of the cell for these displacements.
     fn restrict(self, w: [f64; N]) -> [f64; N];
 
-    /// What the curvature of a bound adds to the equations at a change of the unknowns.
+    /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
     fn bend(self, v: [f64; N]) -> [f64; N];
 
-    /// How far the cell is displaced, beside what the operator displaces it, by a change `d` of its tractions.
+    /// Returns the displacement of the cell, in addition to the displacement by the operator, for a change `d` of its tractions.
     fn lag(self, _d: [f64; N]) -> [f64; N] {
         [0.0; N]
     }
 
-    /// The tractions that go to the inverse operator for a residual.
+    /// Returns the tractions that the inverse operator receives for a residual.
     fn weighted(self, r: [f64; N]) -> [f64; N];
 
-    /// The preconditioned residual, with the `answer` of the inverse operator.
+    /// Returns the preconditioned residual, where `answer` is the result of the inverse operator.
     fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
 }
 
-/// How one cell of a set may move.
+/// Motion of one cell of a set.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 pub trait CellMotion<const N: usize>: Row<N> {
-    /// With the stiffness in force known to the preconditioner, beside an operator of this
-    /// [compliance](crate::Operator::self_compliance) of a cell and what the cell has of its own.
+    /// Passes the current stiffness to the preconditioner, given the [compliance](crate::Operator::self_compliance) of a cell in
+    /// the operator and the additional compliance `diagonal` of this cell.
     #[must_use]
     fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
 
-    /// A cell that has to move although its bound holds it, if a gradient `g` pushes it from there.
+    /// Returns the motion of a cell released from its bound if a gradient `g` pushes it away from there.
     #[must_use]
     fn released_from_bound(self, g: [f64; N]) -> Self;
 }
 
-/// Where prescribed sums lie in what the sets allow together.
+/// Position of prescribed sums in the range that the sets allow.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TotalFeasibility<const N: usize> {
-    /// Strictly between the extremes: multipliers exist.
+    /// The sums are strictly between the extremes: multipliers exist.
     Inside,
-    /// Every cell at the extreme point of its set along this direction.
+    /// The sums require every cell at the extreme point of its set along this direction.
     Extreme([f64; N]),
 }
 
-/// What the engine asks of a kind of set, beside what [`ConstraintSet`] says of it.
+/// Interface of a kind of set for the solver, in addition to [`ConstraintSet`].
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
-    /// How a cell of this set may move.
+    /// Motion of a cell of this set.
     type CellMotion: CellMotion<N>;
-    /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for it.
+    /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for the set.
     const HAS_SINGLE_LOOP: bool;
 
-    /// `Ok` if the set has a point.
+    /// Returns an error if the set is empty.
     fn check(self, cell: usize) -> Result<()>;
 
-    /// Whether the set has more than one point.
+    /// Returns whether the set has more than one point.
     fn can_move(self) -> bool;
 
-    /// Whether a point is inside its bounds, where the whole gradient must vanish.
+    /// Returns whether a point is inside the bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
-    /// The part of a gradient `g` at a point `x` of the set that is not the inward normal of a bound: what
-    /// must vanish at the minimum. NaN if `g` is.
+    /// Returns the part of a gradient `g` at a point `x` of the set that is not an inward normal of a bound. It must vanish at
+    /// the minimum. NaN if `g` is NaN.
     #[must_use]
     fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
 
-    /// `g.x` less the least `g.y` over the points `y` of the set; infinite if there is no least.
+    /// Returns `g.x` minus the least `g.y` over the points `y` of the set; infinite if there is no least value.
     #[must_use]
     fn duality_gap(self, x: [f64; N], g: [f64; N]) -> f64;
-    /// How far a point lies outside, by more than round-off.
+    /// Returns the distance of a point from the set, or zero within round-off.
     fn excess(self, x: [f64; N]) -> f64;
 
-    /// The extreme point along a direction.
+    /// Returns the extreme point along a direction.
     fn extreme(self, direction: [f64; N]) -> [f64; N];
 
-    /// `x + d`, exactly on a bound that it reaches up to round-off.
+    /// Returns `x + d`, exactly on a bound if it reaches the bound up to round-off.
     fn arrive(self, x: [f64; N], d: [f64; N]) -> [f64; N];
 
-    /// How a cell at `x` may move before anything is known of its gradient.
+    /// Returns the motion of a cell at `x` before its gradient is known.
     fn motion(self, x: [f64; N]) -> Self::CellMotion;
 
-    /// With the curvature that a gradient `g` gives the bound.
+    /// Returns the motion with the curvature of the bound for a gradient `g`.
     fn measured(self, motion: Self::CellMotion, g: [f64; N]) -> Self::CellMotion;
 
-    /// How the cell moves next, and where it stands, after the linear system has left it at `x` with the gradient
-    /// `g`; a gradient of the wrong sign below `noise` is not taken for one. Its weight depends on the
-    /// [compliance](crate::Operator::self_compliance) of a cell and on what the cell has of its own, `weighing`.
+    /// Returns the next motion of the cell and its projected unknowns, after the linear system has left it at `x` with the
+    /// gradient `g`. A gradient of the wrong sign below `noise` is ignored. The weight of the motion in the preconditioner
+    /// depends on `weighing`: the [compliance](crate::Operator::self_compliance) of a cell and the additional compliance of this
+    /// cell.
     fn next(
         self,
         was: Self::CellMotion,
@@ -141,7 +142,7 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
         weighing: [f64; 2],
     ) -> (Self::CellMotion, [f64; N]);
 
-    /// Where prescribed sums lie, or an error if the sets cannot hold them.
+    /// Returns the position of prescribed sums, or an error if the sets cannot carry them.
     fn reach(
         layout: &Layout,
         constraint: &impl Constraint<N, Set = Self>,
@@ -150,9 +151,9 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     where
         Self: ConstraintSet<N>;
 
-    /// Moves the cells within their sets to the nearest points that have the sums: those of `preferred`, and where
-    /// all cells [move](Row::IS_STEADY) those inside their bounds, alone if they suffice. Says whether the cells keep
-    /// the way they move.
+    /// Moves the cells within their sets to the nearest points that have the sums. Moves only the cells of `preferred` if they
+    /// suffice; if all cells [move](Row::IS_STEADY), also the cells inside their bounds. Otherwise moves all cells. Returns
+    /// whether the cells keep their motion states.
     fn restore(
         layout: &Layout,
         x: [&mut [f64]; N],
@@ -163,8 +164,8 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     where
         Self: ConstraintSet<N>;
 
-    /// The iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer): ends with the status of the run,
-    /// or `None` if the sets cycle.
+    /// Runs the iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer). Returns the final status, or `None` if
+    /// the sets cycle.
     fn single_loop<K: Constraint<N, Set = Self>>(
         run: &mut ActiveSetSolve<'_, '_, K, N>,
     ) -> Option<Status>

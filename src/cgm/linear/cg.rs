@@ -1,4 +1,4 @@
-//! Preconditioned conjugate gradients on the cells that move, unclipped: the inner solution of Newton's method.
+//! Preconditioned conjugate gradients on the moving cells, without clipping: the inner solver of the semismooth Newton method.
 
 use std::ops::ControlFlow;
 
@@ -9,23 +9,23 @@ use crate::cgm::{Constraint, MotionOf};
 use crate::numerics::cell_vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
 use crate::report::Status;
 
-/// Steps before the sets are looked at again.
+/// Maximum number of steps before the sets are updated again.
 const INNER_LIMIT: usize = 60;
 
-/// The components of a kind, zero elsewhere.
+/// Returns the components of one kind, and zero for the others.
 fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
 }
 
-/// A step along the direction, at multipliers changed since the last residual.
+/// A step along the direction, and the change of the multipliers since the last residual.
 struct DirectionStep<const N: usize> {
     length: f64,
     change: [f64; N],
 }
 
-/// What is left to solve, measured without the preconditioner.
+/// Residual, measured without the preconditioner.
 struct Residual<const N: usize> {
-    /// The change of the multipliers of the sums that leaves no weighted mean: `w_a' (r + change) = 0`.
+    /// Change of the multipliers of the prescribed sums that removes the weighted mean: `w_a' (r + change) = 0`.
     change: [f64; N],
     /// `|r + change|^2`.
     square: f64,
@@ -33,9 +33,9 @@ struct Residual<const N: usize> {
     products: [f64; N],
 }
 
-/// The preconditioned residual `z = M r + change w`, of which `M r` follows from the image.
+/// Preconditioned residual `z = M r + change w`, where `M r` follows from the image.
 struct Correction<const N: usize> {
-    /// The change of the multipliers that keeps the totals.
+    /// Change of the multipliers that keeps the totals.
     change: [f64; N],
     /// `z' (r + change)`.
     product: f64,
@@ -44,10 +44,11 @@ struct Correction<const N: usize> {
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// From the residual `delta - (C x + b)`, with approximate products: what they miss the next outer step sees.
+    /// Runs conjugate gradients from the residual `delta - (C x + b)` with single-precision products. The next outer step
+    /// measures their error.
     ///
-    /// The multipliers of sums are eliminated: each preconditioned residual carries the change that keeps the sums,
-    /// at once. Those of springs are unknowns that move along the direction, as far as it goes.
+    /// The multipliers of prescribed sums are eliminated: each preconditioned residual immediately includes the change that keeps
+    /// the sums. The multipliers of springs are unknowns that move along the direction with its step length.
     pub(in crate::cgm) fn conjugate_gradients(&mut self, reduction: f64) -> ControlFlow<Status> {
         let totals = self.totals;
         let first = self.step_and_residual(&totals, None);
@@ -65,7 +66,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             if product.is_nan() || product <= 0.0 {
                 break;
             }
-            // Polak-Ribiere forgives the noise of single precision.
+            // The Polak-Ribiere formula tolerates the noise of single precision.
             let conjugation = (step > 0).then(|| ((product - overlap) / previous).max(0.0));
             previous = product;
             let along = self.turn(change, at_once, conjugation);
@@ -101,8 +102,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.workspace.multiplier = plus(self.workspace.multiplier, 1.0, change);
     }
 
-    /// Takes the step, if one is given, and the residual there: compressed, and weighted in `direction` to be
-    /// preconditioned. The stiffness of curved bounds is part of the residual, not of the gradient.
+    /// Takes the step, if there is one, and computes the residual: compressed, and weighted in `direction` as input of the
+    /// preconditioner. The residual includes the stiffness of curved bounds; the gradient does not.
     fn step_and_residual(
         &mut self,
         totals: &TotalsSystem<N>,
@@ -135,7 +136,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             |entries, ((mut x, mut gradient), (mut full, residual))| {
                 let images = within(&image, &entries.chunk);
                 if let (Some(step), false) = (step, MotionOf::<K, N>::IS_STEADY) {
-                    // The gradient of the other cells tells which of them will move.
+                    // The gradient of the other cells determines which of them will move.
                     for (gradient, images) in gradient.iter_mut().zip(images) {
                         for (g, u) in gradient.items.iter_mut().zip(images) {
                             *g += step.length * u;
@@ -155,7 +156,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                         }
                     }
                     let r = match step {
-                        // The residual of a curved bound is not the gradient's: it is followed from step to step.
+                        // With a curved bound the residual is not the negative gradient; it is updated from step to step.
                         Some(&DirectionStep { length, change }) if MotionOf::<K, N>::IS_CURVED => {
                             let moved = motion.restrict(plus(change, -length, u));
                             let bend = motion.bend(directions[k]);
@@ -177,7 +178,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
     }
 
-    /// Measures `M r`, which follows from `image` and the residual, with the `w_a' r` and `w_a' r_last`.
+    /// Measures `M r`, which follows from `image` and the residual, given `w_a' r` and `w_a' r_last`.
     fn correct(
         &mut self,
         totals: &TotalsSystem<N>,
@@ -204,14 +205,14 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let change = totals.balance(sum);
         Correction {
             change,
-            // Without a sum, z makes nothing of the change of a sum's multiplier.
+            // For a prescribed sum, z has zero sum, so that its product with the change of the multiplier vanishes.
             product: product + dot(change, products),
             overlap: overlap + dot(change, last_products),
         }
     }
 
-    /// The next direction `d = z + conjugation d`, compressed and full; returns `d' (r + at_once)`. `image` is as
-    /// [`Self::correct`] found it: computing `M r` again costs less than a vector to keep it in.
+    /// Computes the next direction `d = z + conjugation d`, compressed and full. Returns `d' (r + at_once)`. `image` must be
+    /// unchanged since [`Self::correct`]: recomputing `M r` from it costs less than storing another vector.
     fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
         let w = &mut *self.workspace;
         let (residual, spread) = (&w.linear.residual, &w.linear.spread);
@@ -246,7 +247,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             })
     }
 
-    /// `d' (C + K) d`, of the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
+    /// Returns `d' (C + K) d`, with the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
     fn curvature(&self) -> (f64, f64) {
         let w = &*self.workspace;
         let (motions, direction, image) = (

@@ -1,5 +1,5 @@
-//! Right-preconditioned GMRES, restarted, on the cells that move: for problems that are not symmetric, and where a residual
-//! is to fall by many digits.
+//! Right-preconditioned, restarted GMRES on the moving cells. It solves problems that are not symmetric, and problems whose
+//! residual must fall by many digits.
 
 use std::ops::{ControlFlow, Range};
 
@@ -11,18 +11,18 @@ use crate::numerics::cell_vector::{at, chunks, dot, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
-/// The most that one basis, whose products are of single precision, is to reduce a residual to.
+/// Limit of the reduction of a residual by one basis, whose products are in single precision.
 const BASIS_REDUCTION: f64 = 1e-5;
 
-/// Vectors of a basis that are read at once.
+/// Number of basis vectors that are read together.
 const AT_ONCE: usize = 4;
 
-/// What the unknowns leave of their equations, and what takes their corrections.
+/// Equations of a linear problem: their residual, and their update by corrections.
 pub(in crate::cgm) trait Equations<R, const N: usize> {
-    /// Writes what is left to the residual.
+    /// Writes the residual of the equations to the workspace.
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status>;
 
-    /// Takes the correction, with changes of the multipliers.
+    /// Applies the correction, with changes of the multipliers.
     fn advance(
         &mut self,
         linear: &mut Linear<'_, '_, R, N>,
@@ -31,8 +31,8 @@ pub(in crate::cgm) trait Equations<R, const N: usize> {
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Adds what is missing of the totals and solves until the residual has fallen by this factor, by so many bases at most;
-    /// returns the part that is left.
+    /// Distributes the deficit of the totals and solves until the residual has fallen by this factor, with at most the given
+    /// number of bases. Returns the final residual relative to the first.
     pub(in crate::cgm) fn solve(
         &mut self,
         border: &Border<N>,
@@ -64,7 +64,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         ControlFlow::Continue(if left == 0.0 { 0.0 } else { left / start })
     }
 
-    /// A basis of what the preconditioned system makes of the residual, of this size, until `aim` can be reached.
+    /// Builds a Krylov basis from a residual of this size until the least-squares residual reaches `aim`. Returns the
+    /// coefficients.
     fn arnoldi(
         &mut self,
         border: &Border<N>,
@@ -94,7 +95,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         ControlFlow::Continue(hessenberg.solve())
     }
 
-    /// `correction = M r` with the changes of the multipliers that keep the totals, which it returns.
+    /// Computes `correction = M r` plus the spread of the changes of the multipliers that keep the totals. Returns these changes.
     fn invert(&mut self, border: &Border<N>) -> [f64; N] {
         let added = self.correct();
         let change = border.balance([0.0; N], added);
@@ -102,7 +103,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         change
     }
 
-    /// `correction = M r`; returns what it adds to the sums of all components.
+    /// Computes `correction = M r`. Returns the change of the sums of all components.
     fn correct(&mut self) -> [f64; N] {
         let w = &mut *self.workspace;
         let (rows, residual) = (&w.rows, &w.residual);
@@ -148,7 +149,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// `image = C` times the tractions that the correction makes, which are left in `direction`.
+    /// Computes `image = C` times the tractions of the correction, which remain in `direction`.
     pub(super) fn apply_to_correction(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (rows, correction) = (&w.rows, &w.correction);
@@ -166,15 +167,15 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         self.apply(precision);
     }
 
-    /// The size of the residual.
+    /// Returns the norm of the residual.
     pub(super) fn residual_size(&self) -> f64 {
         let w = &*self.workspace;
         let residual = &w.residual;
         w.moving.sum(|range| squares(&residual[range])).sqrt()
     }
 
-    /// Makes room for vector `j` of the basis and those that are read with it: a solve that takes a step more than those
-    /// before seldom allocates.
+    /// Allocates vector `j` of the basis and the vectors that are read with it, so that a later solve with one more step rarely
+    /// allocates.
     fn extend_basis(&mut self, j: usize) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
         let group = w.basis.chunks_mut(AT_ONCE).nth(j / AT_ONCE);
@@ -185,7 +186,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         self.monitor.record_allocation_failure(room)
     }
 
-    /// The system's product with the correction, at changes of the multipliers, as vector `j` of the basis.
+    /// Stores the product of the system with the correction and the changes of the multipliers as vector `j` of the basis.
     fn set_next(&mut self, j: usize, change: [f64; N]) {
         let w = &mut *self.workspace;
         let (rows, correction, image) = (&w.rows, &w.correction, slices(&w.image));
@@ -202,8 +203,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Makes vector `j + 1` of the basis orthogonal to those before, twice, and of length one; returns the products and
-    /// the length it had left.
+    /// Orthogonalises vector `j + 1` of the basis against the previous vectors, twice, and normalises it. Returns the products
+    /// and the length before normalisation.
     fn orthogonalise(&mut self, j: usize) -> ([f64; RESTART], f64) {
         let w = &mut *self.workspace;
         let (moving, (done, rest)) = (&w.moving, w.basis.split_at_mut(j + 1));
@@ -227,7 +228,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         (products, length)
     }
 
-    /// The residual becomes this combination of the basis.
+    /// Sets the residual to this combination of the basis.
     fn combine(&mut self, parts: &[f64; RESTART]) {
         let w = &mut *self.workspace;
         let basis = &w.basis;
@@ -242,8 +243,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     }
 }
 
-/// Products of a piece of a vector with the same range of each vector of a basis, of several at once, so that additions
-/// overlap.
+/// Returns the products of a piece of a vector with the same range of each basis vector, several vectors together so that
+/// additions overlap.
 fn products_with<const N: usize>(
     piece: &[[f64; N]],
     basis: &[Vec<[f64; N]>],
@@ -270,7 +271,7 @@ fn products_with<const N: usize>(
     products
 }
 
-/// Subtracts these parts of the vectors of a basis from a piece of a vector that begins there.
+/// Subtracts these multiples of the basis vectors from a piece of a vector that starts at `first`.
 fn subtract<const N: usize>(
     piece: &mut [[f64; N]],
     parts: &[f64; RESTART],
@@ -298,17 +299,17 @@ fn subtract<const N: usize>(
     }
 }
 
-/// The sum of the squares of a piece of a vector.
+/// Returns the sum of the squares of a piece of a vector.
 fn squares<const N: usize>(vector: &[[f64; N]]) -> f64 {
     vector
         .iter()
         .fold(0.0, |sum, value| sum + dot(*value, *value))
 }
 
-/// Vectors of a basis, after which the iteration begins again.
+/// Number of basis vectors before a restart.
 pub(super) const RESTART: usize = 30;
 
-/// The Hessenberg matrix of the basis so far, made triangular by rotations.
+/// Hessenberg matrix of the current basis, made triangular by rotations.
 #[derive(Debug)]
 pub(super) struct Hessenberg {
     columns: [[f64; RESTART]; RESTART],
@@ -318,7 +319,7 @@ pub(super) struct Hessenberg {
 }
 
 impl Hessenberg {
-    /// For a residual of this size.
+    /// Creates the matrix for a residual of this size.
     pub(super) fn new(residual: f64) -> Self {
         let mut right = [0.0; RESTART + 1];
         right[0] = residual;
@@ -330,8 +331,8 @@ impl Hessenberg {
         }
     }
 
-    /// Takes the products of the next vector with the basis, and the size of what is left of it; returns the residual
-    /// that remains.
+    /// Appends the products of the next vector with the basis and the length of its remainder. Returns the least-squares
+    /// residual.
     pub(super) fn push(&mut self, products: &[f64; RESTART], rest: f64) -> f64 {
         let j = self.len;
         let column = &mut self.columns[j];
@@ -355,7 +356,7 @@ impl Hessenberg {
         self.right[j + 1].abs()
     }
 
-    /// The parts of the vectors that leave the least residual.
+    /// Returns the coefficients of the basis vectors that minimise the residual.
     pub(super) fn solve(&self) -> [f64; RESTART] {
         let mut parts = [0.0; RESTART];
         for i in (0..self.len).rev() {

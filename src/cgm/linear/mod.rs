@@ -1,16 +1,16 @@
-//! The linear problem at fixed sets: what a Newton step solves, and the stiffness of a contact.
+//! Linear problem at fixed sets, as solved by a semismooth Newton step and for the stiffness of a contact.
 //!
-//! Each cell that moves has unknowns and as many equations, which its [row](Row) ties to tractions and displacements:
-//! with $`E`$ what extends the unknowns, $`R`$ what restricts displacements, $`B`$ what the cells add alone, and the
-//! multipliers of the totals beside them,
+//! Each moving cell has unknowns and the same number of equations. Its [row](Row) relates them to tractions and displacements.
+//! Let $`E`$ extend the unknowns to tractions, $`R`$ restrict displacements to equations, and $`B`$ be the local terms of the
+//! cells. Together with the multipliers of the totals, the system is
 //!
 //! ```math
 //! \begin{pmatrix} R\,C E + B & -R\,e \\ e' E & D \end{pmatrix} \begin{pmatrix} v \\ \eta \end{pmatrix}
 //! = \begin{pmatrix} r \\ \varrho \end{pmatrix} .
 //! ```
 //!
-//! Conjugate gradients solve it in a symmetric problem, GMRES in others and for stiffnesses. The preconditioner is the inverse of the
-//! operator between $`R`$ and its transpose, with the [weights](Weight) of cells that add much alone.
+//! Conjugate gradients solve it for a symmetric problem, GMRES for other problems and for stiffnesses. The preconditioner is the
+//! inverse of the operator between $`R`$ and its transpose, with the [weights](Weight) of cells whose local terms are large.
 
 mod cg;
 mod gmres;
@@ -39,33 +39,33 @@ use gmres::RESTART;
 pub(crate) use response::FixedSetSystem;
 pub(in crate::cgm) use updated_iterate::UpdatedIterate;
 
-/// Bases of GMRES begun before the sets are looked at again.
+/// Maximum number of GMRES bases before the sets are updated again.
 pub(in crate::cgm) const BASES: usize = 2;
 
-/// The buffers of the linear problem.
+/// Buffers of the linear problem.
 #[derive(Debug, Clone)]
 pub(crate) struct LinearWorkspace<R, const N: usize> {
-    /// Of the operator, and of the preconditioner.
+    /// Scratch of the operator and of the preconditioner.
     pub(in crate::cgm) operator: Scratch,
     pub(in crate::cgm) preconditioner: Scratch,
     pub(in crate::cgm) direction: [Vec<f64>; N],
     pub(in crate::cgm) image: [Vec<f64>; N],
-    /// How each cell moves; of [steady](Row::IS_STEADY) ones only those that move, in the order of their list.
+    /// Rows of the cells; if the motion is [steady](Row::IS_STEADY), only those of the moving cells, in the order of their list.
     pub(in crate::cgm) rows: Vec<R>,
-    /// The cells that move; the vectors below hold these alone.
+    /// The moving cells; the vectors below store only these cells.
     pub(in crate::cgm) moving: FreeCells,
     pub(in crate::cgm) residual: Vec<[f64; N]>,
-    /// Of GMRES; of no cells before it is needed.
+    /// Correction of GMRES; empty before its first use.
     pub(in crate::cgm) correction: Vec<[f64; N]>,
-    /// How a change of each multiplier spreads over the unknowns, `w_a = M e_a`.
+    /// Change of the unknowns per change of each multiplier, `w_a = M e_a`.
     pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
-    /// The basis of GMRES; of no cells before it is needed.
+    /// Basis of GMRES; empty before its first use.
     basis: [Vec<[f64; N]>; RESTART + 1],
     pub(in crate::cgm) report: Report,
 }
 
 impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
-    /// For an operator and its preconditioner; the vectors of the cells that move have no cells yet.
+    /// Creates buffers for an operator and its preconditioner; the vectors of the moving cells are empty.
     pub(crate) fn new(
         operator: &dyn Operator<N>,
         preconditioner: &dyn Operator<N>,
@@ -86,7 +86,8 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         })
     }
 
-    /// Makes room for the unknowns of the cells that move, which alone the linear problem writes of its full vectors.
+    /// Allocates the unknowns of the moving cells and clears the direction. The linear problem writes only moving cells of full
+    /// vectors.
     pub(in crate::cgm) fn list(&mut self) -> Result<()> {
         for part in &mut self.direction {
             part.fill(0.0);
@@ -94,62 +95,62 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.make_room_for_gmres()
     }
 
-    /// Makes room for correction, residual and spread of the cells that move.
+    /// Allocates correction, residual and spread of the moving cells.
     pub(in crate::cgm) fn make_room_for_gmres(&mut self) -> Result<()> {
         let moving = self.moving.len();
         fallible::resize_with_zeros(&mut self.correction, moving)?;
         self.make_room(moving)
     }
 
-    /// Makes room for the residuals and the spread of so many cells.
+    /// Allocates residual and spread for this number of cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
         fallible::resize_with_zeros(&mut self.residual, cells)?;
         fallible::resize_with_zeros(&mut self.spread, cells)
     }
 }
 
-/// The totals beside the cells as they may move at present.
+/// Border of the linear problem: the totals for the current motion of the cells.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::cgm) struct Border<const N: usize> {
-    /// The totals that the cells can change.
+    /// Whether the cells can change each total.
     pub(in crate::cgm) active: [bool; N],
-    /// The sum of each component that the spread of each multiplier adds, plus one over the compliance of a spring.
+    /// The change of the sum of each component by the spread of each multiplier, plus one over the compliance of a spring.
     pub(in crate::cgm) matrix: Small<N>,
 }
 
 impl<const N: usize> Border<N> {
-    /// Of motions that are prescribed.
+    /// Border for prescribed motions.
     pub(in crate::cgm) const NONE: Self = Self {
         active: [false; N],
         matrix: Small([[0.0; N]; N]),
     };
 
-    /// The changes of the multipliers that leave `missing` after `added`.
+    /// Returns the changes of the multipliers that leave the deficit `missing` after the sums have grown by `added`.
     pub(in crate::cgm) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
         let right = std::array::from_fn(|c| missing[c] - added[c]);
         self.matrix.solve(right, self.active)
     }
 }
 
-/// The linear problem of the cells as they may move now.
+/// Linear problem for the current motion of the cells.
 pub(crate) struct Linear<'a, 'm, R, const N: usize> {
     pub(in crate::cgm) operator: &'a dyn Operator<N>,
     pub(in crate::cgm) preconditioner: &'a dyn Operator<N>,
     pub(in crate::cgm) layout: &'a Layout,
-    /// Compliance that cells have of their own beside the operator.
+    /// Additional compliance of the cells.
     pub(in crate::cgm) own: CellCompliance<'a>,
-    /// How far a unit traction displaces its own cell; zero if it is not known.
+    /// Displacement of a cell under a unit traction on it; zero if unknown.
     pub(in crate::cgm) self_compliance: f64,
-    /// Stiffness that is added to the operator; zero but in the way out of a cycle.
+    /// Stiffness added to the operator; zero outside proximal-point stages.
     pub(in crate::cgm) restraint: f64,
-    /// Restraint beside which the inverse of the operator alone is of no use.
+    /// Restraint above which the inverse of the operator alone is useless as a preconditioner.
     pub(in crate::cgm) stiff: f64,
     pub(in crate::cgm) monitor: &'a mut Monitor<'m>,
     pub(in crate::cgm) workspace: &'a mut LinearWorkspace<R, N>,
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Asks whether to take another step.
+    /// Checks whether another step may be taken.
     fn proceed(&mut self) -> ControlFlow<Status> {
         self.monitor.proceed(&self.workspace.report)
     }
@@ -158,7 +159,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         self.monitor.count_step(&mut self.workspace.report);
     }
 
-    /// `image = C direction`, with what the cells add alone.
+    /// Computes `image = C direction`, including the local terms of the cells.
     pub(in crate::cgm) fn apply(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
@@ -185,7 +186,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         }
     }
 
-    /// `image = M direction`.
+    /// Computes `image = M direction`.
     pub(in crate::cgm) fn precondition(&mut self) {
         let w = &mut *self.workspace;
         if self.restraint > self.stiff {
@@ -206,8 +207,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Changes what cells that move freely, and have a compliance of their own, ask of the inverse operator and what it
-    /// answers.
+    /// Weights the input and the output of the inverse operator on cells that move freely and have an additional compliance.
     fn weigh_free(
         &mut self,
         weigh: impl Fn(Weight, [f64; N], [f64; N]) -> ([f64; N], [f64; N]) + Sync,
@@ -236,7 +236,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Finds how a change of one multiplier spreads over the cells, and what it changes of all sums.
+    /// Computes the spread of one multiplier over the cells and returns the change of all sums by it.
     pub(in crate::cgm) fn spread(&mut self, a: usize) -> [f64; N] {
         let mut unit = [0.0; N];
         unit[a] = 1.0;

@@ -1,4 +1,4 @@
-//! The tractions that motions of the bodies cause while the way each cell may move is held.
+//! Tractions caused by motions of the bodies at fixed motion states of the cells, computed with GMRES.
 
 use std::ops::ControlFlow;
 
@@ -17,14 +17,14 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 
-/// Bases after which a response counts as not found.
+/// Maximum number of bases before a response counts as not found.
 const BASES: usize = 100;
 
-/// The right side of the equations, and the unknowns that answer it.
+/// Right side of the equations and their solution.
 struct LinearResponse<'a, const N: usize> {
     right: &'a [[f64; N]],
     unknowns: &'a mut [[f64; N]],
-    /// The size of the right side, and what was left of it before the last basis.
+    /// Size of the right side, and of the residual before the last basis.
     first: f64,
     last: f64,
 }
@@ -73,23 +73,24 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
     }
 }
 
-/// Operator and preconditioner of cells whose way to move is held.
+/// Operator and preconditioner of cells with fixed motion states.
 #[derive(Clone, Copy)]
 pub(crate) struct FixedSetSystem<'a, const N: usize> {
     pub(crate) operator: &'a dyn Operator<N>,
     pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
-    /// Compliance that cells have of their own beside the operator.
+    /// Additional compliance of the cells.
     pub(crate) own: CellCompliance<'a>,
 }
 
 impl<const N: usize> FixedSetSystem<'_, N> {
-    /// Finds the unknowns that answer a right side, in double precision, to a relative residual; where a basis does not halve
-    /// it they are left as they are, and the report says [`Status::Stalled`]. The residual is then in
-    /// [`LinearWorkspace::residual_rows`], the tractions are in [`LinearWorkspace::tractions`].
+    /// Solves for a right side in double precision to a relative residual with GMRES. If a basis does not halve the residual, the
+    /// current unknowns are kept and the report has [`Status::Stalled`]. The residual is then in [`LinearWorkspace::residual_rows`], and
+    /// the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
-    /// [`Error::NotConverged`]; [`Error::Memory`].
+    /// - [`Error::NotConverged`] if the observer cancels or the iteration fails.
+    /// - [`Error::Memory`] if the memory does not suffice.
     pub(crate) fn respond<R: Row<N>>(
         &self,
         right: &[[f64; N]],
@@ -145,10 +146,10 @@ impl<const N: usize> FixedSetSystem<'_, N> {
 }
 
 impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
-    /// Takes how each cell may move, and makes room for the unknowns of those that do.
+    /// Stores the row of each cell, and allocates the unknowns of the moving cells.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if the memory does not suffice.
     pub(crate) fn hold(&mut self, row: impl Fn(usize) -> R + Sync) -> Result<()> {
         self.moving.update(|i| row(i).moves());
         let rows = self.moving.motions(&mut self.rows);
@@ -160,10 +161,10 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.list()
     }
 
-    /// The equations of displacements of the cells.
+    /// Restricts displacements of the cells to the right side of the equations.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if the memory does not suffice.
     pub(crate) fn restrict(
         &self,
         displacement: impl Fn(usize) -> [f64; N] + Sync,
@@ -181,19 +182,19 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         Ok(())
     }
 
-    /// The product of two vectors of the unknowns.
+    /// Returns the scalar product of two vectors of unknowns.
     pub(crate) fn product(&self, a: &[[f64; N]], b: &[[f64; N]]) -> f64 {
         let products = |k: usize| dot(a[k], b[k]);
         self.moving
             .sum(|range| range.fold(0.0, |sum, k| sum + products(k)))
     }
 
-    /// Visits the cells that move, with their place among the unknowns.
+    /// Visits the moving cells with their position among the unknowns.
     pub(crate) fn places(&self, mut f: impl FnMut(usize, usize)) {
         self.moving.places(&mut f);
     }
 
-    /// `C x` of any tractions.
+    /// Computes `C x` for any tractions.
     pub(crate) fn displace(
         &mut self,
         operator: &dyn Operator<N>,
@@ -203,17 +204,17 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         operator.apply(x, out, &mut self.operator);
     }
 
-    /// How the last response was found.
+    /// Returns the report of the last response.
     pub(crate) fn report(&self) -> &Report {
         &self.report
     }
 
-    /// What the last response leaves of its equations.
+    /// Returns the residual of the last response.
     pub(crate) fn residual_rows(&self) -> &[[f64; N]] {
         &self.residual
     }
 
-    /// The tractions of the last response.
+    /// Returns the tractions of the last response.
     pub(crate) fn tractions(&self) -> [&[f64]; N] {
         slices(&self.direction)
     }

@@ -1,4 +1,4 @@
-//! The iterate of a Newton step as corrections of GMRES move it.
+//! Iterate of a semismooth Newton step, updated by the corrections of GMRES.
 
 use std::ops::ControlFlow;
 
@@ -10,8 +10,8 @@ use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::parallel;
 use crate::report::Status;
 
-/// Unknowns, displacements and multipliers of an iterate, and the gap that is added to its displacements; of no cells where
-/// they have it in them.
+/// Unknowns, displacements and multipliers of an iterate, and the gap added to its displacements. The gap is empty if the
+/// displacements include it.
 pub(in crate::cgm) struct UpdatedIterate<'a, 'x, const N: usize> {
     pub(in crate::cgm) x: &'a mut [&'x mut [f64]; N],
     pub(in crate::cgm) displacement: &'a mut [Vec<f64>; N],

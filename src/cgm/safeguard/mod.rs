@@ -1,4 +1,4 @@
-//! Methods that lead on where the active sets cycle.
+//! Fallback methods for active sets that cycle: projected gradients and proximal points.
 
 pub(super) mod projected_gradient;
 pub(super) mod proximal_point;

@@ -1,10 +1,9 @@
-//! The first way out when sets cycle: projected gradients with Barzilai-Borwein lengths.
+//! First fallback when sets cycle: projected gradients with Barzilai-Borwein step lengths.
 //!
-//! Every step goes along `P(x - a g) - x`, with the exact projection on sets and sums, to the
-//! minimum of the objective on it: the objective falls at every step, from any start, whatever the
-//! sets do (Dai & Fletcher, Mathematical Programming 106 (2006) 403,
-//! <https://doi.org/10.1007/s10107-005-0595-2>). A few steps lead the other methods past most places where they went
-//! in circles; many would be slow, and nothing where the operator is ill-conditioned.
+//! Every step goes along `P(x - a g) - x`, with the exact projection on sets and sums, to the minimum of the objective on that
+//! segment. The objective decreases at every step, from any start and for any behaviour of the sets (Dai & Fletcher, Mathematical
+//! Programming 106 (2006) 403, <https://doi.org/10.1007/s10107-005-0595-2>). A few steps move the other methods away from most
+//! cycles. Many steps would be slow, and ineffective if the operator is ill-conditioned.
 
 use std::ops::ControlFlow;
 
@@ -15,15 +14,15 @@ use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
 use crate::report::Status;
 
-/// What the objective does at the end of the steps.
+/// Behaviour of the objective at the end of the steps.
 pub(in crate::cgm) enum Objective {
     Falls,
-    /// It no longer falls, but by round-off.
+    /// The objective no longer decreases by more than round-off.
     Stands,
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// At most `steps` steps from the present iterate.
+    /// Takes at most `steps` steps from the current iterate.
     pub(in crate::cgm) fn project_gradients(
         &mut self,
         steps: usize,
@@ -55,7 +54,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         ControlFlow::Continue(Objective::Falls)
     }
 
-    /// A step length of the right size: that of the steepest descent without bounds.
+    /// Returns an initial step length: the length of a steepest-descent step without bounds.
     fn length_without_bounds(&mut self) -> Option<f64> {
         let w = &mut *self.workspace;
         for (direction, gradient) in w.linear.direction.iter_mut().zip(&w.gradient) {
@@ -68,8 +67,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         (curvature > 0.0).then(|| square / curvature)
     }
 
-    /// The multipliers of springs, and the mean of the gradient for those of sums: it changes nothing, but beside it
-    /// the products would be lost in round-off.
+    /// Sets the multipliers of the springs, and the multipliers of prescribed sums to the mean gradient. The mean does not affect
+    /// the steps, but without it the products would be dominated by round-off.
     fn set_multiplier_of_all(&mut self) {
         let totals = self.problem.totals;
         if totals == [Total::Free; N] {
@@ -89,7 +88,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             std::array::from_fn(|c| totals[c].held(sum[c] / count, sums[c]));
     }
 
-    /// `d = P(x - a g) - x`; returns `[g'd, d'd]`.
+    /// Computes `d = P(x - a g) - x`. Returns `[g'd, d'd]`.
     fn set_projected_direction(&mut self, length: f64) -> [f64; 2] {
         let (constraint, sums) = (self.problem.constraint, self.sums());
         let w = &mut *self.workspace;
@@ -117,7 +116,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// `d' C d` of the direction, and what the springs add to it.
+    /// Returns `d' C d` of the direction, including the contribution of the springs.
     fn curvature_of_all(&self) -> f64 {
         let w = &*self.workspace;
         let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
@@ -132,7 +131,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// Takes a part of the direction.
+    /// Moves along a fraction of the direction.
     fn go_along(&mut self, part: f64) {
         let constraint = self.problem.constraint;
         let w = &mut *self.workspace;

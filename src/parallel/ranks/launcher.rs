@@ -1,8 +1,8 @@
-//! What the launcher of a program tells its processes.
+//! Number of processes reported by the launcher of a program.
 
 use crate::parallel::ranks::RankFailure;
 
-/// How many processes were started, by the variables of launchers, and last by those of a queue in which one may run.
+/// Environment variables with the number of processes: those of launchers first, then those of a batch system.
 const COUNTS: [&str; 5] = [
     "OMPI_COMM_WORLD_SIZE",
     "PMI_SIZE",
@@ -11,7 +11,7 @@ const COUNTS: [&str; 5] = [
     "SLURM_NTASKS",
 ];
 
-/// `Ok` unless a process that MPI knows as the only one was started as one of several. The first variable that is set
+/// Returns an error if a process that is alone in its communicator was started as one of several. The first variable that is set
 /// decides.
 pub(super) fn check(
     size: usize,
@@ -52,7 +52,7 @@ mod tests {
             assert_eq!(of(1, &[(variable, "some")]), Ok(()));
         }
         assert_eq!(of(1, &[]), Ok(()));
-        // One process, started by its launcher in a queue with room for many.
+        // One process, started by its launcher in a batch job with room for many.
         let queued = [("SLURM_NTASKS", "64"), ("OMPI_COMM_WORLD_SIZE", "1")];
         assert_eq!(of(1, &queued), Ok(()));
     }

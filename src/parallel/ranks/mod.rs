@@ -1,99 +1,108 @@
-//! Several processes, or threads, that solve one contact together.
+//! Ranks: several processes or threads that solve one contact together.
 //!
-//! A *rank* is one of them. Every rank runs the same program on its own part of the cells, and meets the others in the
-//! exchanges of [`Ranks`] alone: all ranks make the same calls in the same order. Nothing else of this crate communicates.
+//! A *rank* is one of these processes or threads. Every rank runs the same program on its own part of the cells. Ranks
+//! communicate only through the exchanges of [`Ranks`], and all ranks make the same calls in the same order.
 //!
-//! [`HalfSpace::distributed`](crate::HalfSpace::distributed) deals out the rows of a grid: each rank holds a *slab* of
-//! them, with fields, problems and solutions of its own. Builders are those of any bodies. Whatever ranks do together
-//! every rank must do: build, solve and step, change what is solved, return to a state, displacements, energies, cycles
-//! (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
-//! [`max_stable_cycles`](crate::history::wear::max_stable_cycles)), contact spots, statistics, files. What else a solution says
-//! of the whole contact (force, area, stick ratio, report, ...) every rank knows without asking; its fields are those of the
-//! slab.
+//! [`HalfSpace::distributed`](crate::HalfSpace::distributed) distributes the rows of a grid. Each rank stores a *slab* of rows,
+//! with the fields, problems and solutions on it. The builders are the same as without ranks. The following calls are collective:
+//! every rank must make them.
 //!
-//! # The same inputs
+//! - Building, solving and stepping; changing a problem or history; returning to a state.
+//! - Displacements, energies, contact spots, statistics and files.
+//! - Cycles (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
+//!   [`max_stable_cycles`](crate::history::wear::max_stable_cycles)).
 //!
-//! Ranks that came with different inputs would find the answer to no problem at all. What is one for the whole contact is
-//! therefore compared where a call begins, in one exchange of a word for each input: grid, pair and boundary of the bodies,
-//! parameters of a rough surface, loads, friction and hardness that are uniform, model, coupling and settings of a problem
-//! or a history, also where they are changed later, the load of each step, and the state that a history starts from or
-//! returns to. All ranks refuse what differs on any of them, by its name ([`RankFailure::InconsistentInput`]), and stay as they were. Fields
-//! cannot be compared, since each rank has other rows of them: a gap, or a coefficient for each cell, must be made of the
-//! same numbers everywhere.
+//! Other results for the whole contact (force, area, stick ratio, report, ...) are stored on every rank and need no
+//! communication. The fields of a solution are those of the slab.
 //!
-//! Normal, tangential and coupled problems and histories of them can be shared, on all boundaries, with hardness, friction
-//! that differs from cell to cell, relative displacements, wear and stiffnesses, and stresses on planes below the surface
-//! ([`Planes`](crate::subsurface::Planes)), of which each rank gets its rows. Refused ([`RankFailure::UnsupportedOnRanks`]) are
-//! stresses at single points, since a sum over the loaded cells of all ranks is not made in slabs, stresses under values
-//! at the centres of cells, files of stresses, and dense matrices.
+//! # Consistent inputs
 //!
-//! Surfaces are made ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
-//! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab, and fields are read from and written
-//! to files of the whole grid ([`HalfSpace::write_npy`](crate::HalfSpace::write_npy),
+//! Ranks with different inputs would not solve any common problem. Inputs that are common to the whole contact are therefore
+//! compared at the start of a call, in one exchange of a word for each input. These inputs are:
+//!
+//! - grid, pair and boundary of the bodies, and parameters of a rough surface;
+//! - uniform loads, friction and hardness;
+//! - model, coupling and settings of a problem or a history, also if they are changed later;
+//! - the load of each step, and the state that a history starts from or returns to.
+//!
+//! If an input differs on any rank, all ranks return an error with its name ([`RankFailure::InconsistentInput`]) and remain unchanged.
+//! Fields cannot be compared, since each rank has different rows. A gap, or a coefficient per cell, must therefore be computed
+//! from the same numbers on every rank.
+//!
+//! Normal, tangential and coupled problems and their histories can be distributed, on all boundaries, with hardness, friction
+//! that varies between cells, relative displacements, wear and stiffnesses. Stresses on planes below the surface
+//! ([`Planes`](crate::subsurface::Planes)) are also supported; each rank receives its rows. The following return
+//! [`RankFailure::UnsupportedOnRanks`]: stresses at single points, since a sum over the loaded cells of all ranks is not computed in
+//! slabs; stresses under values at the centres of cells; files of stresses; and dense matrices.
+//!
+//! Surfaces are generated ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
+//! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab. Fields are read from and written to files
+//! of the whole grid ([`HalfSpace::write_npy`](crate::HalfSpace::write_npy),
 //! [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti)).
 //!
-//! | ranks | are |
+//! | type | ranks |
 //! |---|---|
-//! | [`Threads`] | threads of one process, to try and test distributed programs |
+//! | [`Threads`] | threads of one process, for developing and testing distributed programs |
 //! | `Mpi` (feature `mpi`) | processes of an MPI program |
 //! | in Python, in C | a communicator of mpi4py, a function of the program ([guide](crate::guide::distributed)) |
-//! | your own | anything that swaps blocks: implement [`Ranks::swap`], and what can be done faster than by swaps |
+//! | user-defined | any means of exchanging blocks: implement [`Ranks::swap`], and optionally faster collective exchanges |
 //!
-//! # The same bits
+//! # Bitwise identical results
 //!
-//! An answer has the bits that one process finds, on any number of ranks. A transform of a row or a column is the same
-//! call on the same numbers wherever it is made; sums follow one tree of chunks of rows, slabs end where chunks end, and
-//! every rank finishes the tree from the nodes that others hold wholly. Observer and clock are asked on all ranks, and
-//! the first decides, on every level. Coarse grids of nested starts of at most 65 536 cells every rank solves by itself.
+//! Results are bitwise identical to those of one process, for any number of ranks. The transform of a row or a column is the same
+//! call on the same numbers on any rank. Sums follow one tree of chunks of rows, slabs end at chunk boundaries, and every rank
+//! completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and the first
+//! rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
 //!
 //! # Histories
 //!
-//! The state of a history is that of the rows of the slab. All ranks save it together, in one
-//! file that replaces the earlier one when every rank has written its rows ([`History::save`](crate::History::save)). Any
-//! number of ranks continues from it to the same bits ([`History::load`](crate::History::load)), or from the
-//! [bytes](crate::History::to_bytes) of the slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step
-//! brings tractions and offsets of the contact's window to the ranks that share its rows, and the answer back: about ten
-//! numbers per cell of the window and component. Gap, friction and settings are changed by all ranks alike; energies and
-//! sums of cycles are those of the whole contact, slip and wear those of the slab. An observer of a
-//! [`FrettingLoop`](crate::history::FrettingLoop) is asked on all ranks, and the first decides.
+//! The state of a history contains the rows of the slab. All ranks save it together in one file, which replaces the earlier file
+//! when every rank has written its rows ([`History::save`](crate::History::save)). Any number of ranks can continue from it, with
+//! bitwise identical results ([`History::load`](crate::History::load)), or from the [bytes](crate::History::to_bytes) of the
+//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends tractions and offsets of the window of the contact
+//! to the ranks that share its rows, and returns the solution: about ten numbers per cell of the window and component. Gap,
+//! friction and settings must be changed by all ranks in the same way. Energies and sums of cycles refer to the whole contact,
+//! slip and wear to the slab. An observer of a [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks, and the
+//! first rank decides.
 //!
-//! # What is sent
+//! # Communication volume
 //!
-//! A product on $`n \times n`$ cells swaps the transforms of its rows for those of its columns and back. All ranks
+//! A product on $`n \times n`$ cells exchanges the transforms of its rows for the transforms of its columns and back. All ranks
 //! together send
 //!
 //! ```math
 //! 32\,n^2 \Bigl(1 - \frac1P\Bigr) \text{ bytes}
 //! ```
 //!
-//! on a free grid, half of it on a periodic one, and half of either in single precision; bands of 16 rows without
-//! traction are not sent on the way there. In either direction a rank sends a block to each other one, all at once
-//! ([`Ranks::all_to_all`]), packed on all threads; of more than 4 MB in up to 16 rounds, so that blocks take little
-//! memory beside what they are made of. A window of the contact has its rows dealt out to all ranks anew. An
-//! iteration adds up seven partial results, of some hundred bytes in $`\lceil\log_2 P\rceil`$ messages each.
+//! on a non-periodic grid, half of this on a periodic grid, and in single precision half of either. Bands of 16 rows without
+//! traction are not sent in the first direction. In each direction a rank sends one block to every other rank, all in one
+//! exchange ([`Ranks::all_to_all`]), packed on all threads. Blocks of more than 4 MB are sent in up to 16 rounds, so that they
+//! take little memory compared with their source. The rows of a window of the contact are distributed over all ranks again. An
+//! iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred bytes.
 //! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
 //!
-//! Columns of the transform are dealt out in sixteens, two cache lines of each row, since both precisions share them:
-//! of $`n \times n`$ cells on a grid that repeats at most $`n/32`$ ranks have columns to transform (a free grid has
-//! twice as many). Rows are dealt out in whole chunks of the sums, 4096 cells or one row, and in pairs, as they are
-//! transformed: 96 rows of 96 cells lie as 42, 42 and 12 on three ranks. Shorter chunks would share them evenly, but would
-//! change the last digits of every sum, and such grids gain nothing from ranks: from $`8192 P`$ cells on no rank has more
-//! than twice its even part, from $`81\,920\, P`$ cells on at most a tenth more than it. Ranks beyond these numbers have nothing to do in that part, and only
-//! wait.
+//! Columns of the transform are distributed in groups of sixteen, two cache lines of each row, because both precisions share
+//! them. On a periodic grid of $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform (twice this number on a
+//! non-periodic grid). Rows are distributed in whole chunks of the sums, 4096 cells or one row, and in pairs, as they are
+//! transformed: 96 rows of 96 cells are split into 42, 42 and 12 rows on three ranks. Shorter chunks would balance the rows, but
+//! would change the last digits of every sum, and such small grids gain nothing from ranks. For $`8192 P`$ cells or more no rank
+//! has more than twice its even part, for $`81\,920\, P`$ cells or more at most a tenth more than it. Additional ranks have no
+//! work in that part and only wait.
 //!
-//! Of the whole contact a rank keeps counts alone: each counts its slab, and joins the spots at its ends with those of
-//! the next in $`\lceil\log_2 P\rceil`$ exchanges of two rows. Where it is asked for the spots one by one
-//! ([`NormalSolution::spots`](crate::NormalSolution::spots) and its like), each labels its slab, sends the labels of its last
-//! row to the next rank, and all gather the sums of all spots, 72 bytes for each and for each part of one that a slab cuts.
+//! A rank stores only counts of the whole contact. Each rank counts its slab, and joins the spots at the ends of its slab with
+//! those of the next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. For a list of all spots
+//! ([`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods), each rank labels its slab and sends the labels
+//! of its last row to the next rank. All ranks then gather the sums of all spots: 72 bytes for each spot and for each part of a
+//! spot that a slab cuts.
 //!
-//! # Failure
+//! # Failures
 //!
-//! Input that one rank refuses all refuse: its own error there, [`RankFailure::RejectedByRank`] on the others; so do kernels that one
-//! rank cannot make, for want of memory or as its response fails. If a rank ends
-//! or is silent for too long, the calls of the others return [`RankFailure::Disconnected`] or [`RankFailure::Timeout`], and so do
-//! all that follow on the same bodies; a block of another length than is due is that of a rank that makes other calls
-//! ([`RankFailure::CollectiveMismatch`]). A file that they were writing together is then the old one, or the new one if all
-//! of it was there.
+//! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the others.
+//! The same holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If a rank
+//! ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or [`RankFailure::Timeout`], and so
+//! do all later calls on the same bodies. A block of unexpected length shows that its sender makes different calls
+//! ([`RankFailure::CollectiveMismatch`]). A file that the ranks were writing together is then the old file, or the new file if it was
+//! complete.
 
 pub(crate) mod partition;
 
@@ -116,35 +125,36 @@ pub(crate) use team::{Input, RankGroup};
 pub use threads::Threads;
 pub(crate) use wire_format::WireFormat;
 
-/// How one rank reaches the others.
+/// Communication of one rank with the others.
 ///
-/// What travels is blocks of 64-bit words. An implementation keeps the order of the blocks between any two ranks. When
-/// a rank leaves, the calls of the others return a [`RankFailure`]: they do not wait without end.
+/// Messages are blocks of 64-bit words. An implementation must keep the order of the blocks between any two ranks. When a rank
+/// leaves, the calls of the other ranks must return a [`RankFailure`] instead of waiting forever.
 ///
-/// [`Ranks::swap`] is enough: the other exchanges are made of it unless an implementation has a faster way.
+/// Only [`Ranks::swap`] is required. The other exchanges use it unless an implementation provides a faster method.
 pub trait Ranks: Debug + Send + Sync {
-    /// The number of this rank, from zero.
+    /// Returns the number of this rank, counted from zero.
     fn rank(&self) -> usize;
 
-    /// How many ranks there are.
+    /// Returns the number of ranks.
     fn size(&self) -> usize;
 
-    /// Sends a block to the rank `to` and receives one from the rank `from`, which calls at the same time. Neither is
-    /// this rank itself. The block received may be of any length.
+    /// Sends a block to the rank `to` and receives a block from the rank `from`, which calls at the same time. Neither is this
+    /// rank itself. The received block may have any length.
     ///
     /// # Errors
-    /// [`RankFailure::Disconnected`], [`RankFailure::Timeout`].
+    /// - [`RankFailure::Disconnected`] if the other rank has ended.
+    /// - [`RankFailure::Timeout`] if the other rank does not answer in time.
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure>;
 
-    /// Sends `blocks[r]` to each rank `r` and returns the block of each rank at its place. All ranks call at the same time;
-    /// a rank that sends this one any words is one of those with `is_expected[r]`, and sends at least one. A block without
-    /// words need not travel: an empty one is returned for it. What stands at the place of this rank itself is dropped,
-    /// and an empty block returned.
+    /// Sends `blocks[r]` to each rank `r` and returns the received blocks in the order of the ranks. All ranks call at the same
+    /// time. A rank that sends any words to this rank must have `is_expected[r]` here, and an expected rank sends at least one
+    /// word. Empty blocks need not be sent; an empty block is returned for them. The block for this rank itself is dropped, and
+    /// an empty block is returned in its place.
     ///
-    /// The default swaps blocks with one rank after the other.
+    /// The default implementation swaps blocks with the other ranks in turn.
     ///
     /// # Errors
-    /// Those of [`Ranks::swap`].
+    /// The errors of [`Ranks::swap`].
     fn all_to_all(
         &self,
         blocks: Vec<Vec<u64>>,
@@ -161,13 +171,15 @@ pub trait Ranks: Debug + Send + Sync {
         Ok(received)
     }
 
-    /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, the same numbers on all ranks.
+    /// Gathers the words of all ranks in their order. Rank `r` contributes `counts[r]` words, with the same counts on all ranks.
     ///
-    /// In the default each step doubles the ranks that a rank has heard of: it sends all it knows back by that many ranks
-    /// (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143, <https://doi.org/10.1109/71.642949>).
+    /// In the default implementation each step doubles the number of ranks whose words a rank has: it sends them to the rank that
+    /// is this number of places before it (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
+    /// <https://doi.org/10.1109/71.642949>).
     ///
     /// # Errors
-    /// Those of [`Ranks::swap`]; [`RankFailure::CollectiveMismatch`] if a block is of another length than the counts say.
+    /// - [`RankFailure::CollectiveMismatch`] if a block does not have the length given by the counts.
+    /// - The errors of [`Ranks::swap`].
     fn all_gather(&self, own: &[u64], counts: &[usize]) -> Result<Vec<u64>, RankFailure> {
         let (me, ranks) = (self.rank(), self.size());
         let words_of = |of: Range<usize>| -> usize { of.map(|rank| counts[rank % ranks]).sum() };
@@ -183,7 +195,7 @@ pub trait Ranks: Debug + Send + Sync {
             known.extend(received);
             of += new;
         }
-        // From this rank on, around; begun with the first.
+        // The words are in cyclic order from this rank; rotate them to start with the first rank.
         known.rotate_right(words_of(0..me));
         Ok(known)
     }

@@ -14,7 +14,7 @@ use mpi::traits::{Communicator, Destination, Source};
 use crate::error::{Error, Result};
 use crate::parallel::ranks::{RankFailure, Ranks, launcher};
 
-/// A rank that is a process started by `mpirun`. Made by [`Mpi::run`].
+/// A rank that is a process started by `mpirun`, created by [`Mpi::run`].
 ///
 /// ```no_run
 /// use std::sync::Arc;
@@ -26,7 +26,7 @@ use crate::parallel::ranks::{RankFailure, Ranks, launcher};
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let rows = Mpi::run(Duration::from_secs(600), |rank| {
 ///     let bodies = HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?;
-///     // Gaps on `bodies.grid()`, problems and solutions as ever.
+/// // Gaps on `bodies.grid()`, problems and solutions are used as without ranks.
 ///     stickslip::Result::Ok(bodies.grid().rows())
 /// })??;
 /// # Ok::<(), stickslip::Error>(())
@@ -35,46 +35,49 @@ use crate::parallel::ranks::{RankFailure, Ranks, launcher};
 pub struct Mpi {
     rank: usize,
     size: usize,
-    /// The lock makes the rank `Sync`, keeps calls of MPI apart, and is never contended.
+    /// State shared with [`Mpi::run`]. The lock makes the rank `Sync` and separates calls of MPI; it is never contended.
     post: Arc<Mutex<PeerQueues>>,
 }
 
-/// The tags of MPI messages: a block of data, and the last message that a rank sends.
+/// Tags of MPI messages: a block of data, and the last message of a rank.
 const BLOCK: i32 = 1;
 const LEFT: i32 = 2;
 
-/// Number of probes for a message between which the thread yields to others; between later ones it sleeps.
+/// Number of probes for a message after each of which the thread yields; after later probes it sleeps.
 const EAGER: u32 = 1 << 12;
-/// The length of such a sleep.
+/// Duration of such a sleep.
 const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
-    /// Initialises MPI, runs the work as the rank of this process, and finalises MPI. A call of the work that waits for
-    /// another rank longer than `patience` returns [`RankFailure::Timeout`].
+    /// Initialises MPI, runs the work as the rank of this process, and finalises MPI. A call of the work that waits for another
+    /// rank longer than `patience` returns [`RankFailure::Timeout`].
     ///
-    /// The work uses the rayon pool of its process as without MPI. Calls of MPI are made one at a time, by whichever thread
-    /// the work is on, so that the MPI library must grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and those derived from
-    /// them do.
+    /// The work uses the rayon pool of its process, as without MPI. Calls of MPI are made one at a time, by the thread that
+    /// currently runs the work. The MPI library must therefore grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and their
+    /// derivatives do.
     ///
-    /// Messages are sent and awaited one by one, all of an exchange at once, not by the collective calls of MPI: those can
-    /// neither be tested for one rank nor be cancelled, so that a rank that is lost would hold the others for ever.
+    /// Messages are sent and received individually, all messages of an exchange together, and not by collective calls of MPI.
+    /// Collective calls cannot be tested for one rank and cannot be cancelled, so that a lost rank would block the others
+    /// forever.
     ///
-    /// Only all ranks together can finalise MPI. If a call has waited for a rank in vain, and that rank is still silent for
-    /// another `patience` after the work, or a block for it cannot be sent within `patience`, this function does not return:
-    /// it writes the rank and the reason to standard error and aborts all processes. Otherwise it waits for the other ranks
-    /// without a limit, however long their work takes.
+    /// MPI can be finalised only by all ranks together. This function does not return if a call has timed out waiting for a rank,
+    /// and that rank is still silent for another `patience` after the work. It also does not return if a block cannot be sent
+    /// within `patience`. In both cases it writes the rank and the reason to standard error and aborts all processes. Otherwise
+    /// it waits for the other ranks without a limit, however long their work takes.
     ///
     /// # Errors
-    /// [`Error::Ranks`], before any work: [`RankFailure::MpiAlreadyInitialised`]; [`RankFailure::InsufficientThreadLevel`];
-    /// [`RankFailure::SeparateMpiJobs`] if the process is alone in its
-    /// communicator although several were started, as by the launcher of another MPI or by a batch job of several tasks
-    /// (their number is that of the first of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
-    /// `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS` that is set).
+    /// The function returns [`Error::Ranks`], before any work, with
+    /// - [`RankFailure::MpiAlreadyInitialised`] if MPI is already initialised.
+    /// - [`RankFailure::InsufficientThreadLevel`] if the MPI library does not grant the thread level.
+    /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started, for example
+    ///   by the launcher of a different MPI library or by a batch job of several tasks. Their number is the value of the first
+    ///   variable that is set, of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and
+    ///   `SLURM_NTASKS`.
     ///
     /// # Panics
-    /// If the work panics, or more ranks than 2^31 are started.
+    /// Panics if the work panics, or if more than 2^31 ranks are started.
     pub fn run<T>(patience: Duration, work: impl FnOnce(Self) -> T) -> Result<T> {
-        // Dropped last, which finalises MPI.
+        // MPI is finalised when this value is dropped, after everything else.
         let (_universe, granted) = mpi::initialize_with_threading(Threading::Serialized)
             .ok_or(Error::Ranks(RankFailure::MpiAlreadyInitialised))?;
         if !matches!(granted, Threading::Serialized | Threading::Multiple) {
@@ -100,7 +103,7 @@ impl Mpi {
         Ok(result.unwrap_or_else(|panic| resume_unwind(panic)))
     }
 
-    /// Makes a call of MPI, if it has not been finalised.
+    /// Makes a call of MPI, or returns an error if this rank has sent its last messages.
     fn call<T>(
         &self,
         call: impl FnOnce(&mut PeerQueues) -> Result<T, RankFailure>,
@@ -113,7 +116,7 @@ impl Mpi {
     }
 }
 
-/// A panic under the lock leaves what is known of the others as it is.
+/// Locks the state. A panic under the lock leaves the state valid.
 fn lock(post: &Mutex<PeerQueues>) -> MutexGuard<'_, PeerQueues> {
     post.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -152,11 +155,11 @@ impl Ranks for Mpi {
     }
 }
 
-/// A rank's knowledge of the others. The communicator is asked for in each call: it cannot go from thread to thread.
+/// State of a rank's communication. Each call creates the communicator, because it cannot be moved between threads.
 #[derive(Debug)]
 struct PeerQueues {
     patience: Duration,
-    /// Ranks whose last message has been read.
+    /// Ranks whose last message has been received.
     have_left: Vec<bool>,
     /// Ranks for which a call has waited longer than the patience.
     are_given_up: Vec<bool>,
@@ -165,7 +168,7 @@ struct PeerQueues {
 }
 
 impl PeerQueues {
-    /// Sends each block to its rank, all at once, and takes one from each of these ranks as they come.
+    /// Sends all blocks to their ranks together, and takes one block from each of the awaited ranks in order of arrival.
     fn exchange(
         &mut self,
         blocks: &[(usize, Vec<u64>)],
@@ -189,7 +192,7 @@ impl PeerQueues {
             let mut clock;
             for (to, mut sent) in sent {
                 clock = Clock::new(self.patience);
-                // MPI may read the block until it is sent.
+                // MPI may read the block until the send completes.
                 while let Err(pending) = sent.test() {
                     if clock.is_over() {
                         Self::abort(&world, self.silent(to));
@@ -201,8 +204,8 @@ impl PeerQueues {
         })
     }
 
-    /// A block of each of these ranks, in any order; those of the others too where one of them is lost, so that nobody waits
-    /// for this rank to take one.
+    /// Receives a block from each of the awaited ranks, in any order. If one of them is lost, still receives the blocks of the
+    /// others, so that no rank waits for this rank to receive its block.
     fn receive(
         &mut self,
         world: &SimpleCommunicator,
@@ -228,7 +231,7 @@ impl PeerQueues {
         outcome
     }
 
-    /// The next block of a rank, if it has come.
+    /// Returns the next block of a rank, or `None` if it has not arrived.
     fn arrived(
         &mut self,
         world: &SimpleCommunicator,
@@ -255,17 +258,18 @@ impl PeerQueues {
         RankFailure::Timeout { rank, seconds }
     }
 
-    /// Ends all processes.
+    /// Aborts all processes.
     fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
         let own = world.rank();
         let message = format!("stickslip: rank {own} gives up: {why}; all ranks are aborted\n");
-        // No error can reach a caller any more. One write keeps the messages of several ranks apart.
+        // No error can reach a caller any more. One write keeps the messages of several ranks separate.
         let _ = std::io::stderr().write_all(message.as_bytes());
         world.abort(1)
     }
 
-    /// Sends the last message to every other rank, and reads theirs, so that no rank waits for this one and no message is left
-    /// unread when MPI is finalised. Aborts if a rank that was given up is still silent: to finalise would wait for it for ever.
+    /// Sends the last message to every other rank and receives their last messages. Thus no rank waits for this rank, and no
+    /// message is unread when MPI is finalised. Aborts if a rank that has timed out is still silent, because finalising would
+    /// wait for it forever.
     fn part(&mut self) {
         self.has_parted = true;
         let world = SimpleCommunicator::world();
@@ -276,7 +280,7 @@ impl PeerQueues {
             let process = world.process_at_rank(rank_of(rank));
             process.send_with_tag(&last[..], LEFT);
         }
-        // Of all at once: while one is silent, others may wait for this rank to take a block.
+        // Receives from all ranks together: while one rank is silent, others may wait for this rank to receive a block.
         let mut left: Vec<usize> = others.collect();
         while !left.is_empty() {
             let received = self.receive(&world, left.clone(), &mut |_, _| ());
@@ -289,12 +293,12 @@ impl PeerQueues {
     }
 }
 
-/// As MPI numbers a rank.
+/// Returns the MPI number of a rank.
 fn rank_of(rank: usize) -> i32 {
     i32::try_from(rank).expect("it came from MPI")
 }
 
-/// The time spent waiting between probes for a message.
+/// Time spent waiting between probes for a message.
 struct Clock {
     start: Instant,
     patience: Duration,
@@ -310,7 +314,7 @@ impl Clock {
         }
     }
 
-    /// Yields or sleeps once, and returns whether the patience is over.
+    /// Yields or sleeps once, and returns whether the patience is exhausted.
     fn is_over(&mut self) -> bool {
         self.looks = self.looks.saturating_add(1);
         if self.looks < EAGER {

@@ -1,4 +1,4 @@
-//! How a rectangle of cells is dealt out to ranks, and how its rows travel between them.
+//! Partition of a rectangle of cells over ranks, and exchange of its rows.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,25 +9,25 @@ use crate::parallel::layout::chunk_of;
 use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::parallel::{self, Combine, Split, Work};
 
-/// Words that a rank wants in one round, about.
+/// Approximate number of words that a rank receives in one round.
 const ROUND_WORDS: usize = 1 << 19;
 
-/// A rectangle of cells in slabs of rows, one slab a rank, in their order; a slab may be empty. A slab ends where a chunk
-/// of the tree of sums ends.
+/// A rectangle of cells in slabs of rows, one slab per rank in the order of the ranks; a slab may be empty. Slabs end at chunk
+/// boundaries of the summation tree.
 #[derive(Debug)]
 pub(crate) struct RowPartition {
     team: Arc<RankGroup>,
     size: [usize; 2],
     chunk: usize,
-    /// First chunk of each rank, and the number of all.
+    /// First chunk of each rank, and the number of all chunks.
     chunks: Vec<usize>,
-    /// First row of each rank, and the number of all.
+    /// First row of each rank, and the number of all rows.
     rows: Vec<usize>,
-    /// How many nodes of the tree each rank adds up.
+    /// Number of tree nodes that each rank computes.
     nodes: Vec<usize>,
 }
 
-/// Whether the same ranks have the same rows.
+/// Compares whether the same ranks have the same rows.
 impl PartialEq for RowPartition {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.team, &other.team) && self.size == other.size
@@ -35,11 +35,11 @@ impl PartialEq for RowPartition {
 }
 
 impl RowPartition {
-    /// `[columns, rows]` dealt out evenly.
+    /// Distributes `[columns, rows]` evenly.
     pub(crate) fn new(team: &Arc<RankGroup>, size: [usize; 2]) -> Self {
         let [columns, all_rows] = size;
         let (ranks, chunk) = (team.size(), chunk_of(size));
-        // As few rows as are whole chunks, and pairs: rows are transformed two at a time.
+        // The smallest number of rows that is a whole number of chunks and even, because rows are transformed two at a time.
         let step = chunk / greatest_common_divisor(chunk, columns);
         let step = step * (1 + step % 2);
         let steps = all_rows.div_ceil(step);
@@ -47,14 +47,15 @@ impl RowPartition {
         Self::of(team, size, chunk, (0..=ranks).map(first).collect())
     }
 
-    /// So many columns of some rows, which stay where they lie, in chunks of one row.
+    /// Returns the partition of a range of rows, with the given number of columns, in chunks of one row. The rows stay on their
+    /// ranks.
     pub(crate) fn within(&self, columns: usize, all: Range<usize>) -> Self {
         let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;
         let rows = self.rows.iter().map(first).collect();
         Self::of(&self.team, [columns, all.len()], columns, rows)
     }
 
-    /// Rows that begin there, of each rank.
+    /// Creates a partition from the first rows of the ranks.
     fn of(team: &Arc<RankGroup>, size: [usize; 2], chunk: usize, rows: Vec<usize>) -> Self {
         let (columns, ranks) = (size[0], team.size());
         let chunks: Vec<usize> = rows
@@ -84,12 +85,12 @@ impl RowPartition {
         &self.team
     }
 
-    /// Whether every rank has the rows that it has in another share.
+    /// Returns whether every rank has the same rows as in another partition.
     pub(crate) fn has_rows_of(&self, other: &Self) -> bool {
         self.rows == other.rows
     }
 
-    /// Cells of this rank.
+    /// Returns the number of local cells.
     pub(crate) fn cells(&self) -> usize {
         self.local_rows().len() * self.size[0]
     }
@@ -98,17 +99,17 @@ impl RowPartition {
         self.chunk
     }
 
-    /// `[columns, rows]` of all ranks together.
+    /// Returns `[columns, rows]` of all ranks together.
     pub(crate) fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// The rows of a rank.
+    /// Returns the rows of a rank.
     pub(crate) fn rows_of(&self, rank: usize) -> Range<usize> {
         self.rows[rank]..self.rows[rank + 1]
     }
 
-    /// The rows of this rank.
+    /// Returns the rows of this rank.
     pub(crate) fn local_rows(&self) -> Range<usize> {
         self.rows_of(self.team.rank())
     }
@@ -121,9 +122,9 @@ impl RowPartition {
         self.chunks[self.team.size()]
     }
 
-    /// [`Layout::sweep`](crate::parallel::layout::Layout::sweep) over the chunks of all ranks. Each adds up the largest nodes of the
-    /// tree that it holds wholly, and all finish the tree from these. What ranks that lost each other return is theirs
-    /// alone.
+    /// Runs [`Layout::sweep`](crate::parallel::layout::Layout::sweep) over the chunks of all ranks. Each rank computes the
+    /// largest nodes of the tree that it owns entirely, and all ranks complete the tree from these. After a failed call the
+    /// result is only local.
     pub(crate) fn sweep<D: Split, T: WireFormat>(
         &self,
         data: D,
@@ -140,7 +141,7 @@ impl RowPartition {
         self.finished(values, combine)
     }
 
-    /// The largest nodes of the tree that this rank holds wholly, of its own chunks.
+    /// Returns the largest nodes of the tree that this rank owns entirely, as ranges of local chunks.
     pub(crate) fn local_subtrees(&self) -> Vec<Range<usize>> {
         let own = self.chunks_of(self.team.rank());
         let mut nodes = Vec::new();
@@ -150,7 +151,7 @@ impl RowPartition {
         nodes
     }
 
-    /// The value of the whole tree, from those of [`RowPartition::local_subtrees`] of all ranks.
+    /// Computes the value of the whole tree from the values of [`RowPartition::local_subtrees`] of all ranks.
     pub(crate) fn finished<T: WireFormat>(
         &self,
         own: impl Iterator<Item = T>,
@@ -160,12 +161,12 @@ impl RowPartition {
         own.for_each(|value| value.write(&mut words));
         let counts: Vec<usize> = self.nodes.iter().map(|nodes| nodes * T::COUNT).collect();
         let all = self.team.gather(&words, &counts);
-        // Of a rank on its own without any node nothing is known: zeros end its work soon.
+        // After a failure a rank without a node has no values; zeros end its work soon.
         let mut all = &all.unwrap_or(words)[..];
         self.finish(0..self.all_chunks(), &mut all, combine)
     }
 
-    /// The value of a node of the tree, from those that ranks hold wholly, in their order.
+    /// Computes the value of a node of the tree from the values of the entirely owned nodes, in the order of the ranks.
     fn finish<T: WireFormat>(
         &self,
         node: Range<usize>,
@@ -184,8 +185,8 @@ impl RowPartition {
         combine(low, self.finish(high, words, combine))
     }
 
-    /// The columns and rows that each rank wants of a field whose rows, of so many columns, are dealt out so: those for
-    /// this rank, row by row.
+    /// Fetches the columns and rows that each rank requests, from a distributed field with the given number of columns. Returns
+    /// the request of this rank, row by row.
     pub(crate) fn fetch(
         &self,
         field: &[f64],
@@ -198,7 +199,7 @@ impl RowPartition {
         found
     }
 
-    /// The same into memory that is there.
+    /// Fetches like [`RowPartition::fetch`] into existing memory.
     pub(crate) fn fetch_into(
         &self,
         field: &[f64],
@@ -223,7 +224,7 @@ impl RowPartition {
                 });
             }
         };
-        // The memory of blocks that have come is that of the next to go.
+        // The memory of received blocks is reused for the next blocks to send.
         let mut blocks = vec![Vec::new(); ranks];
         for round in 0..rounds {
             let come = |rank: usize| part(&common(&self.rows_of(rank), &own_wanted), round, rounds);
@@ -255,19 +256,19 @@ impl RowPartition {
     }
 }
 
-/// How many rounds an exchange takes of which a rank sends so many items, if a round has about so many. More than a
-/// sixteenth of them need not be in one, beside all that a rank holds.
+/// Returns the number of rounds of an exchange, given the number of items of a rank and the approximate number per round. At most
+/// 16 rounds are used, since a sixteenth of the items takes little memory compared with the fields of a rank.
 pub(crate) fn rounds(most: usize, of_a_round: usize) -> usize {
     most.div_ceil(of_a_round).clamp(1, 16)
 }
 
-/// The part of a range that travels in one of several rounds.
+/// Returns the part of a range that is sent in one of several rounds.
 pub(crate) fn part(all: &Range<usize>, round: usize, rounds: usize) -> Range<usize> {
     let end = |round: usize| all.start + all.len() * round / rounds;
     end(round)..end(round + 1)
 }
 
-/// What two ranges have in common; an empty range at the start of the second if nothing.
+/// Returns the intersection of two ranges, or an empty range at the start of the second if they are disjoint.
 fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
     let (start, end) = (one.start.max(other.start), one.end.min(other.end));
     if start < end {
@@ -277,13 +278,13 @@ fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
     }
 }
 
-/// The halves of a node of the tree, as [`parallel::sweep`] takes them.
+/// Returns the halves of a node of the tree, as in [`parallel::sweep`].
 fn children(node: Range<usize>) -> [Range<usize>; 2] {
     let middle = node.start + node.len() / 2;
     [node.start..middle, middle..node.end]
 }
 
-/// Visits the largest nodes of the tree that lie wholly in a range.
+/// Visits the largest nodes of the tree that lie entirely in a range.
 fn visit(node: Range<usize>, range: &Range<usize>, f: &mut dyn FnMut(Range<usize>)) {
     if node.start >= range.end || node.end <= range.start {
         return;

@@ -1,4 +1,4 @@
-//! The ranks as the crate uses them: calls cannot fail one by one, a failure stays, and traffic is counted.
+//! Ranks as used inside the crate: calls return no errors, the first failure is recorded, and traffic is counted.
 
 use std::fmt::Debug;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -8,8 +8,8 @@ use crate::error::{Error, Result};
 use crate::parallel::ranks::{RankFailure, Ranks, WireFormat};
 use crate::support::checksum;
 
-/// Ranks that solve together. Once a call has failed nothing more is sent: what is received is empty, every rank
-/// computes alone until it is asked, and [`RankGroup::check`] tells what happened.
+/// Ranks that solve together. After a failed call nothing more is sent and received blocks are empty. Every rank continues to
+/// compute alone until [`RankGroup::check`] returns the failure.
 #[derive(Debug)]
 pub(crate) struct RankGroup {
     ranks: Arc<dyn Ranks>,
@@ -18,24 +18,24 @@ pub(crate) struct RankGroup {
     words: AtomicU64,
     exchanges: AtomicU64,
     gathers: AtomicU64,
-    /// Agreements that some rank has refused.
+    /// Number of collective agreements that some rank has rejected.
     refusals: AtomicU64,
 }
 
-/// What must be the same on all ranks: its name and its value, which is compared as it is shown.
+/// Input that must be equal on all ranks: its name and its value, which is compared by its `Debug` output.
 pub(crate) type Input<'a> = (&'static str, &'a dyn Debug);
 
-/// What one rank has sent since its bodies were made.
+/// Numbers of messages and bytes sent by one rank since its bodies were created.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub struct CommunicationStats {
-    /// Blocks sent to other ranks, those without content not counted.
+    /// Number of blocks sent to other ranks, without empty blocks.
     pub blocks: u64,
-    /// Their bytes.
+    /// Number of bytes in these blocks.
     pub bytes: u64,
-    /// Exchanges of blocks with all ranks at once.
+    /// Number of collective exchanges of blocks.
     pub exchanges: u64,
-    /// Partial results gathered from all ranks: sums, maxima, decisions.
+    /// Number of reductions over all ranks: sums, maxima, decisions.
     pub gathers: u64,
 }
 
@@ -69,7 +69,8 @@ impl RankGroup {
         }
     }
 
-    /// Sends a block to each rank and returns those of all, as [`Ranks::all_to_all`]; empty ones once a call has failed.
+    /// Sends a block to each rank and returns the received blocks, as [`Ranks::all_to_all`]. The blocks are empty once a call has
+    /// failed.
     pub(crate) fn all_to_all(&self, blocks: Vec<Vec<u64>>, is_expected: &[bool]) -> Vec<Vec<u64>> {
         let none = || vec![Vec::new(); self.size()];
         if self.has_failed() {
@@ -85,13 +86,14 @@ impl RankGroup {
         self.kept(received).unwrap_or_else(none)
     }
 
-    /// Takes note of a rank whose block is not the one that is due; of no other failure than the first.
+    /// Records that a rank has sent an unexpected block, unless an earlier failure is recorded.
     pub(crate) fn out_of_step(&self, rank: usize) {
         self.failure
             .get_or_init(|| RankFailure::CollectiveMismatch { rank });
     }
 
-    /// The words of all ranks in their order, of which rank `r` contributes `counts[r]`, if no call has failed.
+    /// Gathers the words of all ranks in their order, where rank `r` contributes `counts[r]` words. Returns `None` once a call
+    /// has failed.
     pub(crate) fn gather(&self, own: &[u64], counts: &[usize]) -> Option<Vec<u64>> {
         if self.has_failed() {
             return None;
@@ -100,7 +102,7 @@ impl RankGroup {
         self.kept(self.ranks.all_gather(own, counts))
     }
 
-    /// The values of all ranks of a team, if there is one, in their order, and how many each has.
+    /// Gathers the values of all ranks of a team, if there is one, in their order, with the number of values of each rank.
     pub(crate) fn gathered_of<T: WireFormat>(
         team: Option<&Self>,
         own: Vec<T>,
@@ -130,13 +132,13 @@ impl RankGroup {
         Ok((values.collect(), lengths))
     }
 
-    /// A decision of the first rank, for all.
+    /// Returns a decision of the first rank, for all ranks.
     pub(crate) fn decided(&self, decision: u64) -> Option<u64> {
         let found = self.of_first(decision);
         (!self.has_failed()).then_some(found)
     }
 
-    /// The value of the first rank, for all; this rank's own once a call has failed.
+    /// Returns the value of the first rank, for all ranks, or the local value once a call has failed.
     pub(crate) fn of_first<T: WireFormat>(&self, own: T) -> T {
         let mut counts = vec![0; self.size()];
         counts[0] = T::COUNT;
@@ -148,7 +150,7 @@ impl RankGroup {
         all.map_or(own, |all| T::read(&mut &all[..]))
     }
 
-    /// What the values of all ranks come to, combined in their order; this rank's own once a call has failed.
+    /// Reduces the values of all ranks in their order, or returns the local value once a call has failed.
     pub(crate) fn combined<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         let mut words = Vec::with_capacity(T::COUNT);
         own.write(&mut words);
@@ -160,13 +162,13 @@ impl RankGroup {
         values.reduce(combine).unwrap_or(own)
     }
 
-    /// The result of a step that every rank takes by itself; an error if any of them has failed.
+    /// Returns the result of a step that every rank takes on its own, or an error if the step failed on any rank.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         self.collective_result_checked(result, &[])
     }
 
-    /// The same at the door of a call, of inputs that must be the same on all ranks; an error if any is not. All is found
-    /// in one exchange, of a digest of each.
+    /// Returns a result like [`RankGroup::collective_result`], and checks that inputs are equal on all ranks. All checks take one exchange with a
+    /// digest of each input.
     pub(crate) fn collective_result_checked<T>(
         &self,
         result: Result<T>,
@@ -190,7 +192,7 @@ impl RankGroup {
         result.and(Err(Error::Ranks(failure)))
     }
 
-    /// The same of a team, if there is one.
+    /// Returns the result of [`RankGroup::collective_result`] for a team, or the local result without a team.
     pub(crate) fn agreed_of<T>(team: Option<&Self>, result: Result<T>) -> Result<T> {
         match team {
             Some(team) => team.collective_result(result),
@@ -198,7 +200,8 @@ impl RankGroup {
         }
     }
 
-    /// The same of steps that may agree on the way: what they have refused there all ranks know.
+    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. An error of such an agreement is
+    /// known on all ranks and needs no further exchange.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.refusals.load(Ordering::Relaxed);
         let result = work();
@@ -208,7 +211,7 @@ impl RankGroup {
         self.collective_result(result)
     }
 
-    /// [`RankGroup::combined`] of a team, if there is one.
+    /// Reduces the values of a team like [`RankGroup::combined`], or returns the local value without a team.
     pub(crate) fn combined_of<T: WireFormat>(
         team: Option<&Self>,
         own: T,
@@ -220,7 +223,7 @@ impl RankGroup {
         }
     }
 
-    /// `Ok` without a team, of what ranks cannot do together.
+    /// Returns an error naming `quantity` if there is a team, for features that ranks do not support.
     pub(crate) fn check_alone(team: Option<&Self>, quantity: &'static str) -> Result<()> {
         match team {
             Some(_) => Err(Error::Ranks(RankFailure::UnsupportedOnRanks(quantity))),
@@ -228,7 +231,7 @@ impl RankGroup {
         }
     }
 
-    /// `Ok` as long as every call has succeeded.
+    /// Returns an error if a call has failed.
     pub(crate) fn check(&self) -> Result<()> {
         match self.failure.get() {
             Some(failure) => Err(Error::Ranks(*failure)),
@@ -240,7 +243,7 @@ impl RankGroup {
         self.failure.get().is_some()
     }
 
-    /// The result of a call, if none has failed; takes note of a failure.
+    /// Returns the value of a call, or records its failure and returns `None`.
     fn kept<T>(&self, result: Result<T, RankFailure>) -> Option<T> {
         result
             .map_err(|failure| self.failure.get_or_init(|| failure))

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crate::parallel;
 use crate::parallel::ranks::{RankFailure, Ranks};
 
-/// A rank that is a thread of this process: the way to try a distributed program without MPI.
+/// A rank that is a thread of this process, for developing and testing a distributed program without MPI.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -24,7 +24,7 @@ use crate::parallel::ranks::{RankFailure, Ranks};
 ///     let contact = NormalProblem::builder(bodies, &ball, NormalControl::Force(0.5)).build()?.solve()?;
 ///     Ok(contact.approach())
 /// };
-/// // Three ranks press a third of the ball each.
+/// // Each of the three ranks stores a third of the ball.
 /// let approaches = Threads::run(3, Duration::from_secs(60), |rank| {
 ///     press(&HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?)
 /// });
@@ -42,14 +42,14 @@ pub struct Threads {
     office: Arc<Mailboxes>,
 }
 
-/// Number of looks for a block between which the thread yields to others, before it sleeps until one comes: to be woken
-/// takes longer than most blocks do.
+/// Number of checks for a block after each of which the thread yields. Afterwards it sleeps until a block arrives: waking up
+/// takes longer than most blocks need to arrive.
 const EAGER: u32 = 100;
 
-/// Where blocks wait, of each receiver.
+/// Mailboxes of all ranks.
 type Mailboxes = Vec<Mailbox>;
 
-/// Where the blocks for one rank wait.
+/// Blocks waiting for one rank.
 #[derive(Debug)]
 struct Mailbox {
     post: Mutex<MessageQueue>,
@@ -58,7 +58,7 @@ struct Mailbox {
 
 #[derive(Debug)]
 struct MessageQueue {
-    /// By sender.
+    /// Blocks by sender.
     blocks: Vec<VecDeque<Vec<u64>>>,
     has_left: Vec<bool>,
 }
@@ -75,7 +75,7 @@ impl Mailbox {
     }
 
     fn post(&self) -> MutexGuard<'_, MessageQueue> {
-        // What panics under the lock leaves queues of whole blocks.
+        // A panic under the lock leaves queues of complete blocks.
         self.post.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -85,7 +85,7 @@ impl Mailbox {
     }
 }
 
-/// Tells the others that a rank is gone, however its work ends.
+/// Guard that notifies the other ranks when the work of a rank ends, also by a panic.
 struct DisconnectGuard<'a> {
     rank: usize,
     office: &'a Mailboxes,
@@ -100,12 +100,12 @@ impl Drop for DisconnectGuard<'_> {
 }
 
 impl Threads {
-    /// Runs the work on `size` ranks at once, each on a thread of its own with an equal part of the threads of the
-    /// caller's pool, and returns what each came to, in their order. A rank that waits for another longer than
-    /// `patience` gives up.
+    /// Runs the work on `size` ranks concurrently and returns the results in the order of the ranks. Each rank runs on its own
+    /// thread, with an equal part of the threads of the caller's pool. A call that waits for another rank longer than `patience`
+    /// returns [`RankFailure::Timeout`].
     ///
     /// # Panics
-    /// If the work panics on any rank, or a thread cannot be made.
+    /// Panics if the work panics on any rank, or if a thread cannot be created.
     pub fn run<T: Send>(
         size: usize,
         patience: Duration,
@@ -144,7 +144,7 @@ impl Threads {
         self.office[to].change(|post| post.blocks[self.rank].push_back(block));
     }
 
-    /// A block from each of these ranks, in their order.
+    /// Receives a block from each of these ranks, in their order.
     fn receive(&self, from: impl Iterator<Item = usize>) -> Result<Vec<Vec<u64>>, RankFailure> {
         let start = Instant::now();
         let mailbox = &self.office[self.rank];

@@ -1,21 +1,21 @@
-//! What partial results look like on their way between ranks.
+//! Wire format of partial results that ranks exchange.
 
-/// A value that travels as a fixed number of 64-bit words.
+/// A value that is sent as a fixed number of 64-bit words.
 pub(crate) trait WireFormat: Copy + Send {
-    /// How many.
+    /// Number of words.
     const COUNT: usize;
 
-    /// Nothing: zero, false, none.
+    /// Zero value: zero, false or none.
     const ZERO: Self;
 
-    /// Appends them.
+    /// Appends the words.
     fn write(self, words: &mut Vec<u64>);
 
-    /// Takes them from the front, of which there are enough.
+    /// Reads the words from the front; there must be enough words.
     fn read(words: &mut &[u64]) -> Self;
 }
 
-/// The next word; zero at the end, which only the words of a lost rank reach.
+/// Returns the next word, or zero at the end, which is reached only after a failure.
 fn next(words: &mut &[u64]) -> u64 {
     let Some((first, rest)) = words.split_first() else {
         return 0;
@@ -119,7 +119,7 @@ impl<T: WireFormat, const K: usize> WireFormat for [T; K] {
     }
 }
 
-/// A tuple travels part by part.
+/// Implements [`WireFormat`] for a tuple, component by component.
 macro_rules! words_of_tuple {
     ($($part:ident $place:tt),+) => {
         impl<$($part: WireFormat),+> WireFormat for ($($part,)+) {
