@@ -1,10 +1,11 @@
-//! The exact minimum on a small grid: pivoting between active sets, each solved by Cholesky.
+//! The exact minimum on a small grid, by pivoting between active sets that are each solved by Cholesky
+//! factorisation.
 //!
-//! For a given multiplier, block principal pivoting with Murty's single pivots as a fallback
+//! For a given multiplier the method is block principal pivoting with Murty's single pivots as a fallback
 //! (Judice & Pires, Computers & Operations Research 21 (1994) 587,
-//! <https://doi.org/10.1016/0305-0548(94)90106-6>), which ends for every symmetric positive definite
-//! matrix. A prescribed total is then one equation in the multiplier, increasing and piecewise
-//! linear: Newton's method between brackets.
+//! <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates for every symmetric positive definite
+//! matrix. A prescribed total is then one equation for the multiplier, increasing and piecewise linear. It is
+//! solved by Newton's method between brackets.
 
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::solvers::{Llt, Solve};
@@ -15,18 +16,18 @@ use crate::dense::DenseOperator;
 use crate::error::{Error, Result, all_finite, length};
 use crate::report::{Report, Status};
 
-/// The minimum and its multiplier, exact up to round-off.
+/// Minimum and its multiplier, exact up to round-off.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct DenseMinimum {
-    /// The unknowns.
+    /// Unknowns.
     pub x: Vec<f64>,
-    /// Multiplier of the total, zero when none is prescribed.
+    /// Multiplier of the total; zero if no total is prescribed.
     pub multiplier: f64,
 }
 
-/// Which bound an entry stands at, if any.
+/// Active bound of an entry, or `Free`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mark {
     Lower,
@@ -34,17 +35,21 @@ enum Mark {
     Free,
 }
 
-/// Set changes tried all at once, without fewer wrong entries, before single pivots begin.
+/// Number of block pivots without a decrease of the number of wrong entries, after which single pivots start.
 const BLOCK_TRIALS: usize = 10;
 
 impl DenseOperator {
-    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if given, strictly
-    /// between what the bounds allow: what [`cgm::minimise`](crate::cgm::minimise) finds, directly.
+    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if a total is given. The total
+    /// must be strictly between the sums of the bounds. The result is the same as from
+    /// [`cgm::minimise`](crate::cgm::minimise), by a direct method.
     ///
     /// # Errors
-    /// [`Error::Length`], [`Error::Sample`], [`Error::Bounds`], [`Error::Total`] if the bounds
-    /// cannot hold the total, [`Error::NotPositiveDefinite`]; [`Error::NotConverged`] if round-off
-    /// keeps the sets from settling.
+    /// - [`Error::Length`] if the linear term or the constraint has a different number of entries.
+    /// - [`Error::Sample`] if an entry is not finite.
+    /// - [`Error::Bounds`] if a lower bound exceeds its upper bound.
+    /// - [`Error::Total`] if the bounds do not allow the total.
+    /// - [`Error::NotPositiveDefinite`] if the matrix is not symmetric positive definite.
+    /// - [`Error::NotConverged`] if the active sets do not settle because of round-off.
     pub fn minimise(
         &self,
         linear: &[f64],
@@ -89,7 +94,7 @@ struct ActiveSetSearch<'a> {
 }
 
 impl ActiveSetSearch<'_> {
-    /// The minimum for a given multiplier; leaves its active sets in the marks.
+    /// Computes the minimum for a given multiplier and stores its active set in the marks.
     fn pivot_until_optimal(&mut self, multiplier: f64) -> Result<Vec<f64>> {
         let (mut fewest, mut trials) = (usize::MAX, BLOCK_TRIALS);
         for _ in 0..100 * (self.marks.len() + 10) {
@@ -111,7 +116,7 @@ impl ActiveSetSearch<'_> {
         Err(not_converged())
     }
 
-    /// The minimum with the given total.
+    /// Computes the minimum with the given total.
     fn balance(&mut self, total: f64) -> Result<DenseMinimum> {
         let [lower, upper] = self
             .bounds
@@ -156,7 +161,8 @@ impl ActiveSetSearch<'_> {
                 return Ok(DenseMinimum { x, multiplier });
             }
             if !next.is_finite() {
-                // One side open and Newton's step outside the other: round-off, or nothing moves.
+                // One bracket is still infinite and the Newton step violates the other. The cause is
+                // round-off, or no entry can move.
                 let is_round_off = missing.abs() <= 1e-12 * magnitude.max(total.abs());
                 return if is_round_off {
                     Ok(DenseMinimum { x, multiplier })
@@ -169,7 +175,8 @@ impl ActiveSetSearch<'_> {
         Err(not_converged())
     }
 
-    /// With no free entry: the multiplier at which the first would move, and its own stiffness.
+    /// Returns the multiplier at which the first entry would leave its bound, and the stiffness of this
+    /// entry. The search needs them if no entry is free.
     fn next_to_move(&self, x: &[f64], upward: bool) -> (f64, f64) {
         let from = if upward { Mark::Lower } else { Mark::Upper };
         let sign = if upward { 1.0 } else { -1.0 };
@@ -183,7 +190,7 @@ impl ActiveSetSearch<'_> {
         (sign * least, 1.0 / self.operator.row(row)[row])
     }
 
-    /// `e' C_FF^-1 e`: how the total grows with the multiplier.
+    /// Returns `e' C_FF^-1 e`, the derivative of the total with respect to the multiplier.
     fn stiffness(&self) -> Result<f64> {
         let free = self.free();
         let ones = Mat::from_fn(free.len(), 1, |_, _| 1.0);
@@ -196,7 +203,7 @@ impl ActiveSetSearch<'_> {
             .collect()
     }
 
-    /// Free entries from their equations, the others at their bounds.
+    /// Solves the equations of the free entries; the other entries are at their bounds.
     fn solve_free(&self, multiplier: f64) -> Result<Vec<f64>> {
         let mut x: Vec<f64> = (self.marks.iter().zip(&self.bounds))
             .map(|(mark, [lower, upper])| match mark {
@@ -218,7 +225,7 @@ impl ActiveSetSearch<'_> {
         Ok(x)
     }
 
-    /// `(C x + b)_i`.
+    /// Returns `(C x + b)_i`.
     fn gradient(&self, i: usize, x: &[f64]) -> f64 {
         let product: f64 = self.operator.row(i).iter().zip(x).map(|(c, x)| c * x).sum();
         product + self.linear[i]
@@ -239,7 +246,7 @@ impl ActiveSetSearch<'_> {
             )
     }
 
-    /// The entries on the wrong side, in order, each with the mark it should have.
+    /// Returns the entries with a wrong mark in ascending order, each with its correct mark.
     fn wrong_marks(&self, x: &[f64], multiplier: f64) -> Vec<(usize, Mark)> {
         let largest = x.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
         let gradients: Vec<f64> = (0..x.len())

@@ -1,9 +1,9 @@
-//! The naive twin: every operator as an explicit matrix, and small scenes solved exactly.
+//! Dense reference implementation: operators as explicit matrices, and exact solutions of small problems.
 //!
-//! [`DenseOperator`] applies what [`Convolution`](crate::fft::Convolution) applies, in `n^2` steps
-//! and without a transform, and [`DenseOperator::minimise`] finds what [`crate::cgm`] finds, by
-//! Cholesky factorisation on active sets, up to round-off. Both are there
-//! to check the fast paths, and to answer scenes of some hundred cells without a tolerance.
+//! [`DenseOperator`] computes the same products as [`Convolution`](crate::fft::Convolution), in `n^2` operations and
+//! without a transform. [`DenseOperator::minimise`] computes the same solutions as [`crate::cgm`] up to round-off, by
+//! Cholesky factorisation on active sets. Both are references for tests of the fast methods, and solve problems of a
+//! few hundred cells without a tolerance.
 
 mod active_set;
 mod wave_sum;
@@ -23,10 +23,10 @@ use crate::influence::{KernelCorrection, Samples};
 use crate::operator::{Operator, Scratch};
 use crate::support::debug::shown;
 
-/// Largest number of unknowns accepted: a matrix of 128 MiB.
+/// Largest accepted number of unknowns, which corresponds to a matrix of 128 MiB.
 const LIMIT: usize = 4096;
 
-/// A square matrix as an [`Operator`].
+/// Square matrix as an [`Operator`].
 ///
 /// ```
 /// use stickslip::dense::DenseOperator;
@@ -45,7 +45,7 @@ const LIMIT: usize = 4096;
 #[derive(Clone)]
 pub struct DenseOperator {
     len: usize,
-    /// Row-major.
+    /// Entries of the matrix, row-major.
     entries: Vec<f64>,
     lower_bound: OnceLock<f64>,
 }
@@ -53,11 +53,12 @@ pub struct DenseOperator {
 shown!(DenseOperator: len);
 
 impl DenseOperator {
-    /// A matrix of `len` x `len` entries, row-major.
+    /// Creates a matrix of `len` x `len` entries, row-major.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 unknowns, [`Error::Length`] if there are not `len * len`
-    /// entries, [`Error::Sample`] if one is not finite.
+    /// - [`Error::TooManyCells`] above 4096 unknowns.
+    /// - [`Error::Length`] if the number of entries is not `len * len`.
+    /// - [`Error::Sample`] if an entry is not finite.
     pub fn from_rows(len: usize, entries: Vec<f64>) -> Result<Self> {
         check_size(len)?;
         length("matrix", len * len, entries.len())?;
@@ -69,13 +70,15 @@ impl DenseOperator {
         })
     }
 
-    /// One influence coefficient between all cells of a half-space (lengths over pressures). That of a
-    /// periodic grid maps constants to zero: [`minimise`](Self::minimise) needs it with some constant
-    /// added to every entry, which changes no answer under a total.
+    /// Creates the matrix of influence coefficients of one component between all cells of a half-space (lengths over
+    /// pressures). The matrix of a periodic grid maps constants to zero. [`minimise`](Self::minimise) therefore
+    /// requires a positive constant added to every entry, which does not change solutions with a prescribed total.
     ///
     /// # Errors
-    /// [`Error::TooManyCells`] above 4096 cells; [`Error::UnsupportedForCoatings`] for operators of a user; as [`HalfSpace::operator`];
-    /// [`Error::Ranks`].
+    /// - [`Error::TooManyCells`] above 4096 cells.
+    /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
+    /// - The errors of [`HalfSpace::operator`].
+    /// - [`Error::Ranks`] if the bodies are distributed over ranks.
     pub fn of_half_space(bodies: &HalfSpace, component: Component) -> Result<Self> {
         bodies.check_alone("a dense matrix")?;
         bodies.kernel().check_no_operators("a dense matrix")?;
@@ -118,7 +121,7 @@ impl DenseOperator {
         Self::from_rows(cells, entries)
     }
 
-    /// The entry of a row and a column, `None` outside the matrix.
+    /// Returns the entry of a row and a column; `None` outside the matrix.
     #[must_use]
     pub fn get(&self, row: usize, column: usize) -> Option<f64> {
         (row < self.len && column < self.len).then(|| self.row(row)[column])
@@ -134,7 +137,7 @@ impl DenseOperator {
         (0..self.len).find(|&i| (0..i).any(|j| differ(i, j)))
     }
 
-    /// Smallest eigenvalue less round-off; zero if the matrix is not symmetric positive definite.
+    /// Returns the smallest eigenvalue minus round-off; zero if the matrix is not symmetric positive definite.
     fn smallest_eigenvalue(&self) -> f64 {
         if self.first_asymmetric_row().is_some() {
             return 0.0;
@@ -173,8 +176,8 @@ impl Operator for DenseOperator {
         }
     }
 
-    /// The smallest eigenvalue, computed at the first call; zero if the matrix is not symmetric
-    /// positive definite.
+    /// Returns the smallest eigenvalue, computed at the first call; zero if the matrix is not symmetric positive
+    /// definite.
     fn lower_bound(&self) -> f64 {
         *self.lower_bound.get_or_init(|| self.smallest_eigenvalue())
     }

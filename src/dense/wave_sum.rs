@@ -1,4 +1,4 @@
-//! The coefficients of a periodic grid, wave by wave.
+//! The coefficients of a periodic grid as a sum of waves.
 
 use std::f64::consts::TAU;
 
@@ -8,15 +8,15 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::influence::Symbols;
 
-/// The coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`: the
-/// sum of all waves there, each with its symbol.
+/// Returns the coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`.
+/// It is the sum of all waves, each multiplied by its symbol.
 pub(super) fn coefficients(grid: Grid, kernel: &Kernel, component: Component) -> Field {
     let (nx, ny) = (grid.nx(), grid.ny());
     let symbols = Symbols::new(grid, kernel, component);
     let [odd_x, odd_y] = component.is_odd();
     let along_x = |k, i| wave(nx, odd_x, k, i);
     let along_y = |l, j| wave(ny, odd_y, l, j);
-    // i^2 of two odd factors, or of one and an imaginary symbol.
+    // The sign is i^2 from two odd factors, or from one odd factor and an imaginary symbol.
     let sign = if odd_x || odd_y { -1.0 } else { 1.0 };
     let scale = sign / grid.cells() as f64;
 
@@ -30,9 +30,9 @@ pub(super) fn coefficients(grid: Grid, kernel: &Kernel, component: Component) ->
     })
 }
 
-/// The wave of `k` periods on `n` cells and its opposite, at cell `i`: cosines or sines.
+/// Returns the sum of the wave of `k` periods on `n` cells and its opposite at cell `i`, a cosine or a sine.
 fn wave(n: usize, is_odd: bool, k: usize, i: usize) -> f64 {
-    // The remainder keeps the angle small, and its sine exact.
+    // The remainder keeps the angle small and its sine accurate.
     let angle = TAU * ((k * i) % n) as f64 / n as f64;
     let copies = if k == 0 || 2 * k == n { 1.0 } else { 2.0 };
     copies * if is_odd { angle.sin() } else { angle.cos() }

@@ -1,52 +1,52 @@
-//! The quadratic that is zero at the edge, fitted to the cells about one.
+//! The quadratic that is zero at the edge, fitted to the cells around a cell.
 
 use crate::edges::stencil::{
     FOURTH, LANES, POWERS, PRODUCT_OF, PRODUCTS, SECOND, SIDE, Square, Stencil, dot, product,
 };
 
-/// Unknowns: the quadratic, and a square of the distance outside.
+/// Number of unknowns: the coefficients of the quadratic, and of the squared distance outside.
 const UNKNOWNS: usize = POWERS + 1;
 
-/// Rounds in which the slope at the edge is found.
+/// Number of rounds that determine the slope at the edge.
 const ROUNDS: usize = 3;
 
-/// Distance from the edge, in cells, within which values are not trusted: inside and outside.
+/// Distances from the edge, in cells, within which values are not trusted: inside and outside.
 const BLURRED_INSIDE: f64 = 0.8;
 const BLURRED_OUTSIDE: f64 = 0.5;
 
-/// Distance outside, in cells, from which the edge is in another cell.
+/// Distance outside, in cells, beyond which the edge is in a different cell.
 const FAR_OUTSIDE: f64 = 1.2;
 
-/// Weight of values that are not trusted, beside those that are.
+/// Weight of values that are not trusted, relative to trusted values.
 const DISTRUSTED: f64 = 2e-3;
 
-/// Distance from the edge, in cells, from which on values count less, and how fast.
+/// Distance from the edge, in cells, beyond which weights decrease, and length scale of the decrease.
 const NEAR: f64 = 2.5;
 const FADE: f64 = 1.5;
 
-/// How far beyond that a value counts as nothing, in the same.
+/// Distance beyond `NEAR`, in units of `FADE`, at which the weight becomes zero.
 const NOTHING: f64 = 5.5;
 
-/// Pull of the squares to zero: an edge without evidence is straight.
+/// Regularisation of the second-degree terms: without evidence the edge is straight.
 const STRAIGHT: f64 = 1e-3;
 
-/// Subdivisions of a cell, along each axis, over which it is averaged.
+/// Number of subdivisions of a cell along each axis for averages over the cell.
 const PARTS: usize = 8;
 
-/// What is known of the cells about one, relative to the largest value of the grid.
+/// Values in the cells around a cell, relative to the largest value of the grid.
 pub(super) struct FitValues {
-    /// Inside the square of the pressure, outside minus the power 2/3 of the gap times 3/4 over the unit of length and the
-    /// largest pressure, without the modulus.
+    /// Square of the pressure for cells inside. For cells outside the value is `-x^(2/3)`, where `x` is 3/4 of the gap
+    /// divided by the unit of length and by the largest pressure; the modulus is not included.
     pub(super) lifted: Square<f64>,
     pub(super) is_inside: Square<bool>,
-    /// Whether all four neighbours of a cell are inside too.
+    /// Whether all four neighbours of a cell are also inside.
     pub(super) is_core: Square<bool>,
-    /// Those of the stencil, and none of the cells that are not known.
+    /// Weights of the stencil; zero for cells without a valid value.
     pub(super) weights: Square<f64>,
 }
 
-/// What a round fits, by places: weights, those of values that are trusted, distances inside the edge, and squares of those
-/// outside.
+/// Data of a round at each position: weights, weights of trusted values only, signed distances from the edge (positive
+/// inside), and squared distances of the cells outside.
 struct Sample {
     weights: Square<f64>,
     trusted: Square<f64>,
@@ -54,22 +54,22 @@ struct Sample {
     squares: Square<f64>,
 }
 
-/// The fit about one cell, in units of the largest pressure and of a cell.
+/// Fit around a cell, in units of the largest pressure and of a cell.
 pub(super) struct Fit {
     coefficients: [f64; POWERS],
     /// Square of the slope factor K at the edge.
     square: f64,
     gradient: [f64; 2],
-    /// Root mean square of what is missed, in cells.
+    /// Root mean square of the residual, in cells.
     pub(super) missed: f64,
-    /// Values that it is made of.
+    /// Number of values in the fit.
     pub(super) count: usize,
-    /// Whether any of them lies outside the set.
+    /// Whether any of these values is outside the set.
     pub(super) has_outside: bool,
 }
 
 impl Fit {
-    /// With the modulus for a direction of the normal of the edge; `None` where nothing is determined.
+    /// Fits with a modulus that depends on the normal of the edge. Returns `None` if the values do not determine the fit.
     pub(super) fn new(
         stencil: &Stencil,
         values: &FitValues,
@@ -88,7 +88,7 @@ impl Fit {
         for round in 1..=ROUNDS {
             let sample = fit.sample(stencil, values, modulus(fit.normal()), round > 1)?;
             let solution = fit.refine(stencil, &sample)?;
-            // The edge is in none of the further rounds in this cell.
+            // Further rounds would not move the edge into this cell.
             if round == ROUNDS || fit.distance([0.0; 2]) < -FAR_OUTSIDE {
                 let counts = sample.trusted.iter().flatten();
                 fit.count = counts.filter(|weight| **weight > 0.0).count();
@@ -109,7 +109,7 @@ impl Fit {
         }
     }
 
-    /// The values with the slope known so far.
+    /// Returns the values scaled with the current slope.
     fn sample(
         &self,
         stencil: &Stencil,
@@ -117,7 +117,7 @@ impl Fit {
         modulus: f64,
         has_edge: bool,
     ) -> Option<Sample> {
-        // Values next to nothing, or none, leave nothing to measure by.
+        // If all values underflow or vanish, there is no scale for the distances.
         if !(self.square > 0.0 && self.square.is_finite()) {
             return None;
         }
@@ -156,7 +156,7 @@ impl Fit {
         Some(sample)
     }
 
-    /// A round: the fit to a sample, and the slope at its edge.
+    /// Performs a round: fits the sample and updates the slope at the edge.
     fn refine(&mut self, stencil: &Stencil, sample: &Sample) -> Option<[f64; UNKNOWNS]> {
         let solution = sample.least_squares(stencil)?;
         if !solution.iter().all(|part| part.is_finite()) {
@@ -166,7 +166,7 @@ impl Fit {
             *coefficient = part * self.square;
         }
         let [c, x, y, xx, xy, yy] = self.coefficients;
-        // The slope where the edge is nearest, by the tangent plane.
+        // The slope is evaluated at the nearest point of the edge, estimated by the tangent plane.
         let steepness = x * x + y * y;
         let step = |part: f64| {
             if steepness > 0.0 {
@@ -181,13 +181,14 @@ impl Fit {
         Some(solution)
     }
 
-    /// The squared pressure at a place from the middle of the cell.
+    /// Returns the squared pressure at a position relative to the centre of the cell.
     fn at(&self, [x, y]: [f64; 2]) -> f64 {
         let [c, cx, cy, cxx, cxy, cyy] = self.coefficients;
         c + x * (cx + cxx * x + cxy * y) + y * (cy + cyy * y)
     }
 
-    /// Distance of a place inside the edge, in cells, as far as the slope there tells.
+    /// Returns the signed distance of a position from the edge (positive inside), in cells, estimated by the slope at the
+    /// edge.
     pub(super) fn distance(&self, place: [f64; 2]) -> f64 {
         self.at(place) / self.square
     }
@@ -196,10 +197,10 @@ impl Fit {
         self.at([0.0; 2]).max(0.0).sqrt()
     }
 
-    /// The part of the cell that is covered, and the mean of the pressure over the cell.
+    /// Returns the covered fraction of the cell and the mean of the pressure over the cell.
     pub(super) fn covered_and_mean(&self, sides: [f64; 2]) -> [f64; 2] {
         let part = |k: usize, side: f64| ((k as f64 + 0.5) / PARTS as f64 - 0.5) * side;
-        // How much a part of the cell differs from its one side to the other.
+        // Estimate of the change of the value across a subdivision of the cell.
         let across =
             (self.gradient[0].abs() * sides[0] + self.gradient[1].abs() * sides[1]) / PARTS as f64;
         let steepness = 1.0 / across.max(f64::MIN_POSITIVE);
@@ -219,7 +220,7 @@ fn length([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// Slope of the squared pressure, by a plane through the cells inside.
+/// Returns the slope of the squared pressure from a plane fitted to the cells inside.
 fn first_gradient(stencil: &Stencil, values: &FitValues) -> Option<[f64; 2]> {
     let mut weights = values.weights;
     for (weight, is_inside) in weights
@@ -262,7 +263,7 @@ impl Sample {
         solved(matrix, [c, x, y, xx, xy, yy, dot(&right, &self.squares)])
     }
 
-    /// Root mean square of what a solution misses, in cells.
+    /// Returns the root mean square of the residual of a solution, in cells.
     fn misfit(&self, stencil: &Stencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
         let mut missed = stencil.quadratic([c, x, y, xx, xy, yy]);
         let places = self
@@ -282,9 +283,10 @@ impl Sample {
     }
 }
 
-/// The solution of a positive definite system of which the lower triangle is given, by Cholesky; `None` for another.
+/// Solves a positive definite system, given its lower triangle, by Cholesky factorisation. Returns `None` if the matrix is
+/// not positive definite.
 fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
-    // The diagonal holds reciprocals.
+    // The diagonal contains reciprocals.
     for i in 0..N {
         for j in 0..=i {
             let done: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
@@ -312,7 +314,7 @@ mod tests {
     use super::*;
     use crate::grid::Grid;
 
-    /// Pressures whose squares underflow, everywhere about a cell, give nothing to fit.
+    /// Checks that there is no fit if all squared pressures around a cell underflow.
     #[test]
     fn values_next_to_nothing_have_no_fit() {
         let stencil = Stencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);

@@ -1,4 +1,4 @@
-//! The edges of the contact of a history, and of its stick zone.
+//! Edges of the contact of a history and of its stick zone.
 
 use crate::edges::TangentialEdges;
 use crate::edges::tangential::ShearedContact;
@@ -9,28 +9,28 @@ use crate::history::{History, StepResult};
 use crate::memory::fallible;
 use crate::tangential::Zone;
 
-/// Largest root mean square by which a fit of the stick zone may miss the values, in cells: an old edge within a few cells
-/// of the new one bends them.
+/// Largest residual of a fit of the stick zone (root mean square, in cells). An old edge within a few cells of the new one
+/// distorts the values.
 const LARGEST_MISS: f64 = 0.02;
 
-/// Part of the energy of a step by which its two measures differ in a cell that stuck before.
+/// Relative difference between the two measures of the dissipated energy that indicates a cell that stuck before the step.
 const STUCK: f64 = 1e-3;
 
 impl History {
-    /// The edges of the contact and of the stick zone inside the cells after the last step, under the friction as last
-    /// set; the page of [`edges`](crate::edges) tells how.
+    /// Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
+    /// friction. The page of [`edges`](crate::edges) describes the method.
     ///
-    /// The value of the stick zone is what friction could still bear in the direction in which a cell would slip,
-    /// $`\mu p - q \cdot t`$, t the unit vector of the traction in the nearest cell that slips. After a reversal it falls
-    /// to zero at the new edge as $`2 (\mu p - |q|)`$ of a first loading does at its own. Cells that slip help to find the
-    /// edge if they stuck until the last step and that step held the normal load. After small steps there may be no such
-    /// cells; after [`set_state`](Self::set_state), after a restart and after a step that rolls they are not known. The
-    /// edge then follows from the values in the stick zone alone. The tables are of forces along one axis: cells that slip
-    /// on while their traction turns by some degrees are not told from those that stuck. Once the friction has been changed
-    /// the zones are those of the old one.
+    /// The value in the stick zone is the friction reserve in the direction in which a cell would slip,
+    /// $`\mu p - q \cdot t`$, where t is the unit vector of the traction in the nearest slipping cell. After a reversal
+    /// this value falls to zero at the new edge like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells
+    /// contribute to the fit if they stuck until the last step and this step did not change the normal load. After small
+    /// steps there might be no such cells. After [`set_state`](Self::set_state), after a restart and after a rolling step
+    /// they cannot be identified. The edge then follows only from the values in the stick zone. The tables are for forces
+    /// along one axis. Cells that continue to slip while their traction turns by a few degrees cannot be distinguished from
+    /// cells that stuck. After a change of the friction the zones still belong to the previous friction.
     ///
-    /// A sphere, mu = 0.5, centre values, 128 x 128 cells on three contact radii: errors of the stick area, mean and worst
-    /// of 8 places, and of the traction (L1, mean), of the cells and found here:
+    /// The table is for a sphere, mu = 0.5, centre values, and 128 x 128 cells on three contact radii. It lists the error
+    /// of the stick area (mean and worst of 8 positions) and of the traction (L1, mean), for the raw cells and for the fit:
     ///
     /// | force over mu W | area, counted | found | traction, cells | found |
     /// |---|---|---|---|---|
@@ -40,7 +40,7 @@ impl History {
     /// | 0.7 to 0 in twenty | 9.3e-3, 1.2e-2 | 4.8e-4, 7.5e-4 | 7.5e-3 | 3.2e-3 |
     /// | 0.7 to -0.5, the old edge 3 cells from the new one | 1.1e-2, 1.3e-2 | 8.4e-4, 2.7e-3 | 3.8e-3 | 2.8e-3 |
     ///
-    /// The traction has a kink at the old edge too, where it is that of the cells.
+    /// The traction also has a kink at the old edge. There it is the traction of the raw cells.
     ///
     /// ```
     /// use stickslip::*;
@@ -65,7 +65,7 @@ impl History {
     /// ```
     ///
     /// # Errors
-    /// As [`NormalSolution::edges`](crate::NormalSolution::edges).
+    /// The errors of [`NormalSolution::edges`](crate::NormalSolution::edges).
     pub fn edges(&self) -> Result<TangentialEdges> {
         let [qx, qy] = self.traction().map(Field::as_slice);
         let (directions, step) = (self.directions()?, self.last_step());
@@ -83,8 +83,8 @@ impl History {
                 let along = qx[i] * x + qy[i] * y;
                 [along, (qx[i] - along * x).hypot(qy[i] - along * y)]
             },
-            // The slip counts in cells that stuck before the step. Where a cell slipped before in the same direction, its
-            // traction has not changed, and both energies are the same.
+            // The slip is valid in cells that stuck before the step. If a cell already slipped in the same direction, its
+            // traction has not changed, and both energies are equal.
             slip: &|i| {
                 let has_stuck = mid_step[i] < (1.0 - STUCK) * dissipated[i];
                 (is_slip_known && has_stuck).then(|| slip[i])
@@ -94,7 +94,7 @@ impl History {
         .edges()
     }
 
-    /// Whether the step led to this state, by the same particles under the pressure that was there.
+    /// Returns whether the step led to the current state without rolling and without a change of the pressure.
     fn pressing_is_excluded(&self, step: &StepResult) -> bool {
         let is_held = step
             .normal_report()
@@ -109,8 +109,8 @@ impl History {
             && of_state == bits(step.shift(), step.twist(), step.tangential_force())
     }
 
-    /// Directions of the traction in cells that slip, and in those that stick of the nearest that slips; zero in contacts
-    /// without any.
+    /// Returns the direction of the traction in slipping cells, and for each sticking cell the direction in the nearest
+    /// slipping cell. The directions are zero in contacts without slipping cells.
     fn directions(&self) -> Result<Vec<[f64; 2]>> {
         let (zones, [qx, qy]) = (self.zones(), self.traction().map(Field::as_slice));
         let (size, repeats) = (self.grid().size(), self.boundary().repeats());

@@ -1,51 +1,66 @@
-//! The edge of a contact and of its stick zone inside the cells: areas, outlines and pressures more accurate than a count.
+//! Edges of a contact and of its stick zone inside the cells: areas, outlines and pressures more accurate than counts of cells.
 //!
-//! A cell is in contact or it is not, so that a counted area is wrong by the edge of the contact times a part of a cell, and
-//! the pressure of the outermost cells by a part of itself. The edge is better known than that: at a distance s from a smooth
-//! one the pressure rises and the gap opens as
+//! A cell is either in contact or not. The counted area therefore has an error of the length of the edge times a fraction of a
+//! cell, and the pressure of the outermost cells has an error of a fraction of its value. The values near the edge determine its
+//! position more accurately. At a distance s from a smooth edge the pressure rises and the gap opens as
 //!
 //! ```math
 //! p = K \sqrt{s}, \qquad g = \frac{4 K}{3 E^*}\,s^{3/2}, \qquad\text{so that}\qquad
 //! \varphi = \begin{cases} p^2 & \text{inside,} \\ -K^{4/3} \left(\tfrac34 E^* g\right)^{2/3} & \text{outside} \end{cases}
 //! ```
 //!
-//! passes through zero at the edge with the slope $`K^2`$ on both sides. About each cell at the edge a quadratic, and a
-//! square of its own outside, is fitted to $`\varphi`$ of the 7 x 7 cells around it by weighted least squares, without those
-//! nearest the edge, whose values are wrong; $`K^2`$ is its slope at the edge, found in three rounds. Its zero is the edge:
-//! it gives the part of the cell that is covered, and $`\sqrt{\varphi}`$ the pressure at the centre and its mean over the cell.
+//! passes through zero at the edge with the slope $`K^2`$ on both sides. For each cell at the edge, a quadratic is fitted to
+//! $`\varphi`$ of the surrounding 7 x 7 cells by weighted least squares, with an additional square term for the cells outside.
+//! The cells nearest the edge are excluded because their values are inaccurate. The slope $`K^2`$ at the edge is determined in
+//! three rounds. The zero of the quadratic is the edge and determines the covered fraction of the cell. The square root
+//! $`\sqrt{\varphi}`$ gives the pressure at the centre and its mean over the cell.
 //!
-//! The stick zone has the same edge, with what friction could still bear, $`\mu p - |q|`$, in place of the pressure, the slip
-//! in place of the gap, and the modulus $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ in place of $`E^*`$, $`\theta`$ between
-//! the traction and the normal of the edge, $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ of both bodies. That of a
-//! history, which may have turned, is told at [`History::edges`](crate::History::edges).
+//! The edge of the stick zone has the same form. The friction reserve $`\mu p - |q|`$ replaces the pressure, the slip replaces
+//! the gap, and the modulus $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ replaces $`E^*`$. Here $`\theta`$ is the angle between
+//! the traction and the normal of the edge, and $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ are sums over both bodies. For
+//! the stick zone of a history, in which the load may have been reversed, see [`History::edges`](crate::History::edges).
 //!
-//! # Where it holds
+//! # Validity
 //!
-//! A fit is refused if it misses the values by more than 0.05 cells (root mean square; 0.02 for the stick zone of a
-//! history, and 0.01 without any value outside), contradicts the state of the cell, has fewer than ten values to go by, or no cell within reach that has all its neighbours in the set. The cell then has
-//! its own pressure, and counts as covered but for a part c of its area for each side at the edge: 0.088 with
-//! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
-//! and turned ellipses. So a sharp punch keeps its raw cells, and a rough contact whose shortest waves are less than sixteen
-//! cells long nearly all of them; the corrected area is still right to 2.5 % there if hundreds of cells touch (mean over seeds: 1 %), where counting reads 4 to
-//! 16 % high; of fifty cells it may miss by 7 %.
-//! Of 600 ellipses of any shape, angle and place two had a worse pressure than that of the cells, three cells across and
-//! with 20 and 29 of them in all; the median ratio of the errors was 0.36.
+//! A fit is rejected in the following cases:
 //!
-//! Of dissimilar bodies the edge of the contact holds as well, to 1e-3 of the area; that of the stick zone to 0.6 % up to
-//! Dundurs' beta 0.29, to 2 % up to 0.5, and beyond only to 14 %: from 0.5 up a third to nearly all of its fits are refused.
+//! - The root mean square of its residual exceeds 0.05 cells (0.02 for the stick zone of a history, 0.01 without any value
+//!   outside).
+//! - The fit contradicts the state of the cell.
+//! - It has fewer than ten values.
+//! - No cell within reach has all its neighbours in the set.
 //!
-//! Of 200 random scenes on 60 x 60 cells, ellipses, quartics, rough spheres and rough planes, free and periodic, in 360
-//! solutions, seven had an area, a pressure at the centres or means with an error by more than a tenth above that of the cells:
-//! two quartics 13 cells across whose fits were refused in two thirds (pressure at the centres up to 17 % worse, each with both
-//! cell values), a periodic plane (likewise), and a free plane with 50 cells in contact (area, both).
+//! Such a cell keeps its raw pressure. Its covered area is reduced by a fraction c of its area for each side at the edge: 0.088
+//! with [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
+//! and rotated ellipses. A sharp punch therefore keeps its raw cells, as do nearly all cells of a rough contact whose shortest
+//! waves are less than sixteen cells long. The corrected area of such a rough contact still has an error of at most 2.5 % if
+//! hundreds of cells touch (mean over seeds: 1 %), while counting gives 4 to 16 % too much. With fifty cells the error can reach
+//! 7 %.
+//!
+//! In 600 tests with ellipses of any shape, angle and position, two had a larger pressure error than the raw cells. Both were
+//! three cells across, with 20 and 29 cells in total. The median ratio of the errors was 0.36.
+//!
+//! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The edge of the stick zone is accurate
+//! to 0.6 % up to Dundurs' beta of 0.29, to 2 % up to 0.5, and beyond only to 14 %. For beta of 0.5 or more, between a third and
+//! nearly all of its fits are rejected.
+//!
+//! A test with 200 random cases on 60 x 60 cells (ellipses, quartics, rough spheres and rough planes, free and periodic) gave 360
+//! solutions. In seven of them the area, or the pressure at the centres or in the mean, had an error that exceeded the error of
+//! the raw cells by more than a tenth. These were:
+//!
+//! - two quartics 13 cells across, each with both cell values, with two thirds of their fits rejected (pressure at the centres up
+//!   to 17 % worse);
+//! - a periodic plane (also pressure at the centres);
+//! - a free plane with 50 cells in contact (area, with both cell values).
 //!
 //! # Narrow slip rings
 //!
-//! A slip ring of less than two cells has no slip to go by: its cells lie at the edge of the contact too. The fit is then
-//! extrapolated from the stick zone, and is refused if it misses by more than 0.01 cells. Under spheres and ellipses the
-//! squared value is a quadratic, and the edge is found. Under a gap r^4 the cells keep their values.
-//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32
-//! cells over three contact radii, mean of four places, of the cells and found here:
+//! A slip ring of less than two cells provides no values of the slip, because its cells are also at the edge of the contact. The
+//! fit is then extrapolated from the stick zone, and is rejected if its residual exceeds 0.01 cells. Under spheres and ellipses
+//! the squared value is a quadratic, and the fit finds the edge. Under a gap r^4 the cells keep their raw values.
+//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32 cells
+//! over three contact radii, the mean of four positions. The first value is the error of the raw cells, the second the error of
+//! the fit:
 //!
 //! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | refused |
 //! |---|---|---|---|---|---|
@@ -56,14 +71,15 @@
 //! | gap r^4, 0.4 | 1.0 | 3.7e-2, 3.2e-2 | 2.9e-2, 2.9e-2 | 1.2e-2, 1.0e-2 | 0.98 |
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
-//! On 64 x 64 cells the traction of the gap r^4 at 0.4 has 6e-3 instead of 1.3e-2. In a ring of about two cells under this
-//! gap (40 x 40 cells, 0.6) the largest traction is 1.4 times, and the stick area 1.7 times, as wrong as that of the cells.
+//! On 64 x 64 cells the error of the traction for the gap r^4 at 0.4 is 6e-3 instead of 1.3e-2. In a ring of about two cells
+//! under this gap (40 x 40 cells, 0.6), the fit increases the error of the largest traction by a factor of 1.4 and the error of
+//! the stick area by a factor of 1.7.
 //!
-//! The means over cells other than those at the edge are $`p + \Delta_h p/24`$.
+//! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!
-//! The largest traction is that of the cell nearest the edge of the stick zone, where $`\mu p`$ falls by up to a fifteenth
-//! from a cell to the next: on a sphere at 40 % of the sliding force, 128 x 128 cells, it is right to 3e-4 on the mean of
-//! eight places and to 9e-4 at the worst.
+//! The largest traction belongs to the cell nearest the edge of the stick zone, where $`\mu p`$ decreases by up to a fifteenth
+//! from one cell to the next. On a sphere at 40 % of the sliding force, with 128 x 128 cells, its error is 3e-4 in the mean of
+//! eight positions and at most 9e-4.
 //!
 //! ```
 //! use stickslip::*;
@@ -78,16 +94,16 @@
 //! assert!((contact.contact_area() / exact - 1.0).abs() > 9e-3); // counted
 //! assert!((edges.area() / exact - 1.0).abs() < 6e-4);
 //! assert_eq!(edges.unfitted_fraction(), 0.0);
-//! // The outline lies on the circle, to a hundredth of a cell or two.
+//! // The outline is on the circle to within one or two hundredths of a cell.
 //! let radii = edges.outline().iter().flatten().map(|[x, y]| x.hypot(*y));
 //! let furthest = radii.map(|r| (r - hertz.contact_radius()).abs()).fold(0.0, f64::max);
 //! assert!(furthest < 0.03 * grid.dx());
 //! # Ok::<(), Error>(())
 //! ```
 //!
-//! Source: the asymptotics of a smooth edge, K. L. Johnson, Contact Mechanics (1985), sections 5.1 and 4.2; the part c in
-//! place of the $`(\pi - 1 + \ln 2)/24`$ of V. A. Yastrebov, G. Anciaux, J.-F. Molinari,
-//! <https://doi.org/10.1016/j.triboint.2017.04.023>, which assumes random cells of no size.
+//! Source: the asymptotics of a smooth edge, K. L. Johnson, Contact Mechanics (1985), sections 5.1 and 4.2. The fraction c
+//! replaces the value $`(\pi - 1 + \ln 2)/24`$ of V. A. Yastrebov, G. Anciaux, J.-F. Molinari,
+//! <https://doi.org/10.1016/j.triboint.2017.04.023>, which assumes random cells of vanishing size.
 //!
 //! [`CellValue::Uniform`]: crate::CellValue::Uniform
 //! [`CellValue::Centre`]: crate::CellValue::Centre
@@ -115,9 +131,8 @@ use crate::support::debug::shown;
 use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
 
-/// The edge of a set of cells, the contact or its stick zone, found inside the cells. Obtained from
-/// [`NormalSolution::edges`], [`TangentialSolution::edges`](crate::TangentialSolution::edges) and
-/// [`History::edges`](crate::History::edges).
+/// Edge of a set of cells (the contact or its stick zone), located inside the cells. Returned by [`NormalSolution::edges`],
+/// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges).
 #[derive(Clone, PartialEq)]
 pub struct Edges {
     cells: Vec<EdgeCell>,
@@ -130,62 +145,62 @@ pub struct Edges {
 
 shown!(Edges: grid(), area(), unfitted_fraction());
 
-/// A cell at the edge: one of the set with a neighbour outside, or one outside beside the set, at its corners too.
+/// Cell at the edge: a cell of the set with a neighbour outside, or a cell outside that touches the set at a side or a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct EdgeCell {
-    /// Its index in the grid, row-major.
+    /// Index of the cell in the grid, row-major.
     pub index: usize,
-    /// The part of it that the set covers, from zero to one.
+    /// Fraction of the cell that the set covers, from zero to one.
     pub covered: f64,
-    /// The pressure, or what friction could still bear, at its centre (a pressure).
+    /// Pressure, or friction reserve, at the centre of the cell (a pressure).
     pub centre: f64,
-    /// The mean of the same over the cell (a pressure).
+    /// Mean of the pressure, or of the friction reserve, over the cell (a pressure).
     pub mean: f64,
-    /// Whether the edge was fitted; else these are those of the raw cell.
+    /// Whether the edge was fitted; otherwise the values are the raw values of the cell.
     pub is_fitted: bool,
 }
 
 impl Edges {
-    /// The grid of the cells.
+    /// Returns the grid of the cells.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.centres.grid()
     }
 
-    /// The cells at the edge, by rising index.
+    /// Returns the cells at the edge, sorted by index.
     #[must_use]
     pub fn cells(&self) -> &[EdgeCell] {
         &self.cells
     }
 
-    /// Values at the centres of all cells: of a contact the pressure, of a stick zone what friction could still bear
-    /// (pressures); those at the edge from the fit.
+    /// Returns the values at the centres of all cells: the pressure for a contact, the friction reserve for a stick zone
+    /// (pressures). At the edge the values are from the fit.
     #[must_use]
     pub fn centres(&self) -> &Field {
         &self.centres
     }
 
-    /// Means of the same over the cells.
+    /// Returns the means of these values over the cells.
     #[must_use]
     pub fn means(&self) -> &Field {
         &self.means
     }
 
-    /// Area of the set, with the parts of the cells at its edge (a length squared).
+    /// Returns the area of the set, including the covered fractions of the cells at its edge (a length squared).
     #[must_use]
     pub fn area(&self) -> f64 {
         self.area
     }
 
-    /// The edge as straight pieces, each from one point to the other (lengths), inside the cells at the edge; of cells whose
-    /// fit was refused the sides.
+    /// Returns the edge as straight pieces, each given by its two end points (lengths), inside the cells at the edge. For cells
+    /// whose fit was rejected the pieces are cell sides.
     #[must_use]
     pub fn outline(&self) -> &[[[f64; 2]; 2]] {
         &self.outline
     }
 
-    /// The part of the cells at the edge whose fit was refused; zero without any.
+    /// Returns the fraction of the cells at the edge whose fit was rejected; zero without cells at the edge.
     #[must_use]
     pub fn unfitted_fraction(&self) -> f64 {
         let refused = self.cells.iter().filter(|cell| !cell.is_fitted).count();
@@ -193,7 +208,7 @@ impl Edges {
     }
 }
 
-/// The part of a cell that counting it takes too much for each of its sides at the edge.
+/// Returns the fraction of a cell by which counting overestimates its area, for each of its sides at the edge.
 fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
     match (boundary, cell_value) {
         (Boundary::Periodic, _) => 0.102,
@@ -203,11 +218,13 @@ fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
 }
 
 impl NormalSolution {
-    /// The edge of the contact inside the cells, and the pressure there; the page of [`edges`](crate::edges) tells how.
+    /// Returns the edge of the contact inside the cells, and the pressure there. The page of [`edges`](crate::edges) describes
+    /// the method.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Ranks`] for a slab of a grid that ranks share; [`Error::UnsupportedForCoatings`] where an outermost
-    /// layer is thinner than four cells.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] for a slab of a grid that is distributed over ranks.
+    /// - [`Error::UnsupportedForCoatings`] if an outermost layer is thinner than four cells, or if the bodies are defined by a kernel.
     pub fn edges(&self) -> Result<Edges> {
         let grid = self.grid();
         check_whole(grid)?;
@@ -227,10 +244,11 @@ impl NormalSolution {
     }
 }
 
-/// Cells that the outermost layer is thick at least: in it the pressure falls to zero as on a half-space of it.
+/// Smallest thickness of the outermost layer in cells. On such a layer the pressure falls to zero as on a half-space of the same
+/// material.
 const THINNEST: f64 = 4.0;
 
-/// `Ok` if the edges of a contact are those of its outermost layers.
+/// Returns an error if the outermost layers are too thin to determine the edges of a contact.
 fn check_resolved(normal: &NormalSolution) -> Result<()> {
     if normal.pair().kernel().is_some() {
         let (quantity, remedy) = ("an edge inside the cells", "take the areas of the cells");
@@ -242,7 +260,7 @@ fn check_resolved(normal: &NormalSolution) -> Result<()> {
     let thinnest = outermost
         .map(Layer::thickness)
         .fold(f64::INFINITY, f64::min);
-    // Along an axis on which nothing changes a cell may have any side.
+    // The cell side is irrelevant along an axis with a single cell.
     let sides = [(grid.nx(), grid.dx()), (grid.ny(), grid.dy())];
     let sides = sides.into_iter().filter(|(cells, _)| *cells > 1);
     let widest = sides.map(|(_, side)| side).fold(0.0, f64::max);
@@ -254,7 +272,7 @@ fn check_resolved(normal: &NormalSolution) -> Result<()> {
     Ok(())
 }
 
-/// `Ok` if a grid is no slab of one that ranks share.
+/// Returns an error if the grid is a slab of a grid that is distributed over ranks.
 fn check_whole(grid: Grid) -> Result<()> {
     if grid == grid.whole() {
         Ok(())

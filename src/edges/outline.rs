@@ -1,4 +1,4 @@
-//! The edge as straight pieces.
+//! The edge as a list of straight pieces.
 
 use std::collections::HashMap;
 
@@ -7,11 +7,12 @@ use crate::grid::Grid;
 use crate::grid::neighbours::neighbours;
 use crate::memory::fallible;
 
-/// Distances of the corners of a cell inside the edge, counter-clockwise from the first one of both axes.
+/// Signed distances of the corners of a cell from the edge (positive inside), counter-clockwise, starting at the corner
+/// with the smallest x and y.
 pub(super) type Corners = [f64; 4];
 
-/// The zero of the distances, which cells that share a corner average there; around cells without any, the sides at the edge
-/// of the set. The cells come by rising index.
+/// Returns the zero line of the distances. Cells that share a corner average their distances there. Around cells without a
+/// fit, the pieces are the cell sides at the edge of the set. The cells must be sorted by index.
 pub(super) fn outline(
     grid: Grid,
     repeats: [bool; 2],
@@ -25,7 +26,7 @@ pub(super) fn outline(
     for (cell, corners) in cells {
         if corners.is_some() {
             means.add_pieces(*cell, &contains, &mut pieces)?;
-            // The edge may cut a corner of a cell that has only its like beside it.
+            // The edge can also cut a corner of a cell whose neighbours are all on its own side of the edge.
             let is_new =
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();
@@ -33,7 +34,7 @@ pub(super) fn outline(
                 fallible::push(&mut beside, next)?;
             }
         } else if contains(*cell) {
-            // Left, below, right and above.
+            // The sides are left, below, right and above.
             let sides = [[3, 0], [0, 1], [1, 2], [2, 3]];
             for (next, side) in neighbours(*cell, size, repeats).into_iter().zip(sides) {
                 if next.is_none_or(|next| !contains(next) && !means.has_all_of(next)) {
@@ -59,7 +60,7 @@ struct Means {
     sums: HashMap<usize, [f64; 2]>,
 }
 
-/// Largest distance that counts, in cells: beyond it is a guess, of no use but for its sign.
+/// Largest distance that is used, in cells. Beyond it only the sign is reliable.
 const FAR: f64 = 2.0;
 
 impl Means {
@@ -89,7 +90,7 @@ impl Means {
         Ok(means)
     }
 
-    /// The number of a corner of a cell, the same for all cells around it.
+    /// Returns the index of a corner of a cell, equal for all cells around this corner.
     fn corner(&self, cell: usize, which: usize) -> usize {
         let [nx, ny] = self.grid.size();
         let (column, row) = (
@@ -133,9 +134,9 @@ impl Means {
     }
 }
 
-/// The pieces in a cell with these corners: none, one or, where opposite corners are alike, two.
+/// Returns the pieces in a cell with these corners: none, one, or two if opposite corners have the same sign.
 fn pieces_within(ends: &[([f64; 2], f64); 4]) -> [Option<[[f64; 2]; 2]>; 2] {
-    // Where the edge crosses the sides, in order.
+    // The points at which the edge crosses the sides, in order.
     let mut crossings = [None; 4];
     let mut count = 0;
     for side in 0..4 {
@@ -151,7 +152,7 @@ fn pieces_within(ends: &[([f64; 2], f64); 4]) -> [Option<[[f64; 2]; 2]>; 2] {
     if count < 4 {
         return [join(first, second), None];
     }
-    // The middle tells which two corners are cut off.
+    // The sign at the middle determines which two corners are cut off.
     let middle: f64 = ends.iter().map(|(_, distance)| distance).sum();
     if (middle > 0.0) == (ends[0].1 > 0.0) {
         [join(first, second), join(third, fourth)]

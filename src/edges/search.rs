@@ -1,4 +1,4 @@
-//! The cells at the edge of a set, each with its fit or without.
+//! The cells at the edge of a set, with or without a fit.
 
 use crate::edges::fit::{Fit, FitValues};
 use crate::edges::outline::{Corners, outline};
@@ -12,41 +12,41 @@ use crate::grid::neighbours::neighbours;
 use crate::memory::fallible;
 use crate::parallel::{self, Blocks};
 
-/// Largest root mean square by which a fit may miss the values, in cells, of a contact and of a zone of a first loading.
+/// Largest residual of a fit (root mean square, in cells), for a contact and for a stick zone of a first loading.
 pub(super) const LARGEST_MISS: f64 = 0.05;
-/// Largest root mean square by which a fit to values inside alone may miss them, in cells. Such a fit is extrapolated to
-/// the edge: only what is nearly a quadratic inside, as under a sphere, leads there.
+/// Largest residual of a fit that uses only values inside (root mean square, in cells). Such a fit is extrapolated to the edge,
+/// which is reliable only if the values inside are nearly a quadratic, as under a sphere.
 const LARGEST_MISS_INSIDE: f64 = 0.01;
-/// Fewest values of a fit.
+/// Smallest number of values in a fit.
 const FEWEST: usize = 10;
-/// Distances of a centre from the edge, in cells, that contradict the state of the cell, and from which on its own value is
-/// right.
+/// Limits for the signed distance of a cell centre from the edge (positive inside), in cells. A cell of the set must reach the
+/// first, a cell outside must not exceed the second, and beyond the third a cell keeps its raw value.
 const LEAST_INSIDE: f64 = -0.45;
 const MOST_OUTSIDE: f64 = 0.15;
 const UNDISTURBED: f64 = 1.2;
 
-/// Cells that a task fits.
+/// Number of cells per task.
 const PER_TASK: usize = 64;
 
-/// A set of cells, those with a positive value inside, and what is known beside it.
+/// Set of the cells with a positive value, and values inside and outside.
 pub(super) struct Search<'a> {
     pub(super) grid: Grid,
     pub(super) repeats: [bool; 2],
-    /// The pressure, or the like.
+    /// Pressure, or friction reserve of a stick zone.
     pub(super) inside: &'a [f64],
-    /// The gap, or the like.
+    /// Gap, or slip of a stick zone.
     pub(super) outside: &'a [f64],
-    /// Whether a cell outside has one that obeys the law of the edge.
+    /// Whether a cell outside has a value that obeys the asymptotics of the edge.
     pub(super) is_outside_known: &'a (dyn Fn(usize) -> bool + Sync),
-    /// The modulus at a cell for a normal of the edge.
+    /// Modulus at a cell for a normal of the edge.
     pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
-    /// Part of a cell that a count takes too much for each side at the edge.
+    /// Fraction of a cell by which counting overestimates its area, for each side at the edge.
     pub(super) excess: f64,
-    /// Largest root mean square by which a fit may miss the values, in cells.
+    /// Largest residual of a fit (root mean square, in cells).
     pub(super) largest_miss: f64,
 }
 
-/// A cell at the edge, and the distances of its corners from it if it has been fitted.
+/// Cell at the edge. If it has been fitted, the distances of its corners from the edge are included.
 #[derive(Clone, Copy, Default)]
 struct EdgeCandidate {
     cell: EdgeCell,
@@ -120,7 +120,7 @@ impl Search<'_> {
         self.inside[cell] > 0.0
     }
 
-    /// Sides of a cell beyond which the set ends.
+    /// Returns the number of sides of a cell at which the set ends.
     fn open_sides(&self, cell: usize) -> usize {
         let is_open = |next: &Option<usize>| next.is_none_or(|next| !self.contains(next));
         let neighbours = neighbours(cell, self.grid.size(), self.repeats);
@@ -142,7 +142,7 @@ impl Search<'_> {
             } else {
                 centre <= MOST_OUTSIDE
             };
-            // A strip of two cells has two edges in one.
+            // A strip that is two cells wide contains two edges.
             let is_wide = values.is_core.as_flattened().contains(&true);
             let largest_miss = if fit.has_outside {
                 self.largest_miss
@@ -179,7 +179,7 @@ impl Search<'_> {
         }
     }
 
-    /// The raw cell.
+    /// Returns the raw value of a cell without a fit.
     fn refused(&self, index: usize) -> EdgeCandidate {
         let cell = if self.contains(index) {
             EdgeCell {
@@ -201,10 +201,10 @@ impl Search<'_> {
         }
     }
 
-    /// The means over the core cells of a row of a smooth pressure with these values at the centres.
+    /// Writes the means over the core cells of a row, for a smooth pressure with these values at the centres.
     fn raw_means(&self, states: &States, row: usize, means: &mut [f64]) {
         let [nx, ny] = self.grid.size();
-        // Core cells have all their neighbours.
+        // Core cells have all their neighbours, so rows at a free edge of the grid contain none.
         let [Some(below), Some(above)] = beside(row, ny, self.repeats[1]) else {
             return;
         };
@@ -219,8 +219,8 @@ impl Search<'_> {
         }
     }
 
-    /// Of the cells about those found, what has a uniform slope at the edge: the square of the pressure inside, minus the gap to
-    /// the power 2/3 outside, as in [`FitValues`]; zero of all others.
+    /// Returns the quantity with a uniform slope at the edge, for all cells around the found cells. It is the square of the
+    /// pressure inside and minus the 2/3 power of the gap outside, as in [`FitValues`]. It is zero for all other cells.
     fn lifted(&self, stencil: &Stencil, found: &[EdgeCandidate], largest: f64) -> Result<Vec<f64>> {
         let mut lifted = fallible::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
@@ -274,7 +274,7 @@ impl Search<'_> {
     }
 }
 
-/// The largest of the values, or zero; several run side by side.
+/// Returns the largest value, or zero. Several lanes are compared in parallel.
 fn largest(values: &[f64]) -> f64 {
     let mut most = [0.0_f64; LANES];
     for values in values.chunks(LANES) {

@@ -1,4 +1,4 @@
-//! The areas of contact spots with the parts of the cells at their edges.
+//! The areas of contact spots, including the covered fractions of the cells at their edges.
 
 use crate::edges::Edges;
 use crate::error::Result;
@@ -7,10 +7,11 @@ use crate::memory::fallible;
 use crate::spots::ContactSpots;
 
 impl Edges {
-    /// Areas of the spots of this contact (lengths squared), in their order, with the parts of the cells at the edges; of a
-    /// stick zone the part of it in each spot. [`Spot::area`](crate::Spot::area) counts cells. The areas add up to the
-    /// [area](Self::area): a cell between several spots is shared by those of their cells that it touches. Spots of
-    /// another contact miss the cells that lie apart from them.
+    /// Returns the areas of the spots of this contact (lengths squared), in their order, including the covered fractions of
+    /// the cells at the edges. For a stick zone it returns the stick area in each spot. [`Spot::area`](crate::Spot::area),
+    /// in contrast, counts cells. The areas add up to the [area](Self::area). A cell between several spots is divided among
+    /// them in proportion to the number of their cells that it touches. If the spots belong to a different contact, cells
+    /// that are not next to any spot are omitted.
     ///
     /// ```
     /// use stickslip::*;
@@ -25,7 +26,7 @@ impl Edges {
     /// let (spots, edges) = (contact.spots(), contact.edges()?);
     /// let areas = edges.areas_of(&spots)?;
     /// for (spot, area) in spots.as_slice().iter().zip(&areas) {
-    ///     // Hertz under the load of the spot; the other is so far that it displaces this one nearly uniformly.
+    ///     // Hertz under the load of the spot; the other spot is so far away that its displacement is nearly uniform here.
     ///     let hertz = analytical::HertzSphere::new(&pair, 1.0, spot.load)?.contact_area();
     ///     assert!((area / hertz - 1.0).abs() < 5e-3, "{area} {hertz}");
     /// }
@@ -34,8 +35,8 @@ impl Edges {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch) for spots on another grid,
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the spots have a different grid.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn areas_of(&self, spots: &ContactSpots) -> Result<Vec<f64>> {
         let grid = self.grid();
         grid.expect("contact spots", spots.grid())?;
@@ -65,7 +66,7 @@ impl Edges {
         Ok(areas)
     }
 
-    /// The eight cells around one.
+    /// Returns the eight cells around a cell.
     fn around(&self, cell: usize) -> [Option<usize>; 8] {
         let beside = |cell| neighbours(cell, self.grid().size(), self.repeats);
         let [left, below, right, above] = beside(cell);

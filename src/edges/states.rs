@@ -1,32 +1,32 @@
-//! Which cells lie in a set, and which of these have all their neighbours in it.
+//! Classification of cells: outside, next to the set, at its border, or in its core.
 
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::memory::fallible;
 use crate::parallel;
 
-/// The state of a cell: one for each that holds of being in the set or beside it or at a corner of it, being in the set, and
-/// having all neighbours in it too.
+/// State of a cell: the number of true statements among the following. The cell or one of the eight cells around it is in
+/// the set. The cell itself is in the set. The cell and its four neighbours are in the set.
 type State = u8;
 
-/// Outside, with a cell of the set beside it or at a corner.
+/// State of a cell outside the set that touches the set at a side or a corner.
 const BESIDE: State = 1;
-/// In the set, with a neighbour that is not.
+/// State of a cell in the set with a neighbour outside.
 const BORDER: State = 2;
-/// In the set with all its neighbours.
+/// State of a cell in the set with all its neighbours in the set.
 const CORE: State = 3;
 
-/// Cells that are searched at once for one at the edge.
+/// Number of cells that are tested together in the search for cells at the edge.
 const AT_ONCE: usize = 64;
 
-/// The states of all cells of a grid.
+/// States of all cells of a grid.
 pub(super) struct States {
     nx: usize,
     states: Vec<State>,
 }
 
 impl States {
-    /// Of the set of the cells with a positive value.
+    /// Classifies the cells for the set of cells with a positive value.
     pub(super) fn new(grid: Grid, repeats: [bool; 2], inside: &[f64]) -> Result<Self> {
         let [nx, ny] = grid.size();
         let mut is_in = fallible::filled(0, grid.cells())?;
@@ -60,7 +60,7 @@ impl States {
         self.states[cell] == CORE
     }
 
-    /// Whether the cells of a row are core cells.
+    /// Returns for each cell of a row whether it is a core cell.
     pub(super) fn are_core(&self, row: usize) -> impl Iterator<Item = bool> + '_ {
         let states = &self.states[row * self.nx..][..self.nx];
         states.iter().map(|state| *state == CORE)
@@ -71,7 +71,7 @@ impl States {
         is_core.map(usize::from).sum()
     }
 
-    /// The cells at the edge of the set, by rising index.
+    /// Returns the cells at the edge of the set, sorted by index.
     pub(super) fn at_edge(&self) -> impl Iterator<Item = usize> + '_ {
         let is_at_edge = |state: State| matches!(state, BESIDE | BORDER);
         let parts = self.states.chunks(AT_ONCE).enumerate();
@@ -86,14 +86,15 @@ impl States {
     }
 }
 
-/// The state of the middle one of three by three cells, of which those in the set are one and the others zero.
+/// Returns the state of the middle cell of 3 x 3 cells, with 1 for cells in the set and 0 for other cells.
 fn state_of([below, middle, above]: [&[u8]; 3]) -> State {
     let any = |row: &[u8]| row[0] | row[1] | row[2];
     let is_core = middle[0] & middle[1] & middle[2] & below[1] & above[1];
     (any(below) | any(middle) | any(above)) + middle[1] + is_core
 }
 
-/// The places before and after one along an axis; beyond an edge none, or the periodic image.
+/// Returns the indices before and after an index along an axis. An index beyond an edge of the grid is replaced by its
+/// periodic image, or `None` if the axis is not periodic.
 pub(super) fn beside(place: usize, count: usize, repeats: bool) -> [Option<usize>; 2] {
     let before = place.checked_sub(1);
     let after = Some(place + 1).filter(|next| *next < count);

@@ -1,30 +1,30 @@
-//! The square of cells about one at the edge: places, powers of them, weights.
+//! The square of cells around a cell at the edge: positions, their powers, and weights.
 
 use std::array::from_fn;
 
 use crate::grid::Grid;
 
-/// Cells on each side of the middle.
+/// Number of cells on each side of the middle.
 const REACH: usize = 3;
-/// Cells of a side of the square.
+/// Side of the square in cells.
 pub(super) const SIDE: usize = 2 * REACH + 1;
-/// Places of a row, those past the cells without weight: sums over rows run side by side in vectors.
+/// Length of a padded row. The additional positions have zero weight and let sums over rows use vector registers.
 pub(super) const LANES: usize = 8;
-/// Of each place a number, or the like, by rows.
+/// A value for each position, row by row.
 pub(super) type Square<T> = [[T; LANES]; SIDE];
-/// Powers of a quadratic: 1, x, y, x^2, x y, y^2.
+/// Number of terms of a quadratic: 1, x, y, x^2, x y, y^2.
 pub(super) const POWERS: usize = 6;
-/// Products of two of them, up to the fourth degree.
+/// Number of products of two terms, up to the fourth degree.
 pub(super) const PRODUCTS: usize = 15;
-/// Powers of x or of y in these.
+/// Number of powers of x or of y in these products.
 pub(super) const FOURTH: usize = 5;
-/// The same up to the second degree.
+/// Number of powers of x or of y up to the second degree.
 pub(super) const SECOND: usize = 3;
 
 /// Width of the Gaussian that weighs the cells, in cells.
 const WIDTH: f64 = 1.8;
 
-/// Exponents of x and y of the products; those of the powers come first.
+/// Exponents of x and y in the products; the terms of the quadratic come first.
 const EXPONENTS: [[usize; 2]; PRODUCTS] = [
     [0, 0],
     [1, 0],
@@ -43,7 +43,7 @@ const EXPONENTS: [[usize; 2]; PRODUCTS] = [
     [0, 4],
 ];
 
-/// Which product the powers of a row and a column have.
+/// Index of the product of the terms of a row and a column.
 pub(super) const PRODUCT_OF: [[usize; POWERS]; POWERS] = product_of();
 
 const fn product_of() -> [[usize; POWERS]; POWERS] {
@@ -68,14 +68,15 @@ const fn product_of() -> [[usize; POWERS]; POWERS] {
     table
 }
 
-/// Lengths are in units of the root of the area of a cell, of a line of cells in units of their side along it.
+/// Square of cells around a cell. The unit of length is the square root of the cell area, or the cell side along the line if
+/// the grid is a line of cells.
 pub(super) struct Stencil {
     size: [usize; 2],
     repeats: [bool; 2],
-    /// The unit (a length), and the sides of a cell in it.
+    /// Unit of length, and the sides of a cell in this unit.
     pub(super) unit: f64,
     pub(super) sides: [f64; 2],
-    /// Powers of x of each exponent along a row, and of y of each row.
+    /// Powers of x along a row for each exponent, and powers of y for each row.
     columns: [[f64; LANES]; FOURTH],
     rows: [[f64; FOURTH]; SIDE],
     pub(super) weights: Square<f64>,
@@ -83,7 +84,7 @@ pub(super) struct Stencil {
 
 impl Stencil {
     pub(super) fn new(grid: Grid, repeats: [bool; 2]) -> Self {
-        // Across a line of cells nothing changes, and any side will do.
+        // The values do not vary across a line of cells, so any side is valid there.
         let (unit, sides) = match grid.size() {
             [_, 1] => (grid.dx(), [1.0; 2]),
             [1, _] => (grid.dy(), [1.0; 2]),
@@ -112,7 +113,7 @@ impl Stencil {
         }
     }
 
-    /// The rows and the columns of the square about a cell; none beyond an edge of the grid.
+    /// Returns the rows and the columns of the square around a cell; `None` for those beyond an edge of the grid.
     pub(super) fn about(&self, cell: usize) -> [[Option<usize>; SIDE]; 2] {
         let [nx, ny] = self.size;
         [self.along(1, cell / nx, ny), self.along(0, cell % nx, nx)]
@@ -122,7 +123,7 @@ impl Stencil {
         from_fn(|step| {
             let place = place + step;
             if self.repeats[axis] {
-                // As many periods more as make it positive.
+                // Additional periods make the index positive.
                 Some((place + REACH * count - REACH) % count)
             } else {
                 place.checked_sub(REACH).filter(|place| *place < count)
@@ -130,8 +131,8 @@ impl Stencil {
         })
     }
 
-    /// The sums over the square of the values times the products, in their order, that have less than so many powers of x and
-    /// of y: first over the rows.
+    /// Returns the sums of the values times the products, in their order, over the square. `POWERS_OF` is the number of
+    /// powers of x and of y. The sums over the rows come first.
     pub(super) fn moments<const POWERS_OF: usize, const SUMS: usize>(
         &self,
         values: &Square<f64>,
@@ -150,7 +151,7 @@ impl Stencil {
         })
     }
 
-    /// A quadratic at all places.
+    /// Evaluates a quadratic at all positions.
     pub(super) fn quadratic(&self, [c, cx, cy, cxx, cxy, cyy]: [f64; POWERS]) -> Square<f64> {
         let [_, columns, ..] = &self.columns;
         self.rows.map(|[_, y, yy, ..]| {
@@ -164,7 +165,7 @@ fn power(place: f64, exponent: usize) -> f64 {
     (0..exponent).fold(1.0, |product, _| product * place)
 }
 
-/// The product at all places.
+/// Returns the products at all positions.
 pub(super) fn product(a: &Square<f64>, b: &Square<f64>) -> Square<f64> {
     let mut products = *a;
     for (products, b) in products.iter_mut().zip(b) {
@@ -175,7 +176,7 @@ pub(super) fn product(a: &Square<f64>, b: &Square<f64>) -> Square<f64> {
     products
 }
 
-/// The sum of products of two squares.
+/// Returns the sum of the products of two squares.
 pub(super) fn dot(a: &Square<f64>, b: &Square<f64>) -> f64 {
     let mut sums = [0.0; LANES];
     for products in product(a, b) {
@@ -186,7 +187,7 @@ pub(super) fn dot(a: &Square<f64>, b: &Square<f64>) -> f64 {
     total(sums)
 }
 
-/// The sum of a row, by halves.
+/// Returns the sum of a row by pairwise summation.
 fn total([a, b, c, d, e, f, g, h]: [f64; LANES]) -> f64 {
     ((a + e) + (c + g)) + ((b + f) + (d + h))
 }

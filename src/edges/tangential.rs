@@ -1,4 +1,4 @@
-//! The edges of a contact in partial slip: of the contact, and of its stick zone.
+//! Edges of a contact in partial slip and of its stick zone.
 
 use crate::edges::search::{LARGEST_MISS, Search};
 use crate::edges::{Edges, check_whole, excess};
@@ -10,7 +10,7 @@ use crate::normal::NormalSolution;
 use crate::support::debug::shown;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
-/// The edges of the contact and of the stick zone inside the cells, and the traction there. Obtained from
+/// Edges of the contact and of the stick zone inside the cells, and the traction at these edges. Returned by
 /// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges).
 #[derive(Clone, PartialEq)]
 pub struct TangentialEdges {
@@ -24,57 +24,57 @@ pub struct TangentialEdges {
 shown!(TangentialEdges: grid(), contact, stick, stick_area());
 
 impl TangentialEdges {
-    /// The grid of the cells.
+    /// Returns the grid of the cells.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.traction.grid()
     }
 
-    /// The edge of the contact.
+    /// Returns the edge of the contact.
     #[must_use]
     pub fn contact(&self) -> &Edges {
         &self.contact
     }
 
-    /// The edge of the stick zone; its values are what friction could still bear.
+    /// Returns the edge of the stick zone. Its values are the friction reserve.
     #[must_use]
     pub fn stick(&self) -> &Edges {
         &self.stick
     }
 
-    /// Magnitude of the traction at the centres of the cells (a pressure): the friction limit at the pressure there, less
-    /// what friction could still bear.
+    /// Returns the magnitude of the traction at the centres of the cells (a pressure). It is the friction limit at the
+    /// corrected pressure minus the friction reserve.
     #[must_use]
     pub fn traction(&self) -> &Field {
         &self.traction
     }
 
-    /// Mean of the magnitude of the traction over the cells (a pressure).
+    /// Returns the mean of the magnitude of the traction over the cells (a pressure).
     #[must_use]
     pub fn mean_traction(&self) -> &Field {
         &self.mean_traction
     }
 
-    /// The largest traction at the centre of a cell (a pressure), usually of one beside the edge of the stick zone. After a
-    /// reversal it may lie at the old edge, where the tractions are those of the cells.
+    /// Returns the largest traction at the centre of a cell (a pressure), usually in a cell next to the edge of the stick
+    /// zone. After a reversal it might be at the old edge, where the tractions are the tractions of the raw cells.
     #[must_use]
     pub fn peak_traction(&self) -> f64 {
         self.traction.max()
     }
 
-    /// Area of the stick zone, with the parts of the cells at its edge (a length squared).
+    /// Returns the area of the stick zone, including the covered fractions of the cells at its edge (a length squared).
     #[must_use]
     pub fn stick_area(&self) -> f64 {
         self.stick_area
     }
 
-    /// Area of the slip zone: that of the [contact](Edges::area) less that of the stick zone.
+    /// Returns the area of the slip zone: the area of the [contact](Edges::area) minus the area of the stick zone.
     #[must_use]
     pub fn slip_area(&self) -> f64 {
         (self.contact.area() - self.stick_area).max(0.0)
     }
 
-    /// Stick area over contact area; zero without contact.
+    /// Returns the ratio of stick area to contact area; zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         if self.contact.area() > 0.0 {
@@ -86,9 +86,9 @@ impl TangentialEdges {
 }
 
 impl TangentialSolution {
-    /// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem;
-    /// the page of [`edges`](crate::edges) tells how. They are those of a contact loaded once; after the steps of a
-    /// history [`History::edges`](crate::History::edges) finds them.
+    /// Returns the edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the
+    /// problem. The page of [`edges`](crate::edges) describes the method. They are valid for a contact that is loaded once.
+    /// After the steps of a history use [`History::edges`](crate::History::edges).
     ///
     /// ```
     /// use stickslip::*;
@@ -110,8 +110,9 @@ impl TangentialSolution {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] for a normal contact or a
-    /// friction on other bodies; as [`NormalSolution::edges`].
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the normal contact or the
+    ///   friction belongs to different bodies.
+    /// - The errors of [`NormalSolution::edges`].
     pub fn edges(&self, normal: &NormalSolution, friction: &Friction) -> Result<TangentialEdges> {
         let (grid, quantity) = (self.grid(), "normal contact");
         grid.expect(quantity, normal.grid())?;
@@ -137,17 +138,17 @@ impl TangentialSolution {
     }
 }
 
-/// A contact in partial slip, whose edges are sought.
+/// Contact in partial slip whose edges are computed.
 pub(super) struct ShearedContact<'a> {
     pub(super) normal: &'a NormalSolution,
     pub(super) friction: &'a Friction,
     pub(super) zones: &'a [Zone],
     pub(super) traction: [&'a [f64]; 2],
-    /// The part of the traction of a cell in the direction in which it would slip next, and the size of the rest.
+    /// Component of the traction of a cell in the direction of its next slip, and magnitude of the remaining component.
     pub(super) parts: &'a (dyn Fn(usize) -> [f64; 2] + Sync),
-    /// How far a cell that slips has slipped since it stuck; `None` where that is not known.
+    /// Distance that a slipping cell has slipped since it last stuck; `None` if it is unknown.
     pub(super) slip: &'a (dyn Fn(usize) -> Option<f64> + Sync),
-    /// As in [`Search`], of the stick zone.
+    /// Largest residual of a fit of the stick zone, as in [`Search`].
     pub(super) largest_miss: f64,
 }
 
@@ -162,7 +163,7 @@ impl ShearedContact<'_> {
             for (out, (i, (pressure, spare))) in traction.as_mut_slice().iter_mut().zip(pairs) {
                 let [along, across] = (self.parts)(i);
                 let found = self.friction.limit(i, *pressure) - spare;
-                // Where all of it is spare the two fits differ by their errors alone.
+                // Without traction in this direction, the difference of the two fits is only their error.
                 let is_free = along == 0.0 && *spare > 0.0;
                 let found = if along < 0.0 { -found } else { found };
                 *out = if is_free {
@@ -173,7 +174,7 @@ impl ShearedContact<'_> {
             }
             Ok(traction)
         };
-        // The edge of a stick zone that reaches the edge of the contact is that of the contact.
+        // A stick zone that reaches the edge of the contact ends at that edge.
         let beyond: f64 = stick
             .cells()
             .iter()
@@ -212,7 +213,7 @@ impl ShearedContact<'_> {
             }
         }
         let is_in_contact = |i: usize| zones[i] != Zone::Separated;
-        // Beside the edge of the contact slip obeys that edge too.
+        // Next to the edge of the contact the slip also follows the asymptotics of that edge.
         let is_outside_known = |i: usize| {
             let around = |i: usize| neighbours(i, grid.size(), repeats);
             let touches = |next: Option<usize>| next.is_some_and(is_in_contact);
@@ -232,7 +233,7 @@ impl ShearedContact<'_> {
         let compliances = normal.pair().compliances();
         let modulus = |i: usize, [x, y]: [f64; 2]| {
             let size = qx[i].hypot(qy[i]);
-            // Cells outside the contact, and those without traction, have that across the edge.
+            // For cells outside the contact and cells without traction, the traction is assumed normal to the edge.
             let along = if size > 0.0 {
                 (qx[i] * x + qy[i] * y) / size
             } else {

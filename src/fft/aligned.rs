@@ -1,14 +1,15 @@
-//! Scratch memory that starts on a cache line.
+//! Scratch memory aligned to cache lines.
 
 use std::ops::{Deref, DerefMut};
 
 use crate::error::Result;
 use crate::memory::fallible::{self, unwrap_or_abort};
 
-/// Bytes of a cache line, and of the widest vector register.
+/// Size in bytes of a cache line, and of the widest vector register.
 const LINE: usize = 64;
 
-/// A buffer whose first item starts a cache line: a vector load across two lines costs as much as two.
+/// Buffer whose first item is at the start of a cache line. A vector load across two lines costs as much as
+/// two loads.
 #[derive(Debug)]
 pub(super) struct Aligned<T> {
     items: Vec<T>,
@@ -20,7 +21,7 @@ impl<T: Clone> Aligned<T> {
     pub(super) fn new(value: T, len: usize) -> Result<Self> {
         let spare = LINE.div_ceil(size_of::<T>());
         let items = fallible::filled(value, len + spare)?;
-        // Where the offset cannot be had the buffer is as good, if slower.
+        // Without this offset the buffer is still valid, but slower.
         let first = items.as_ptr().align_offset(LINE).min(spare);
         Ok(Self { items, first, len })
     }

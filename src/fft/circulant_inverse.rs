@@ -12,28 +12,32 @@ use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Cells between a grid and its images around the torus. Without them cells at opposite edges are neighbours, and conjugate
-/// gradients converge a fifth to a quarter slower where both are in contact; more than two make no difference (measured).
+/// Number of cells between a grid and its images around the torus. Without such cells, opposite edges of the grid are
+/// adjacent, and conjugate gradients converge a fifth to a quarter more slowly if both edges are in contact. More than two
+/// cells make no difference (measured).
 const APART: usize = 2;
 
 /// Approximate inverse of a [`Convolution`](super::Convolution): the coefficients wrapped around the grid and two cells
 /// beyond its edge (Strang's circulant), inverted in Fourier space. On a periodic grid, which is not padded, the inverse is
-/// exact for tractions of mean zero, and a mean weighs as much as the largest eigenvalue.
+/// exact for tractions of mean zero. The mean has the weight of the largest eigenvalue.
 ///
-/// In single precision throughout; a product costs about a quarter of the operator's. Memory: one byte per
-/// cell for each of the N (N + 1)/2 coefficients, and 4 N per cell in each workspace. Obtained from
-/// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner).
+/// All computations are in single precision. A product takes about a quarter of the time of an operator product.
+/// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner) returns this preconditioner.
+///
+/// # Memory
+///
+/// One byte per cell for each of the N (N + 1)/2 coefficients, and 4 N bytes per cell in each workspace.
 #[derive(Debug, Clone)]
 pub struct CirculantInverse<const N: usize = 1> {
     product: SingleProduct<N>,
 }
 
 impl<const N: usize> CirculantInverse<N> {
-    /// On `[nx, ny]` cells, from a symmetric tensor of kernels, with eigenvalues below `floor` raised to
-    /// it: wrapping may produce some that no cut of the operator has.
+    /// Creates the inverse on `[nx, ny]` cells from a symmetric tensor of kernels. Eigenvalues below `floor` are raised to
+    /// it, because wrapping can produce eigenvalues smaller than those of the operator on any part of the grid.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn new(
         size: [usize; 2],
         share: Option<Arc<RowPartition>>,
@@ -43,11 +47,11 @@ impl<const N: usize> CirculantInverse<N> {
         Self::with_mean((size, share), kernels, floor, false)
     }
 
-    /// Creates the inverse for displacements that are known up to a uniform one, on a grid that repeats along y: a mean
-    /// weighs as much as the longest wave, whatever the datum of the displacements.
+    /// Creates the inverse for displacements up to a constant, on a grid that is periodic along y. The mean has the weight
+    /// of the longest wave, independent of the datum of the displacements.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn up_to_mean(
         size: [usize; 2],
         kernels: [[&Kernel; N]; N],
@@ -70,9 +74,9 @@ impl<const N: usize> CirculantInverse<N> {
         let frame = TorusLayout { size, torus, share };
         let symbol = Symbol::new(&frame, kernels)?;
         let [_, high] = symbol.extremes(false);
-        // A single cell that repeats has no wave but the mean: any weight will do.
+        // A single periodic cell has no wave except the mean, so any weight is valid.
         let high = if high > 0.0 { high } else { 1.0 };
-        // A datum that is too near makes the mean of a grid that repeats along y negative.
+        // If the datum is too near, the mean has a negative eigenvalue on a grid that is periodic along y.
         let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
         let symbol = if is_up_to_mean {
             symbol.with_mean_of_longest_wave()
@@ -81,7 +85,7 @@ impl<const N: usize> CirculantInverse<N> {
         } else {
             symbol
         };
-        // Where no bound of the operator is known: far below what the directions have each alone.
+        // If no bound of the operator is available, the floor is far below the diagonal entries of the symbol.
         let floor = floor.max(1e-12 * high).max(1e-2 * symbol.least_diagonal());
         Ok(Self {
             product: SingleProduct::new(frame, &symbol.inverse_above(floor))?,

@@ -1,4 +1,4 @@
-//! The pass over the columns of all fields, in which they meet the kernels.
+//! The pass over the columns of all fields, in which the kernels are applied.
 
 use num_complex::Complex;
 
@@ -30,8 +30,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// From one padded column to the next in scratch memory: room for whole tiles, and off the powers
-    /// of two, at which all columns would share one corner of the cache.
+    /// Returns the distance between padded columns in scratch memory. It includes space for whole tiles and
+    /// avoids powers of two, at which all columns would map to the same cache sets.
     fn column_stride(&self) -> usize {
         let end = self.tile_rows.iter().map(|row| row + TILE_ROWS).max();
         self.frame.torus[1]
@@ -59,7 +59,7 @@ impl<T: Real> Plan<T> {
         });
     }
 
-    /// Transforms, multiplies and transforms back the columns of a band.
+    /// Transforms the columns of a band, multiplies them and transforms them back.
     fn column_band<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,
@@ -84,7 +84,8 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// The same from the tiles of some fields to those of others, multiplied by anything.
+    /// Transforms columns from the tiles of some fields to the tiles of other fields, with any multiplication
+    /// in between.
     pub(super) fn columns_between<const N: usize>(
         &self,
         from: [&[Tile]; N],

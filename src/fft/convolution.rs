@@ -1,4 +1,4 @@
-//! The half-space as an operator: convolution with influence coefficients, along each axis zero-padded or periodic.
+//! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic along each axis.
 
 use std::sync::Arc;
 
@@ -26,16 +26,21 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::report::EigenvalueBound;
 use crate::support::debug::shown;
 
-/// `u_i = sum_j C_ij * t_j` on a grid: N displacement components of every cell from N traction components
-/// of all cells, by fast transforms: one each way for each component. Without periodic images
-/// ([`Self::new`]) or on a grid that repeats along both axes ([`Self::periodic`]); those on a grid that repeats along y
-/// alone are obtained from [`HalfSpace::operator`](crate::HalfSpace::operator), those of several components from
+/// Operator `u_i = sum_j C_ij * t_j` on a grid, which computes N displacement components of every cell from N traction
+/// components of all cells. A product takes one forward and one inverse fast transform per component.
+///
+/// The operator has no periodic images ([`Self::new`]) or is periodic along both axes ([`Self::periodic`]). For grids that
+/// are periodic along y alone use [`HalfSpace::operator`](crate::HalfSpace::operator), and for several components
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
-/// Tractions are pressures, displacements lengths. Equal to the direct sum up to round-off
-/// (1e-15 of the largest displacement, typically). Immutable and shared; memory 12 bytes per cell for each
-/// of the N (N + 1)/2 coefficients, and 16 N per cell in each workspace; on a grid that repeats along y alone 6
-/// instead of 12, on one that repeats along both axes 3, and 8 N in each workspace.
+/// Tractions are pressures, displacements are lengths. The result equals the direct sum up to round-off (typically 1e-15 of
+/// the largest displacement). The operator is immutable, so threads can share it; each needs its own workspace.
+///
+/// # Memory
+///
+/// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients, and each workspace 16 N bytes per cell. On
+/// a grid that is periodic along y alone the coefficients take 6 bytes instead of 12. On a grid that is periodic along both
+/// axes they take 3 bytes, and each workspace 8 N bytes.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -56,32 +61,32 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
-    /// The least eigenvalue of the periodic continuation, and a bound from below of those of the operator: without the mean
-    /// where the grid repeats.
+    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator, both without the
+    /// mean on periodic grids.
     least: f64,
     lower_bound_without_mean: f64,
-    /// A bound of all eigenvalues; without the mean on a grid that repeats along both axes.
+    /// Lower bound of all eigenvalues, without the mean on a grid that is periodic along both axes.
     lower_bound: f64,
     upper_bound: f64,
-    /// The energy of a uniform traction along each direction, where the periodic continuation does not bound it.
+    /// Energy of a uniform traction along each direction, if the periodic continuation does not bound it.
     uniform_waves: Option<[UniformWave; N]>,
     /// Whether the lower bound is an estimate.
     is_estimate: bool,
-    /// Whether single precision resolves the smallest eigenvalue beside the largest.
+    /// Whether single precision resolves the smallest eigenvalue relative to the largest.
     is_single_enough: bool,
 }
 
 shown!(Convolution<const N: usize>: lower_bound, upper_bound);
 
-/// Ratio of the eigenvalues below which the smallest is lost in the error of single precision: that of long cells,
-/// and of squares of some 50 000 cells along a side.
+/// Ratio of the smallest to the largest eigenvalue below which single precision loses the smallest. It is reached by long
+/// cells, and by square grids of about 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 
 impl Convolution {
-    /// The coefficient `component` of the pair, on the cells of `grid`.
+    /// Creates the operator of the coefficient `component` of the pair on the cells of `grid`.
     ///
     /// # Errors
-    /// As [`Table::sample`](crate::influence::Table::sample).
+    /// The errors of [`Table::sample`](crate::influence::Table::sample).
     pub fn new(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         let reach = reach(grid.size(), Boundary::NonPeriodic);
         pair.check_no_kernel()?;
@@ -93,9 +98,9 @@ impl Convolution {
         })
     }
 
-    /// The same on a grid that repeats along x and y, with the symbols of the [`influence`](crate::influence)
-    /// page and no padding: exact for tractions made of waves that fit the grid, down to two cells a
-    /// period. A mean traction causes none of it, so that displacements have mean zero.
+    /// Creates the operator on a grid that is periodic along x and y, with the symbols of the [`influence`](crate::influence)
+    /// page and no padding. It is exact for tractions that consist of the waves that fit the grid, down to two cells per
+    /// period. A mean traction causes no displacement, so displacements have mean zero.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -108,13 +113,14 @@ impl Convolution {
     /// let wave = Field::from_fn(grid, |x, _| 3.0 + (TAU * x).cos());
     /// let mut displacement = Field::zeros(grid);
     /// normal.apply([wave.as_slice()], [displacement.as_mut_slice()], &mut normal.scratch()?);
-    /// // 2/(E* k) times the wave, nothing for its mean.
+    /// // The result is 2/(E* k) times the wave, and zero for its mean.
     /// let expected = 2.0 / (pair.contact_modulus() * TAU);
     /// assert!((displacement.get(4, 0).unwrap() - expected).abs() < 1e-15);
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     ///
-    /// Of a pair that [stands for a kernel](ElasticPair::stands_for_kernel) it is that of its half-spaces, not of the kernel.
+    /// For a pair that [represents a kernel](ElasticPair::stands_for_kernel) this is the operator of its half-spaces, not of
+    /// the kernel.
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = Kernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
@@ -125,12 +131,12 @@ impl Convolution {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// On `[nx, ny]` cells, from a symmetric tensor of kernels (displacement, then traction) or from one
-    /// kernel of any parity. Tables must hold the [`samples`] of these or more cells, symbols are those of
+    /// Creates the operator on `[nx, ny]` cells from a symmetric tensor of kernels (displacement, then traction) or from one
+    /// kernel of any parity. Tables must contain the [`samples`] of at least these cells. Symbols must belong to exactly
     /// these cells.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn of_kernels(
         size: [usize; 2],
         share: Option<Arc<RowPartition>>,
@@ -145,10 +151,11 @@ impl<const N: usize> Convolution<N> {
         let symbol = Symbol::new(&frame, kernels)?;
         let plan = Plan::new(frame.clone());
         let normalisation = 1.0 / plan.cells_of_torus();
-        // The matrix of a free half-space is a principal part of the torus's, whose eigenvalues are those of the
-        // symbol. A mean on a grid that repeats has the eigenvalue zero.
+        // The matrix of a free half-space is a principal submatrix of the matrix on the torus, whose eigenvalues are those of
+        // the symbol. The mean on a periodic grid has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
-        // The waves of a grid that repeats along y have that period, so that a traction without a mean has none on the torus.
+        // On a grid that is periodic along y, waves on the torus have the period of the grid. A traction without a mean
+        // therefore has no mean on the torus.
         let least = match symbol.extremes(true) {
             [least, _] if repeats == [false, true] && least.is_finite() => least,
             _ => range[0],
@@ -169,8 +176,8 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// With a least eigenvalue that is known so in place of that of the periodic continuation. On a grid that repeats along y
-    /// it is that of tractions without a mean, and [`Self::with_uniform_waves`] completes the bound.
+    /// Replaces the smallest eigenvalue of the periodic continuation by a given value of the given origin. On a grid that is
+    /// periodic along y the value applies to tractions without a mean, and [`Self::with_uniform_waves`] completes the bound.
     pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
         let lower_bound = (least - 1e-14 * self.upper_bound).max(0.0);
         Self {
@@ -183,7 +190,7 @@ impl<const N: usize> Convolution<N> {
         }
     }
 
-    /// With the bounds of an operator that this one is a principal part of.
+    /// Uses the bounds of an operator of which this operator is a principal submatrix.
     pub(crate) fn bounded_as(self, whole: &Self) -> Self {
         Self {
             lower_bound: whole.lower_bound,
@@ -192,7 +199,7 @@ impl<const N: usize> Convolution<N> {
         }
     }
 
-    /// With the energy of uniform tractions, which bounds all eigenvalues together with those of tractions without a mean.
+    /// Sets the energy of uniform tractions. Together with the bound for tractions without a mean it bounds all eigenvalues.
     pub(crate) fn with_uniform_waves(self, waves: [UniformWave; N]) -> Self {
         let bound = |wave: &UniformWave| wave.bound(self.lower_bound_without_mean, 0.0);
         let least = waves.iter().map(bound).fold(f64::INFINITY, f64::min);
@@ -203,21 +210,24 @@ impl<const N: usize> Convolution<N> {
         }
     }
 
-    /// The least eigenvalue of the periodic continuation, of whatever sign; without the mean on a grid that repeats.
+    /// Returns the smallest eigenvalue of the periodic continuation, which can be negative; without the mean on a periodic
+    /// grid.
     pub(crate) fn least_eigenvalue(&self) -> f64 {
         self.least
     }
 
-    /// A lower bound of the eigenvalues of tractions without a mean on a grid that repeats, of all tractions on another grid.
+    /// Returns a lower bound of the eigenvalues, for tractions without a mean on a periodic grid and for all tractions on a
+    /// free grid.
     pub(crate) fn lower_bound_without_mean(&self) -> f64 {
         self.lower_bound_without_mean
     }
 
-    /// A lower bound of the eigenvalues of the tractions that a problem allows. A component has no mean if its sum is
-    /// prescribed (`None`). To others a uniform traction adds such a compliance: zero, or that of a spring.
+    /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. A component with a prescribed sum
+    /// (`None`) has no mean. For the other components the value is the compliance that is added for a uniform traction: zero,
+    /// or the compliance of a spring.
     ///
     /// # Errors
-    /// [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not definite.
+    /// - [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not positive definite.
     pub(crate) fn lower_bound_of(&self, added: [Option<f64>; N]) -> Result<LowerBound> {
         let least = self.lower_bound_without_mean;
         let (mut value, mut mean) = (least, MeanBound::Operator);
@@ -238,7 +248,7 @@ impl<const N: usize> Convolution<N> {
         Ok(LowerBound { value, known, mean })
     }
 
-    /// How the bound of tractions without a mean is known.
+    /// Returns the origin of the bound for tractions without a mean.
     pub(crate) fn known(&self) -> EigenvalueBound {
         match (self.lower_bound_without_mean > 0.0, self.is_estimate) {
             (false, _) => EigenvalueBound::Unknown,
@@ -247,38 +257,40 @@ impl<const N: usize> Convolution<N> {
         }
     }
 
-    /// The largest eigenvalue of the periodic continuation, a bound for the cells cut out of it.
+    /// Returns the largest eigenvalue of the periodic continuation, an upper bound for the operator on the grid.
     pub(crate) fn upper_bound(&self) -> f64 {
         self.upper_bound
     }
 }
 
 impl Convolution<3> {
-    /// A bound of $`|p' B q| / (|p|\,|q|)`$, in the energy norms of the first component and of the other two, of what the
-    /// first causes along the others.
+    /// Returns a bound of $`|p' B q| / (|p|\,|q|)`$ in the energy norms of the first component and of the other two. B
+    /// contains the displacements that the first component causes along the others.
     pub(crate) fn coupling(&self) -> f64 {
         self.symbol.coupling()
     }
 }
 
-/// Of the eigenvalues of the operator, from the range of those of the torus.
+/// Returns a lower bound of the eigenvalues of the operator from the range of the eigenvalues on the torus.
 fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]) -> f64 {
-    // A coefficient between two directions is not a compliance.
+    // A coefficient between two different directions is not a compliance.
     let is_compliance = (0..N).all(|i| kernels[i][i].is_odd() == [false; 2]);
     if !is_compliance {
         0.0
     } else if low.is_finite() {
-        // What the transform itself rounds off is taken from the bound.
+        // The round-off of the transform is subtracted from the bound.
         (low - 1e-14 * high).max(0.0)
     } else {
-        // A single periodic cell has no field of mean zero, so that any number is a bound. Residuals need one in its units.
+        // A single periodic cell has no field of mean zero, so every number is a bound. Residuals require a bound in units of
+        // the compliance.
         let waves = (0..N).map(|i| kernels[i][i].least_of_one_period());
         waves.fold(f64::INFINITY, f64::min).max(0.0)
     }
 }
 
-/// The integrals of all coefficients at every distance that the transform of `size` cells of `grid` reaches; none for
-/// a grid that repeats along both axes, which has symbols. Ranks deal out the distances along y; coated bodies add a rest.
+/// Returns the integrals of all coefficients at every distance within the transform of `size` cells of `grid`; `None` for a
+/// grid that is periodic along both axes, which uses symbols. The distances along y are distributed over the ranks, and
+/// coated bodies add a correction.
 pub(crate) fn samples(
     grid: Grid,
     boundary: Boundary,
@@ -298,17 +310,17 @@ pub(crate) fn samples(
     ))
 }
 
-/// Distances along each axis from nothing to half around the torus.
+/// Returns the number of distances along each axis, from zero to half the torus.
 fn reach(size: [usize; 2], boundary: Boundary) -> [usize; 2] {
     torus(size, boundary.repeats()).map(|m| m / 2 + 1)
 }
 
-/// Buffers of products: for each component 16 bytes per cell, and a little for each task.
+/// Buffers of products: 16 bytes per cell for each component, and a small amount per task.
 #[derive(Debug, Clone)]
 struct ConvolutionScratch<const N: usize> {
     tiles: Tiles<N>,
     double: TaskScratch<f64, N>,
-    /// Made by the first product in single precision: many users never ask for one.
+    /// Buffers for single precision, created by the first such product, because many callers never use it.
     single: Option<TaskScratch<f32, N>>,
 }
 
@@ -335,8 +347,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
-    /// In single precision: about 3e-7 of the largest displacement, at two thirds of the cost. In double precision where
-    /// the smallest eigenvalue is too small a part of the largest to be seen beside that error.
+    /// Computes the product in single precision: the error is about 3e-7 of the largest displacement, at two thirds of the
+    /// cost. Double precision is used if the smallest eigenvalue is too small relative to the largest to be resolved with
+    /// this error.
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);
@@ -347,18 +360,21 @@ impl<const N: usize> Operator<N> for Convolution<N> {
         }
         match single {
             Some(tasks) => self.single.apply(x, out, tiles, tasks),
-            // There is no memory for it: the product in double precision is as good.
+            // Without memory for single precision, the product is computed in double precision.
             None => self.apply(x, out, scratch),
         }
     }
 
-    /// The smallest eigenvalue of the periodic continuation, a bound for the cells cut out of it; for a
-    /// periodic grid that on fields of mean zero. One periodic cell has no such field: its bound is the symbol of a wave of
-    /// one period over the cell. Zero for a single component between two directions; and
-    /// for pressure with shear of bodies whose Poisson's ratios are negative, on some grids, where the
-    /// continuation is not definite though the operator is. Where that of stiff layers on soft bodies is not, an
-    /// estimate, on the safe side, of the least eigenvalue of the infinite lattice of these cells. Zero for a grid that
-    /// repeats along y if a datum that is too near makes the operator indefinite.
+    /// Returns the smallest eigenvalue of the periodic continuation, a lower bound for the operator on the grid.
+    ///
+    /// - For a periodic grid it is the smallest eigenvalue on fields of mean zero. A single periodic cell has no such field,
+    ///   and its bound is the symbol of a wave of one period over the cell.
+    /// - It is zero for a single component between two different directions.
+    /// - It is zero for pressure with shear if Poisson's ratios are negative, on some grids, where the continuation is not
+    ///   positive definite although the operator is.
+    /// - For stiff layers on soft bodies the continuation can also be indefinite. The bound is then a conservative estimate
+    ///   of the smallest eigenvalue of the infinite lattice of these cells.
+    /// - It is zero for a grid that is periodic along y if a datum that is too near makes the operator indefinite.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

@@ -2,7 +2,7 @@
 
 use crate::numerics::jacobi::diagonalised;
 
-/// Smallest and largest eigenvalue.
+/// Returns the smallest and the largest eigenvalue.
 pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2] {
     if N == 2 {
         let SymmetricPair { mean, radius, .. } = SymmetricPair::new(matrix);
@@ -14,7 +14,7 @@ pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2
     diagonal.iter().fold(none, wider)
 }
 
-/// The inverse, with eigenvalues below `floor` raised to it.
+/// Returns the inverse, with eigenvalues below `floor` raised to it.
 pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -> [[f64; N]; N] {
     if N == 2 {
         return SymmetricPair::new(matrix).inverse_above(floor);
@@ -29,8 +29,9 @@ pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -
     })
 }
 
-/// How strongly the first component couples with the other two: $`\sqrt{b' T^{-1} b / a}`$ of the matrix with the blocks
-/// a, b and T, less than one where it is positive definite; infinite where one of the blocks is not.
+/// Returns the strength of the coupling of the first component with the other two: $`\sqrt{b' T^{-1} b / a}`$ for a
+/// matrix with the blocks a, b and T. The value is less than one if the matrix is positive definite, and infinite if a
+/// or T is not positive definite.
 pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
     let [[a, x, y], [_, xx, xy], [_, _, yy]] = matrix;
     let determinant = xx * yy - xy * xy;
@@ -41,17 +42,17 @@ pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
     (square / a).sqrt()
 }
 
-/// A 2 x 2 matrix, `mean + radius [[cos, sin], [sin, -cos]]` of twice the angle of its axes.
+/// Symmetric 2 x 2 matrix, `mean + radius [[cos, sin], [sin, -cos]]` of twice the angle of its axes.
 struct SymmetricPair {
     mean: f64,
     radius: f64,
-    /// Half the difference of the diagonal, and the entry beside it.
+    /// Half the difference of the diagonal entries, and the off-diagonal entry.
     difference: f64,
     beside: f64,
 }
 
 impl SymmetricPair {
-    /// Of a matrix that is 2 x 2, which the type cannot say here.
+    /// Decomposes a 2 x 2 matrix. The caller must ensure that N is 2, because the type does not.
     fn new<const N: usize>(matrix: [[f64; N]; N]) -> Self {
         let (xx, yy, xy) = (matrix[0][0], matrix[1][1], matrix[0][1]);
         let difference = 0.5 * (xx - yy);
@@ -88,7 +89,7 @@ impl SymmetricPair {
 mod tests {
     use super::*;
 
-    /// Matrices of known eigenvalues, some twice, some close.
+    /// Checks matrices with given eigenvalues, including double and close eigenvalues.
     #[test]
     fn matrices_of_three_rows_have_their_eigenvalues_and_inverses() {
         for values in [

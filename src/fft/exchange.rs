@@ -1,4 +1,4 @@
-//! The tiles on their way between ranks: from who has the rows to who has the columns, and back.
+//! Exchange of tiles between the ranks that store their rows and the ranks that multiply their columns.
 
 use std::ops::Range;
 
@@ -10,14 +10,15 @@ use crate::parallel::ranks::WireFormat;
 use crate::parallel::ranks::partition::{RowPartition, part, rounds};
 use crate::parallel::{self, Blocks, Work};
 
-/// Tiles that a rank sends in one round, about: they are packed and unpacked beside the tiles themselves.
+/// Approximate number of tiles that a rank sends per round. Packed tiles take memory in addition to the tiles
+/// themselves.
 const ROUND_TILES: usize = 2048;
 
-/// Tiles that a task packs or unpacks.
+/// Number of tiles that a task packs or unpacks.
 const TASK_TILES: usize = 16;
 
 impl<T: Real> Plan<T> {
-    /// Which tiles of a column are of the rows of a rank.
+    /// Returns the range of tiles in a column that contain rows of a rank.
     fn tile_rows_of(&self, share: &RowPartition, rank: usize) -> Range<usize> {
         let rows = share.rows_of(rank);
         let place = |row: usize| self.tile_rows.partition_point(|&first| first < row);
@@ -27,7 +28,7 @@ impl<T: Real> Plan<T> {
         place(rows.start)..place(rows.end)
     }
 
-    /// Which tiles of a column are of the rows held here.
+    /// Returns the range of tiles in a column that contain local rows.
     pub(super) fn own_tile_rows(&self) -> Range<usize> {
         match &self.frame.share {
             Some(share) => self.tile_rows_of(share, share.team().rank()),
@@ -35,7 +36,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// How many rounds a hand-over takes, the same on all ranks.
+    /// Returns the number of rounds of an exchange, equal on all ranks.
     fn rounds(&self, share: &RowPartition) -> usize {
         let tiles = |rank: usize| {
             let by_rows = self.tile_rows_of(share, rank).len() * self.tiles_across();
@@ -45,8 +46,8 @@ impl<T: Real> Plan<T> {
         rounds(most.unwrap_or(0), ROUND_TILES)
     }
 
-    /// Hands the tiles to who multiplies their columns, and takes those of the columns here. Bands that hold nothing are
-    /// not sent.
+    /// Sends the tiles to the ranks that multiply their columns, and receives the tiles of the local columns. Bands that
+    /// contain only zeros are not sent.
     pub(super) fn deal_columns(
         &self,
         share: &RowPartition,
@@ -61,7 +62,7 @@ impl<T: Real> Plan<T> {
         self.transpose_tiles(share, [from, to], sent, received, Some(occupied), spare);
     }
 
-    /// Hands the tiles back to who has their rows, and takes those of the rows here.
+    /// Sends the tiles back to the ranks of their rows, and receives the tiles of the local rows.
     pub(super) fn tiles_to_rows(
         &self,
         share: &RowPartition,
@@ -75,8 +76,9 @@ impl<T: Real> Plan<T> {
         self.transpose_tiles(share, [from, to], sent, received, None, spare);
     }
 
-    /// Hands tiles from one order to the other: which columns and rows of them go to a rank, and which come from it. Of
-    /// bands some of which hold nothing, only those that hold something travel, after a bit for each.
+    /// Transfers tiles from one order to the other. `sent` and `received` return the columns and rows of the tiles that
+    /// go to a rank and come from a rank. If `occupied` is given, one bit per band is sent first, and only the bands
+    /// that are not zero follow.
     fn transpose_tiles(
         &self,
         share: &RowPartition,
@@ -96,11 +98,11 @@ impl<T: Real> Plan<T> {
             }
         }
         let rounds = self.rounds(share);
-        // The memory of blocks that have come is that of the next to go.
+        // Received blocks are reused as buffers for the next round.
         let mut blocks = vec![Vec::new(); ranks];
         let mut is_expected = vec![false; ranks];
         for round in 0..rounds {
-            // Which bands hold anything is told first.
+            // The first round sends the bits of the occupied bands.
             let tells = round == 0 && occupied.is_some();
             let mut left = Vec::new();
             for rank in others.clone() {
@@ -151,7 +153,7 @@ impl<T: Real> Plan<T> {
                 }
                 let first = spare.len() - filled;
                 fill(&mut spare[first..], words);
-                // The last tile is taken first.
+                // Tiles are removed from the end of `spare`, so the loop starts with the last tile.
                 for column in columns.clone().rev() {
                     for row in rows.clone().rev().filter(comes) {
                         *to.at(column, row) = spare.pop().unwrap_or_default();
@@ -166,7 +168,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Tiles of the rows held here, row after row.
+    /// Returns the tiles of the local rows, ordered row by row.
     fn in_rows<'a>(&self, tiles: &'a mut [Tile]) -> TileOrder<'a> {
         TileOrder {
             tiles,
@@ -175,7 +177,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Tiles of the columns multiplied here, column after column.
+    /// Returns the tiles of the local columns, ordered column by column.
     fn in_columns<'a>(&self, tiles: &'a mut [Tile]) -> TileOrder<'a> {
         TileOrder {
             tiles,
@@ -185,7 +187,7 @@ impl<T: Real> Plan<T> {
     }
 }
 
-/// Tiles, and where those of a column and a row lie.
+/// Tiles, and their positions by column and row.
 struct TileOrder<'a> {
     tiles: &'a mut [Tile],
     first: [usize; 2],
@@ -199,12 +201,12 @@ impl TileOrder<'_> {
     }
 }
 
-/// Whether a band is known to hold something, or nothing is known of any.
+/// Returns whether a band might contain a nonzero value. It is true for all bands if `occupied` is not given.
 fn holds(occupied: Option<&[bool]>, band: usize) -> bool {
     occupied.is_none_or(|occupied| occupied[band])
 }
 
-/// Makes a block of some words and the tiles.
+/// Packs some words and the tiles into a block.
 fn pack(block: &mut Vec<u64>, first: &[u64], tiles: &[Tile]) {
     block.resize(first.len() + tiles.len() * TILE_WORDS, 0);
     let (head, words) = block.split_at_mut(first.len());
@@ -221,7 +223,7 @@ fn pack(block: &mut Vec<u64>, first: &[u64], tiles: &[Tile]) {
     });
 }
 
-/// Fills tiles with the words received; they stay as they are where none came, from a rank that is lost.
+/// Copies the received words into tiles. Tiles without data, from a disconnected rank, remain unchanged.
 fn fill(tiles: &mut [Tile], words: &[u64]) {
     let count = tiles.len();
     let data = Blocks {
@@ -236,12 +238,12 @@ fn fill(tiles: &mut [Tile], words: &[u64]) {
     });
 }
 
-/// Runs the work on the parts of data that belong to so many tiles.
+/// Runs the work in parallel on the data of the given number of tiles.
 fn in_tasks<'a, T: Send>(tiles: usize, data: Blocks<'a, T>, work: &Work<'_, Blocks<'a, T>, ()>) {
     parallel::sweep(0..tiles.div_ceil(TASK_TILES), data, work, &|(), ()| ());
 }
 
-/// A bit for each band.
+/// Packs one bit per band into words.
 fn packed(occupied: &[bool]) -> impl Iterator<Item = u64> {
     occupied.chunks(64).map(|bands| {
         let bits = bands.iter().rev();

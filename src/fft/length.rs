@@ -1,6 +1,6 @@
-//! Lengths whose transform is fast.
+//! Lengths with fast transforms.
 
-/// Cells of the torus: along an axis that does not repeat, no image of `n` cells reaches back into them.
+/// Returns the number of cells of the torus. Along a free axis no periodic image of the `n` cells overlaps them.
 pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
     std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
         (cells, true) => cells,
@@ -8,9 +8,10 @@ pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
     })
 }
 
-/// The even length `2^a 3^b 5^c >= least` whose transform costs least (1 for `least <= 1`).
+/// Returns the even length `2^a 3^b 5^c >= least` with the cheapest transform (1 for `least <= 1`).
 ///
-/// It grows with `least`: a candidate that is best for less and long enough is best for more.
+/// The result never decreases when `least` increases: the cheapest length for a smaller `least` remains the cheapest while
+/// it is sufficient.
 pub(crate) fn smooth_length(least: usize) -> usize {
     if least <= 1 {
         return 1;
@@ -24,11 +25,12 @@ pub(crate) fn smooth_length(least: usize) -> usize {
     let even = odd.flat_map(|odd| multiples(odd.checked_mul(2), 2));
     let candidates = even.filter(|n| *n >= least).map(|n| (cost(n), n));
     let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    // A power of two lies in every octave.
+    // Every octave contains a power of two.
     cheapest.map_or(most, |(_, n)| n)
 }
 
-/// Returns `n log n` times measured factors for fives and for a lack of twos. The length has no prime factors but 2, 3, 5.
+/// Returns `n log n` times measured factors for factors of five and for a lack of factors of two. The length must have no
+/// prime factors except 2, 3, 5.
 fn cost(n: usize) -> f64 {
     let (mut fives, mut rest) = (0, n);
     while rest % 5 == 0 {
@@ -48,7 +50,7 @@ fn cost(n: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Coarser grids and windows read the samples of the whole grid: a shorter torus must not reach
+    /// Checks monotonicity: coarser grids and windows use the samples of the whole grid, so a shorter torus must not reach
     /// further than a longer one.
     #[test]
     fn lengths_suffice_and_grow_with_what_is_asked() {

@@ -1,9 +1,14 @@
 //! The two-dimensional real transform of zero-padded fields, one pass over memory per stage.
 //!
-//! Rows: pairs of real ones as complex ones, only those that are not zero. Columns, two cache lines of each row at a
-//! time: gather, pad, transform, multiply by the kernel, transform back, keep what is wanted. Rows: back to pairs of real
-//! ones.
-//! Between the stages a field lies in tiles; from stage to stage their owners change, not their places.
+//! The transform has three stages:
+//!
+//! 1. Rows: pairs of real rows are transformed as complex rows. Rows of zeros are skipped.
+//! 2. Columns, two cache lines of each row at a time: gather, pad, transform, multiply by the kernel, transform back, and
+//!    keep the part on the grid.
+//! 3. Rows: the inverse transform back to pairs of real rows.
+//!
+//! Between the stages a field is stored in tiles. From stage to stage the owners of the tiles change, but not their
+//! memory.
 
 use std::fmt;
 use std::ops::Range;
@@ -23,11 +28,11 @@ use crate::memory::pool::Pool;
 use crate::parallel::layout::Layout;
 use crate::parallel::{self, Blocks, Split};
 
-/// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Immutable and shared.
+/// Transforms of an `nx` x `ny` field padded to `mx` x `my`. Plans are immutable and can be shared.
 #[derive(Clone)]
 pub(super) struct Plan<T: Real> {
     pub(super) frame: TorusLayout,
-    /// The row at which each tile of a column begins.
+    /// First row of each tile of a column.
     pub(super) tile_rows: Vec<usize>,
     pub(super) row_forward: Arc<dyn Fft<T>>,
     pub(super) row_inverse: Arc<dyn Fft<T>>,
@@ -66,18 +71,18 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Cells of a field.
+    /// Returns the number of local cells of a field.
     pub(super) fn cells(&self) -> usize {
         self.frame.size[0] * self.frame.local_rows().len()
     }
 
-    /// Cells of the torus, all of which a sum of waves is divided by.
+    /// Returns the number of cells of the torus, by which sums of waves are divided.
     pub(super) fn cells_of_torus(&self) -> f64 {
         let [mx, my] = self.frame.torus;
         (mx * my) as f64
     }
 
-    /// How the cells of a field lie.
+    /// Returns the layout of the cells of a field.
     pub(super) fn layout(&self) -> Layout {
         match &self.frame.share {
             Some(share) => Layout::shared(Arc::clone(share)),
@@ -85,39 +90,39 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Complex numbers in a transformed row.
+    /// Returns the number of complex values in a transformed row.
     pub(super) fn width(&self) -> usize {
         self.frame.width()
     }
 
-    /// Tiles along x, of all ranks together.
+    /// Returns the number of tiles along x, over all ranks.
     pub(super) fn tiles_across(&self) -> usize {
         self.width().div_ceil(T::TILE_COLUMNS)
     }
 
-    /// Tiles along x whose columns a rank multiplies.
+    /// Returns the tiles along x whose columns a rank multiplies.
     pub(super) fn tile_columns_of(&self, rank: usize) -> Range<usize> {
         let columns = self.frame.columns_of(rank);
         columns.start / T::TILE_COLUMNS..columns.end.div_ceil(T::TILE_COLUMNS)
     }
 
-    /// Tiles along x whose columns are multiplied here.
+    /// Returns the tiles along x whose columns are local.
     pub(super) fn own_tile_columns(&self) -> Range<usize> {
         let columns = self.frame.own_columns();
         columns.start / T::TILE_COLUMNS..columns.end.div_ceil(T::TILE_COLUMNS)
     }
 
-    /// Tiles along y of the rows held here.
+    /// Returns the number of tiles along y for the local rows.
     pub(super) fn tiles_down(&self) -> usize {
         self.frame.local_rows().len().div_ceil(TILE_ROWS)
     }
 
-    /// Tiles along y, of all ranks together.
+    /// Returns the number of tiles along y, over all ranks.
     pub(super) fn tiles_along(&self) -> usize {
         self.tile_rows.len()
     }
 
-    /// Whether a field is too short to share its work.
+    /// Returns whether a field is too small for parallel work.
     fn is_short(&self) -> bool {
         parallel::is_short(self.cells())
     }
@@ -125,7 +130,7 @@ impl<T: Real> Plan<T> {
     /// Runs `work(band, its part of data)` for the bands of a stage.
     pub(super) fn bands<D: Split>(&self, bands: usize, data: D, work: impl Fn(usize, D) + Sync) {
         if bands == 0 {
-            // Of a rank without rows, or columns.
+            // This rank has no rows, or no columns.
         } else if self.is_short() {
             parallel::in_turn(0..bands, data, &work, &|(), ()| ());
         } else {
@@ -133,15 +138,15 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Whether fields are one row, of one process, whose columns have nothing to transform.
+    /// Returns whether fields are a single row on one process, so that columns need no transform.
     fn is_line(&self) -> bool {
         self.frame.torus[1] == 1 && self.frame.share.is_none()
     }
 
-    /// Tiles that products work in; a line needs none.
+    /// Creates the tiles for products; a line needs none.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(super) fn tiles_of_products<const N: usize>(&self) -> Result<Tiles<N>> {
         if self.is_line() {
             return Tiles::new([0; 2], [0; 2], |_, _| Ok(()));
@@ -149,14 +154,14 @@ impl<T: Real> Plan<T> {
         self.tiles()
     }
 
-    /// Tiles of N fields.
+    /// Creates the tiles of N fields.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(super) fn tiles<const N: usize>(&self) -> Result<Tiles<N>> {
         let (across, down) = (self.tiles_across(), self.tiles_down());
         let own_columns = self.own_tile_columns().len();
-        // Each band is made by the task that first writes there.
+        // Each band is allocated by the task that first writes to it.
         Tiles::new(
             [across, down],
             [own_columns, self.tiles_along()],
@@ -169,7 +174,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(super) fn scratch<const N: usize>(&self) -> Result<TaskScratch<T, N>> {
         let tasks = if self.is_short() {
             1
@@ -182,8 +187,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// `out = inverse(symbol * forward(x))`, all fields `nx` x `ny`; `scales` multiply what goes
-    /// in and what comes out.
+    /// Computes `out = inverse(symbol * forward(x))`; all fields are `nx` x `ny`. `scales` multiply the input and the
+    /// output.
     pub(super) fn convolve<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,
@@ -249,8 +254,8 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Hands tiles from who has their rows to who multiplies their columns. Every rank then knows which bands of all hold
-    /// anything.
+    /// Transfers tiles from the owners of their rows to the owners of their columns. Afterwards every rank has the
+    /// occupied bands of all ranks.
     pub(super) fn to_columns(
         &self,
         by_rows: &mut [Tile],
@@ -264,7 +269,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Hands them back.
+    /// Transfers tiles from the owners of their columns back to the owners of their rows.
     pub(super) fn to_rows(
         &self,
         by_columns: &mut [Tile],
@@ -278,7 +283,7 @@ impl<T: Real> Plan<T> {
     }
 }
 
-/// The row at which each tile of a column begins: those of each rank from its own first row.
+/// Returns the first row of each tile of a column. The tiles of each rank start at the first row of that rank.
 fn tile_rows(frame: &TorusLayout) -> Vec<usize> {
     let tiles = |rows: Range<usize>| rows.step_by(TILE_ROWS);
     match &frame.share {

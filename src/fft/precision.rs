@@ -6,21 +6,21 @@ use bytemuck::Pod;
 use num_complex::Complex;
 use rustfft::{Fft, FftDirection, FftNum, FftPlanner};
 
-/// `f64`, or `f32` where an iteration needs no more.
+/// `f64`, or `f32` if an iteration needs no more accuracy.
 pub(super) trait Real: FftNum + Pod {
-    /// Complex numbers in a cache line, twice: columns of a tile.
+    /// Number of columns of a tile: the complex values in two cache lines.
     const TILE_COLUMNS: usize = 128 / size_of::<Complex<Self>>();
 
-    /// The nearest number.
+    /// Rounds a value to this precision.
     fn of(value: f64) -> Self;
 
-    /// The same number in double precision.
+    /// Converts the value to double precision.
     fn double(self) -> f64;
 
     /// Plans the forward and the inverse transform of both lengths.
     ///
-    /// The implementations are not generic. The transforms are therefore compiled in this crate alone, and not again in
-    /// each program that uses a generic item of it.
+    /// The implementations are not generic. The transforms are therefore compiled only in this crate, and not again in
+    /// every program that uses one of its generic items.
     fn transforms(lengths: [usize; 2]) -> [[Arc<dyn Fft<Self>>; 2]; 2];
 }
 

@@ -1,5 +1,5 @@
-//! The transforms of the rows of one field, two at a time: as real and imaginary part of one row, whose waves are
-//! `Z = A + i B`. Those of real rows follow,
+//! The transforms of the rows of one field. Two real rows are transformed together as the real and imaginary parts of one
+//! complex row with the waves `Z = A + i B`. The waves of the real rows are
 //!
 //! ```math
 //! 2 A_k = Z_k + \overline{Z_{m-k}}, \qquad 2 B_k = -i \bigl(Z_k - \overline{Z_{m-k}}\bigr) .
@@ -18,15 +18,15 @@ use crate::fft::symbol::Symbol;
 use crate::fft::tiles::{TILE_ROWS, Tile};
 use crate::memory::pool::Pool;
 
-/// Pairs of rows in a band of tiles.
+/// Number of pairs of rows in a band of tiles.
 const PAIRS: usize = TILE_ROWS / 2;
 
-/// Columns of a tile in single precision, which has more.
+/// Number of columns of a tile in single precision, the larger of both precisions.
 const MOST_COLUMNS: usize = f32::TILE_COLUMNS;
 
 #[derive(Debug, Clone)]
 pub(super) struct RowScratch<T> {
-    /// The pairs of a band, and then their waves; behind the last wave of each the first one again.
+    /// Pairs of a band, and later their waves. The first wave of each pair is repeated after its last.
     pairs: Aligned<Complex<T>>,
     transform: Aligned<Complex<T>>,
 }
@@ -41,13 +41,13 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// From one pair of rows to the next in scratch memory: off the powers of two, at which all would share one corner of
-    /// the cache.
+    /// Returns the distance between pairs of rows in scratch memory. It avoids powers of two, at which all pairs would
+    /// map to the same cache sets.
     fn row_stride(&self) -> usize {
         (self.frame.torus[0] + 1).next_multiple_of(T::TILE_COLUMNS) + T::TILE_COLUMNS
     }
 
-    /// Transforms the rows of `x` times `scale` that are not zero, and notes which bands hold any.
+    /// Transforms the nonzero rows of `x` times `scale`, and records which bands contain such rows.
     pub(super) fn forward_rows(
         &self,
         x: &[f64],
@@ -71,13 +71,13 @@ impl<T: Real> Plan<T> {
         });
     }
 
-    /// The cells of a band.
+    /// Returns the cells of a band.
     fn rows_of(&self, band: usize) -> Range<usize> {
         let (first, nx) = (band * TILE_ROWS, self.frame.size[0]);
         first * nx..(first + TILE_ROWS).min(self.frame.local_rows().len()) * nx
     }
 
-    /// The columns of waves of each tile of a band.
+    /// Returns the columns of waves for each tile of a band.
     fn columns_of_tiles(&self) -> impl Iterator<Item = Range<usize>> {
         let width = self.width();
         let ends = move |first: usize| first..(first + T::TILE_COLUMNS).min(width);
@@ -108,7 +108,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Transforms two rows, or the last one, to half their waves: [`Self::separate`] adds two of them.
+    /// Transforms two rows, or a single last row, to half their waves, because [`Self::separate`] adds two of them.
     fn forward_pair(
         &self,
         rows: &[f64],
@@ -138,7 +138,7 @@ impl<T: Real> Plan<T> {
         waves[torus] = waves[0];
     }
 
-    /// The waves of each of two rows, in these columns, from half those of the pair.
+    /// Computes the waves of each of two rows in these columns from half the waves of the pair.
     #[inline]
     fn separate(
         &self,
@@ -190,7 +190,7 @@ impl<T: Real> Plan<T> {
         let rows = output.chunks_mut(2 * self.frame.size[0]);
         let waves = &mut pairs[..rows.len() * stride];
         for (tile, columns) in band.iter().zip(self.columns_of_tiles()) {
-            // A tile may hold anything beyond the last row.
+            // The part of a tile beyond the last row is undefined.
             let pairs = tile.of::<T>()[..numbers].chunks_exact(2 * T::TILE_COLUMNS);
             let lone = pairs.remainder();
             let mut waves = waves.chunks_exact_mut(stride);
@@ -207,7 +207,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// The waves of a pair from those of each row, in these columns.
+    /// Computes the waves of a pair from the waves of each row in these columns.
     #[inline]
     fn join(
         &self,
@@ -217,7 +217,8 @@ impl<T: Real> Plan<T> {
         waves: &mut [Complex<T>],
     ) {
         let torus = self.frame.torus[0];
-        // Real rows have real ends: what round-off has added there is not handed to the other row.
+        // The first and middle waves of real rows are real. The imaginary part is round-off and must not enter the other
+        // row.
         let ends = |column: usize| Complex::new(a[column].re, b[column].re);
         let inner = columns.start..columns.end.min(torus.div_ceil(2));
         let back = torus + 1 - inner.end..torus + 1 - inner.start;
@@ -235,7 +236,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Transforms the waves of two rows, or of the last one, back.
+    /// Transforms the waves of two rows, or of a single last row, back.
     fn inverse_pair(
         &self,
         waves: &mut [Complex<T>],
@@ -254,7 +255,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// The whole product of fields that are lines, each a pair with nothing.
+    /// Computes the whole product of fields that are lines; each line is paired with zeros.
     pub(super) fn convolve_line<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,
@@ -288,7 +289,7 @@ impl<T: Real> Plan<T> {
     }
 }
 
-/// Whether anything is not zero.
+/// Returns whether any value is nonzero.
 fn is_occupied(values: &[f64]) -> bool {
     values.iter().any(|&value| value != 0.0)
 }

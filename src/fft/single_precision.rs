@@ -1,4 +1,4 @@
-//! A product in single precision, safe in any unit system.
+//! A product in single precision for any system of units.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::fft::tiles::Tiles;
 use crate::fft::torus::TorusLayout;
 use crate::parallel::layout::Layout;
 
-/// Plan and symbol in single precision, the symbol scaled to values about one.
+/// Plan and symbol in single precision, with the symbol scaled to values of about one.
 #[derive(Debug, Clone)]
 pub(super) struct SingleProduct<const N: usize> {
     plan: Plan<f32>,
@@ -17,7 +17,8 @@ pub(super) struct SingleProduct<const N: usize> {
     scale: f64,
 }
 
-/// Buffers of products in single precision alone, for each component 4 bytes per cell of a preconditioner.
+/// Buffers of products in single precision only. For each component they take 4 bytes per cell of a
+/// preconditioner.
 #[derive(Debug, Clone)]
 pub(super) struct SingleScratch<const N: usize> {
     pub(super) tiles: Tiles<N>,
@@ -55,8 +56,8 @@ impl<const N: usize> SingleProduct<N> {
         self.plan.scratch()
     }
 
-    /// Scales the input to values about one: in some unit systems its squares, or the results,
-    /// would not fit single precision.
+    /// Computes the product with the input scaled to values of about one. In some systems of units the
+    /// squares of the input, or the results, would otherwise exceed the range of single precision.
     pub(super) fn apply(
         &self,
         x: [&[f64]; N],
@@ -71,7 +72,7 @@ impl<const N: usize> SingleProduct<N> {
             self.plan
                 .convolve(&self.symbol, x, out, scales, tiles, scratch);
         } else {
-            // Nothing, or nothing that could be scaled; a broken input stays broken.
+            // The input is zero or cannot be scaled. Invalid input gives NaN.
             let is_nothing = |x: &[f64]| x.iter().all(|x| x.abs() < f64::MIN_POSITIVE);
             let is_broken = x.iter().any(|x| !is_nothing(x));
             let value = if self.plan.frame.over_ranks(is_broken, |a, b| a || b) {
@@ -86,7 +87,8 @@ impl<const N: usize> SingleProduct<N> {
     }
 }
 
-/// `max |x|` of the entries that are numbers, of all components at once: ranks then ask each other once.
+/// Returns the maximum of `|x|` over the entries of all components that are not NaN. A single reduction over
+/// the ranks suffices.
 fn largest_magnitude<const N: usize>(layout: &Layout, x: [&[f64]; N]) -> f64 {
     let leaf = |range: Range<usize>| {
         let of = |x: &[f64]| largest_of(&x[range.clone()]);
@@ -95,7 +97,7 @@ fn largest_magnitude<const N: usize>(layout: &Layout, x: [&[f64]; N]) -> f64 {
     layout.fold(leaf, larger)
 }
 
-/// The same of one part; in lanes, so that many compare at a time.
+/// Returns the maximum over one slice; lanes allow vector comparisons.
 fn largest_of(x: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let groups = x.chunks_exact(8);
@@ -109,7 +111,7 @@ fn largest_of(x: &[f64]) -> f64 {
     lanes.into_iter().fold(rest, larger)
 }
 
-/// The larger number; the first if the second is NaN.
+/// Returns the larger number, or the first if the second is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }

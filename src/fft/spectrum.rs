@@ -1,4 +1,4 @@
-//! The transform of one influence coefficient: one real quarter plane.
+//! The transform of one influence coefficient, stored as one real quarter plane.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -13,18 +13,18 @@ use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, Blocks};
 
-/// Where numbers go: the places `entry` of each piece of `stride` numbers.
+/// Destination of values: the positions `entry` of each chunk of `stride` numbers.
 pub(super) struct StridedLines<'a> {
     pub(super) values: &'a mut [f64],
     pub(super) stride: usize,
     pub(super) entry: Range<usize>,
 }
 
-/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or its imaginary part, times `sign`: a line
-/// of `my / 2 + 1` numbers for each wave number along x that is multiplied here, of `0..=mx/2`.
+/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or its imaginary part, times `sign`. Each
+/// local wave number along x, of `0..=mx/2`, has a line of `my / 2 + 1` numbers.
 ///
 /// # Errors
-/// [`Error::Memory`](crate::Error::Memory).
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
 pub(super) fn transform(
     kernel: &Kernel,
     frame: &TorusLayout,
@@ -54,14 +54,16 @@ pub(super) fn transform(
     }
 }
 
-/// Transforms a kernel whose samples reach at least half around the torus; `row` writes those of one distance along y.
+/// Transforms a kernel whose samples reach at least half around the torus. `row` writes the samples of one distance
+/// along y.
 ///
-/// Along an axis the sample `d` of the torus is that at distance `min(d, m - d)`, with the sign of
-/// its parity; an odd kernel vanishes half way around. Of samples whose rows are dealt out each rank transforms its own
-/// along x, and its columns along y; they agree in between.
+/// Along an axis the sample `d` of the torus is the sample at distance `min(d, m - d)`, with the sign of its parity. An
+/// odd kernel vanishes halfway around the torus. If the rows of the samples are distributed, each rank transforms its
+/// own rows along x and its own columns along y. A collective exchange takes place in between.
 ///
 /// # Errors
-/// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+/// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
 pub(super) fn of_samples(
     [is_odd_x, is_odd_y]: [bool; 2],
     frame: &TorusLayout,
@@ -70,10 +72,11 @@ pub(super) fn of_samples(
     lines: StridedLines<'_>,
     row: impl Fn(usize, &mut [f64]) + Sync,
 ) -> Result<()> {
-    // An odd axis contributes -i: one makes the spectrum imaginary, two turn its sign.
+    // An odd axis contributes -i. One odd axis makes the spectrum imaginary, two odd axes change its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
-    // Along x, one row per distance in y; then along y, one column per wave number in x.
+    // The first transform is along x, with one row per distance along y. The second is along y, with one column per
+    // wave number along x.
     let ([mx, my], width) = (frame.torus, frame.width());
     let height = my / 2 + 1;
     let own_rows = share.map_or(0..height, |share| {
@@ -115,12 +118,12 @@ pub(super) fn of_samples(
     })
 }
 
-/// Lines whose samples are taken at once: the numbers of a cache line.
+/// Number of lines whose samples are computed together: the numbers in a cache line.
 const AT_ONCE: usize = 8;
 
-/// For each line, the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` of the samples
-/// wrapped around a circle of `m`, for `k = 0..=m/2`; `sample` writes the samples `d = 0..=m/2` of some lines,
-/// line by line.
+/// Computes for each line the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` for `k = 0..=m/2`,
+/// with the samples wrapped around a circle of `m`. `sample` writes the samples `d = 0..=m/2` of some lines, line by
+/// line.
 fn half_transforms(
     m: usize,
     is_odd: bool,
@@ -153,7 +156,7 @@ fn half_transforms(
             sample(first..first + lines, samples);
             for (samples, out) in samples.chunks(half).zip(out.chunks_exact_mut(stride)) {
                 wrap(samples, is_odd, &mut wrapped);
-                // Fails for a wrong length alone; all were made by the transform.
+                // The transform fails only for buffers of a wrong length.
                 transform
                     .process_with_scratch(&mut wrapped, &mut complex, &mut scratch)
                     .expect("the transform made its own buffers");
@@ -167,7 +170,8 @@ fn half_transforms(
     parallel::sweep(0..count.div_ceil(per_task), data, &work, &Result::and)
 }
 
-/// Wraps samples from nothing to half around a circle; odd ones vanish where they are their own image.
+/// Wraps samples from zero to half the circle around the circle. Odd samples vanish at the points that are their own
+/// images.
 fn wrap(samples: &[f64], is_odd: bool, circle: &mut [f64]) {
     let own_image = |sample: f64| if is_odd { 0.0 } else { sample };
     let m = circle.len();

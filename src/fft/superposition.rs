@@ -1,4 +1,4 @@
-//! Sums of convolutions of three fields: what three tractions cause, three components at a time.
+//! Sums of convolutions of three fields: the responses to three tractions, three components at a time.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -16,32 +16,36 @@ use crate::memory::pool::Pool;
 use crate::parallel;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Transforms of three fields that are convolved with many kernels: the fields are transformed along their rows once,
-/// then [convolved](Self::convolve) with three times three kernels at a time. 96 bytes per cell, and a little for
-/// each task.
+/// Transforms of three fields that are convolved with many kernels. The fields are transformed along their rows once,
+/// and then [convolved](Self::convolve) with three times three kernels at a time.
+///
+/// # Memory
+///
+/// 96 bytes per cell, and a small amount per task.
 #[derive(Debug, Clone)]
 pub(crate) struct Superposition {
     plan: Plan<f64>,
     sources: Tiles<3>,
     results: Tiles<3>,
     scratch: TaskScratch<f64, 3>,
-    /// The nine kernels of a column of waves, one for each task.
+    /// Nine kernels of a column of waves, for each task.
     columns: Pool<Vec<f64>>,
-    /// Whether the sources lie in bands of columns.
+    /// Whether the sources are stored in bands of columns.
     is_loaded: bool,
 }
 
-/// Cells of the torus on which fields of these cells are convolved, and the waves of the quarter of its spectrum that
-/// kernels are given for: `[along x, along y]`.
+/// Torus on which fields of some cells are convolved, and the quarter of its spectrum for which kernels are given:
+/// `[along x, along y]`.
 #[derive(Debug, Clone)]
 pub(crate) struct Torus {
     frame: TorusLayout,
-    /// How the distances along y are dealt out, if they are.
+    /// Partition of the distances along y over the ranks; `None` for a single process.
     distances: Option<Arc<RowPartition>>,
 }
 
 impl Torus {
-    /// For fields of `[nx, ny]` cells that repeat or not, whose rows may be dealt out to ranks.
+    /// Creates the torus for fields of `[nx, ny]` cells, periodic or not along each axis, whose rows may be distributed
+    /// over ranks.
     pub(crate) fn new(
         size: [usize; 2],
         repeats: [bool; 2],
@@ -56,12 +60,13 @@ impl Torus {
         }
     }
 
-    /// Waves along each axis, and distances at which a kernel is sampled: from nothing to half around.
+    /// Returns the number of waves along each axis. It is also the number of distances at which a kernel is sampled,
+    /// from zero to half the torus.
     pub(crate) fn quarter(&self) -> [usize; 2] {
         self.frame.torus.map(|m| m / 2 + 1)
     }
 
-    /// Distances along y at which this rank samples kernels.
+    /// Returns the distances along y at which this rank samples kernels.
     pub(crate) fn own_distances(&self) -> Range<usize> {
         let all = 0..self.quarter()[1];
         self.distances
@@ -69,17 +74,18 @@ impl Torus {
             .map_or(all, |share| share.local_rows())
     }
 
-    /// Waves along x whose kernels this rank multiplies.
+    /// Returns the waves along x whose kernels this rank multiplies.
     pub(crate) fn own_waves(&self) -> Range<usize> {
         self.frame.own_columns()
     }
 
-    /// The spectrum of a kernel sampled at the distances of a quarter, `at(i, j)`, or its imaginary part if it is odd
-    /// in one axis: the waves along y of each wave along x that this rank multiplies, one after the other. It is asked
-    /// for its [own distances](Self::own_distances) along y.
+    /// Returns the spectrum of a kernel sampled by `at(i, j)` at the distances of a quarter, or its imaginary part if
+    /// the kernel is odd in one axis. The result contains the waves along y for each wave along x that this rank
+    /// multiplies, consecutively. `at` is called for the [local distances](Self::own_distances) along y.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
     pub(crate) fn spectrum(
         &self,
         is_odd: [bool; 2],
@@ -104,35 +110,36 @@ impl Torus {
     }
 }
 
-/// Hands over the memory of tiles, whatever is in them, to the other order, `width` of which lie in a band of the first.
+/// Transfers the memory of tiles, regardless of their content, to the other order. `width` is the number of tiles in a
+/// band of the first order.
 fn lend(plan: &Plan<f64>, width: usize, from: &mut [Tile], to: &mut [Tile], spare: &mut Vec<Tile>) {
     if plan.frame.share.is_none() {
         return exchange(from, to, width);
     }
-    // A rank may have more of one order than of the other.
+    // A rank may have more tiles in one order than in the other.
     spare.extend(from.iter_mut().map(std::mem::take));
     to.fill_with(|| spare.pop().unwrap_or_else(|| unwrap_or_abort(Tile::zero())));
 }
 
-/// Nine kernels of a column of waves.
+/// Allocates nine kernels of a column of waves.
 fn table(plan: &Plan<f64>) -> Result<Vec<f64>> {
     fallible::zeros(9 * (plan.frame.torus[1] / 2 + 1))
 }
 
-/// Nine kernels, by what comes out and what goes in.
+/// Nine kernels, indexed by displacement or stress component and by traction.
 pub(crate) trait Kernels: Sync {
-    /// Whether each is odd in x and in y.
+    /// Returns whether each kernel is odd in x and in y.
     fn is_odd(&self) -> [[[bool; 2]; 3]; 3];
 
-    /// Adds the spectrum of one, times a factor, of the wave number `kx` to `out`.
+    /// Adds the spectrum of one kernel at the wave number `kx`, times a factor, to `out`.
     fn add(&self, out: &mut [f64], entry: [usize; 2], factor: f64, kx: usize);
 }
 
 impl Superposition {
-    /// For the fields of a torus.
+    /// Creates the transforms for the fields of a torus.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn new(torus: &Torus) -> Result<Self> {
         let own = [torus.frame.size[0], torus.frame.local_rows().len()];
         memory("transforms of tractions and stresses", own, 96)?;
@@ -157,7 +164,7 @@ impl Superposition {
         })
     }
 
-    /// Takes the fields, each times its factor; none is a field of zeros.
+    /// Loads and transforms the fields, each times its factor; `None` is a field of zeros.
     pub(crate) fn load(&mut self, fields: [Option<&[f64]>; 3], factors: [f64; 3]) {
         let Self {
             plan,
@@ -187,7 +194,7 @@ impl Superposition {
         *is_loaded = true;
     }
 
-    /// Writes the sums of the convolutions of what was loaded to three fields, each times its factor.
+    /// Writes the sums of the convolutions of the loaded fields to three fields, each times its factor.
     pub(crate) fn convolve(
         &mut self,
         kernels: &impl Kernels,
@@ -240,7 +247,7 @@ impl Superposition {
         }
     }
 
-    /// The threads of the caller's pool, entered once for work on fields of this size.
+    /// Runs work on fields of this size in the thread pool of the caller, which is entered once.
     pub(crate) fn enter<T: Send>(&mut self, work: impl FnOnce(&mut Self) -> T + Send) -> T {
         parallel::enter_with(self.plan.cells(), || work(self))
     }

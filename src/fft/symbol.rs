@@ -15,20 +15,18 @@ use crate::influence::Kernel;
 use crate::memory::fallible;
 use crate::parallel;
 
-/// The two-dimensional transform of a tensor of kernels of known parity, wrapped around an `mx` x `my`
-/// torus: a Hermitian N x N matrix for every wave, or for N = 1 any single kernel.
+/// Two-dimensional transform of a tensor of kernels of known parity, wrapped around an `mx` x `my` torus. It is a Hermitian N x
+/// N matrix for every wave, or any single kernel for N = 1.
 ///
-/// A kernel even in both axes, or odd in both, has a real spectrum, one odd in one axis an imaginary one;
-/// the other three quarters of the plane follow from the parity. An imaginary entry couples a direction in
-/// the plane with the normal. So the diagonal matrix D with entries 1 and i makes the matrix of a wave
-/// `A = D S D*` with S real and symmetric: N (N + 1)/2 real numbers per wave of one quarter, 8 bytes each
-/// per cell of the unpadded grid.
+/// A kernel that is even in both axes, or odd in both, has a real spectrum. A kernel that is odd in one axis has an imaginary
+/// spectrum. The other three quarters of the plane follow from the parity. An imaginary entry couples an in-plane direction with
+/// the normal. A diagonal matrix D with entries 1 and i therefore gives the matrix of a wave as `A = D S D*` with S real and
+/// symmetric. This takes N (N + 1)/2 real numbers per wave of one quarter, each of 8 bytes per cell of the unpadded grid.
 #[derive(Debug, Clone)]
 pub(super) struct Symbol<T, const N: usize> {
-    /// For each column of `0..=mx/2` that is multiplied here and each entry of the upper triangle of S, row by row, `my / 2 + 1`
-    /// values.
+    /// Values of S: for each local column of `0..=mx/2` and each entry of the upper triangle, row by row, `my / 2 + 1` values.
     values: Vec<T>,
-    /// The first column here.
+    /// First local column.
     first: usize,
     shape: Shape<N>,
     frame: TorusLayout,
@@ -36,23 +34,24 @@ pub(super) struct Symbol<T, const N: usize> {
 
 #[derive(Debug, Clone, Copy)]
 struct Shape<const N: usize> {
-    /// Values of an entry in a column.
+    /// Number of values of an entry in a column.
     height: usize,
     parity: Parity<N>,
 }
 
-/// How the matrices of all waves follow from the real ones of a quarter of them.
+/// Rules for the matrices of all waves from the real matrices of a quarter of the waves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parity<const N: usize> {
-    /// Which entries change sign with the wave number along y.
+    /// Whether each entry changes sign with the wave number along y.
     is_odd_y: [[bool; N]; N],
-    /// Which fields are multiplied by -i on the way into S, and which by i on the way out.
+    /// Whether each input field is multiplied by -i before S is applied, and whether each output field is multiplied by i
+    /// afterwards.
     turns_in: [bool; N],
     turns_out: [bool; N],
 }
 
 impl<const N: usize> Parity<N> {
-    /// For kernels that are odd in x and in y as told: what comes out, then what goes in.
+    /// Creates the rules for kernels with the given parities in x and y, indexed by displacement, then traction.
     pub(super) fn new(is_odd: [[[bool; 2]; N]; N]) -> Self {
         let is_imaginary = |[is_odd_x, is_odd_y]: [bool; 2]| is_odd_x != is_odd_y;
         let first = is_imaginary(is_odd[0][0]);
@@ -63,17 +62,17 @@ impl<const N: usize> Parity<N> {
         }
     }
 
-    /// Whether an entry of S is the negative of what its spectrum is, or is i times.
+    /// Returns whether the values of an entry of S are the negatives of its spectrum, or of the imaginary part of its spectrum.
     ///
-    /// The transform of an imaginary entry is i times its values. S is -i times that if row i is turned, i times that
-    /// if column j is.
+    /// The transform A of an imaginary entry is i times its values. S is -i A if row i is rotated, and i A if column j is
+    /// rotated.
     pub(super) fn negates(&self, i: usize, j: usize) -> bool {
         self.turns_in[j] && !self.turns_out[i]
     }
 }
 
 impl<const N: usize> Shape<N> {
-    /// Entries of the upper triangle.
+    /// Number of entries of the upper triangle.
     const ENTRIES: usize = N * (N + 1) / 2;
 
     fn new(height: usize, kernels: [[&Kernel; N]; N]) -> Self {
@@ -82,30 +81,30 @@ impl<const N: usize> Shape<N> {
         Self { height, parity }
     }
 
-    /// Values of a column.
+    /// Returns the number of values of a column.
     fn stride(&self) -> usize {
         Self::ENTRIES * self.height
     }
 
-    /// Where the values of an entry lie in a column.
+    /// Returns the range of the values of an entry in a column.
     fn entry(&self, i: usize, j: usize) -> Range<usize> {
         let (i, j) = if i < j { (i, j) } else { (j, i) };
         let place = i * (2 * N - i - 1) / 2 + j;
         place * self.height..(place + 1) * self.height
     }
 
-    /// S at row `row` of a column.
+    /// Returns S at row `row` of a column.
     fn matrix<T: Copy>(&self, column: &[T], row: usize) -> [[T; N]; N] {
         from_fn(|i| from_fn(|j| column[self.entry(i, j)][row]))
     }
 }
 
 impl<const N: usize> Symbol<f64, N> {
-    /// Of a symmetric tensor of kernels (displacement, then traction), or of one kernel of any parity;
-    /// tables must reach at least half around the torus.
+    /// Creates the symbol of a symmetric tensor of kernels (displacement, then traction), or of one kernel of any parity. Tables
+    /// must reach at least half around the torus.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(super) fn new(frame: &TorusLayout, kernels: [[&Kernel; N]; N]) -> Result<Self> {
         let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
@@ -134,7 +133,7 @@ impl<const N: usize> Symbol<f64, N> {
         })
     }
 
-    /// Smallest and largest eigenvalue of all waves, or of all but the mean.
+    /// Returns the smallest and largest eigenvalue of all waves, or of all waves except the mean.
     pub(super) fn extremes(&self, without_mean: bool) -> [f64; 2] {
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let wider = |[low, high]: [f64; 2], [least, greatest]: [f64; 2]| {
@@ -156,7 +155,7 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, wider)
     }
 
-    /// Largest magnitude of an entry.
+    /// Returns the largest magnitude of an entry.
     pub(super) fn largest_entry(&self) -> f64 {
         let larger = |a: f64, b: f64| a.max(b.abs());
         let leaf = |range: Range<usize>| self.values[range].iter().copied().fold(0.0, larger);
@@ -164,7 +163,7 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::max)
     }
 
-    /// Smallest entry on the diagonal.
+    /// Returns the smallest entry on the diagonal.
     pub(super) fn least_diagonal(&self) -> f64 {
         let columns = self.values.chunks_exact(self.shape.stride());
         let entries = columns.flat_map(|column| (0..N).map(|i| &column[self.shape.entry(i, i)]));
@@ -172,7 +171,7 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
-    /// Smallest entry on the diagonal of the mean.
+    /// Returns the smallest diagonal entry of the mean.
     pub(super) fn least_of_mean(&self) -> f64 {
         let has_mean = self.first == 0 && !self.values.is_empty();
         let entries = (0..N).filter(|_| has_mean);
@@ -181,7 +180,8 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
-    /// With the matrix of the longest wave along x for the mean, if all columns are here and there are two.
+    /// Replaces the matrix of the mean by the matrix of the longest wave along x, if all columns are local and at least two
+    /// exist.
     pub(super) fn with_mean_of_longest_wave(mut self) -> Self {
         let stride = self.shape.stride();
         if self.first == 0 && self.values.len() >= 2 * stride {
@@ -193,7 +193,7 @@ impl<const N: usize> Symbol<f64, N> {
         self
     }
 
-    /// With a multiple of the identity for the mean.
+    /// Replaces the matrix of the mean by a multiple of the identity.
     pub(super) fn with_mean(mut self, value: f64) -> Self {
         let has_mean = self.first == 0 && !self.values.is_empty();
         for (i, j) in upper_triangle::<N>().filter(|_| has_mean) {
@@ -203,7 +203,7 @@ impl<const N: usize> Symbol<f64, N> {
         self
     }
 
-    /// Every entry replaced.
+    /// Applies a function to every entry.
     pub(super) fn map<T: Real>(&self, f: impl Fn(f64) -> f64 + Sync) -> Result<Symbol<T, N>> {
         let mut values = fallible::zeros(self.values.len())?;
         parallel::update(&mut values, |first, chunk| {
@@ -219,7 +219,7 @@ impl<const N: usize> Symbol<f64, N> {
         })
     }
 
-    /// Every entry times a factor.
+    /// Multiplies every entry by a factor.
     pub(super) fn scaled(mut self, factor: f64) -> Self {
         parallel::update(&mut self.values, |_, chunk| {
             for value in chunk {
@@ -229,7 +229,7 @@ impl<const N: usize> Symbol<f64, N> {
         self
     }
 
-    /// The inverse, with eigenvalues below `floor` raised to it.
+    /// Inverts the matrices, with eigenvalues below `floor` raised to it.
     pub(super) fn inverse_above(mut self, floor: f64) -> Self {
         let shape = self.shape;
         parallel::rows(&mut self.values, shape.stride(), |_, column| {
@@ -245,7 +245,7 @@ impl<const N: usize> Symbol<f64, N> {
 }
 
 impl Symbol<f64, 3> {
-    /// The strongest [coupling] of the first component with the others, of all waves that have one.
+    /// Returns the strongest [coupling] of the first component with the others over all waves for which it is defined.
     pub(super) fn coupling(&self) -> f64 {
         let Shape { height, .. } = self.shape;
         let of_wave = |wave: usize| {
@@ -266,7 +266,7 @@ impl<T: Real, const N: usize> Symbol<T, N> {
         self.shape.parity.multiply(quarter, columns);
     }
 
-    /// The same of all columns of one wave, which follow one another.
+    /// Multiplies all columns of a single wave along y, which are consecutive in memory.
     pub(super) fn multiply_line(&self, lines: &mut [&mut [Complex<T>]; N]) {
         if N == 1 {
             let quarter = from_fn(|_| from_fn(|_| &self.values[..]));
@@ -303,7 +303,7 @@ impl<const N: usize> Parity<N> {
         });
         let even = [[T::one(); N]; N];
         multiply_half(quarter, even, low, |k, _| k);
-        // The upper half mirrors the lower, where entries odd in y have the other sign.
+        // The upper half mirrors the lower half, with the opposite sign for entries odd in y.
         let sign = |is_odd| if is_odd { -T::one() } else { T::one() };
         let signs = self.is_odd_y.map(|row| row.map(sign));
         let beyond_mean = quarter.map(|row| row.map(|entry| &entry[1..]));
@@ -316,12 +316,12 @@ impl<const N: usize> Parity<N> {
     }
 }
 
-/// Rows and columns of the entries on and above the diagonal, row by row.
+/// Returns the rows and columns of the entries on and above the diagonal, row by row.
 fn upper_triangle<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
     (0..N).flat_map(|i| (i..N).map(move |j| (i, j)))
 }
 
-/// Multiplies half the waves of all fields, of which number `k` is at `place(k, number of waves)`.
+/// Multiplies half of the waves of all fields. Wave `k` is at `place(k, number of waves)`.
 #[expect(
     clippy::needless_range_loop,
     reason = "chains of iterators and closures keep the compiler from vector instructions here"
@@ -332,7 +332,7 @@ fn multiply_half<T: Real, const N: usize>(
     mut columns: [&mut [Complex<T>]; N],
     place: impl Fn(usize, usize) -> usize,
 ) {
-    // Slices of one length need no checks in the loop.
+    // Slices of equal length avoid bounds checks in the loop.
     let len = columns[0].len();
     for i in 0..N {
         columns[i] = &mut std::mem::take(&mut columns[i])[..len];

@@ -1,4 +1,4 @@
-//! The pieces in which one stage of a transform hands its results to the next.
+//! The tiles that pass the results of one stage of a transform to the next.
 
 use bytemuck::{cast_slice, cast_slice_mut};
 use num_complex::Complex;
@@ -7,14 +7,14 @@ use crate::error::Result;
 use crate::fft::precision::Real;
 use crate::memory::fallible::{self, try_each};
 
-/// Rows of a tile, in pairs. With two cache lines of each it is a piece long enough for memory, small enough to be turned
-/// in the cache.
+/// Number of rows of a tile; they are in pairs. With two cache lines per row, a tile is long enough for efficient memory
+/// access and small enough to be transposed in the cache.
 pub(super) const TILE_ROWS: usize = 16;
 
-/// Words of a tile, in either precision.
+/// Number of words of a tile, in either precision.
 pub(super) const TILE_WORDS: usize = TILE_ROWS * 128 / size_of::<u64>();
 
-/// A tile, row by row, in either precision; empty while the other order owns it.
+/// Tile, stored row by row, in either precision. It is empty while its memory belongs to the other order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tile(Box<[Complex<f64>]>);
 
@@ -25,12 +25,12 @@ impl Tile {
         Ok(Self(numbers.into_boxed_slice()))
     }
 
-    /// The numbers of the precision it was last written in.
+    /// Returns the values in the precision in which the tile was last written.
     pub(super) fn of<T: Real>(&self) -> &[Complex<T>] {
         cast_slice(&self.0)
     }
 
-    /// Its memory, for what travels between ranks.
+    /// Returns the memory of the tile for messages between ranks.
     pub(super) fn words(&self) -> &[u64] {
         cast_slice(&self.0)
     }
@@ -44,23 +44,23 @@ impl Tile {
     }
 }
 
-/// Tiles of N fields, for transforms of either precision: 16 bytes per cell of each. What is in them does not matter to
-/// the next transform.
+/// Tiles of N fields for transforms of either precision: 16 bytes per cell and field. The next transform overwrites their
+/// content.
 #[derive(Debug, Clone)]
 pub(super) struct Tiles<const N: usize> {
-    /// All tiles of a band of rows, then of the next band; a task owns bands of rows.
+    /// All tiles of a band of rows, followed by the next band, while tasks own bands of rows.
     pub(super) by_rows: [Vec<Tile>; N],
-    /// Which bands of rows hold anything.
+    /// Whether each band of rows contains nonzero values.
     pub(super) occupied: [Vec<bool>; N],
-    /// The same tiles while a task owns bands of columns.
+    /// Tiles in the order of column bands, while tasks own bands of columns.
     pub(super) by_columns: [Vec<Tile>; N],
-    /// Memory of tiles that were sent to other ranks, for those that come.
+    /// Memory of tiles sent to other ranks, reused for received tiles.
     pub(super) spare: Vec<Tile>,
 }
 
 impl<const N: usize> Tiles<N> {
-    /// So many across and down in the bands of rows, and in those of columns; `fill` has the work done on the bands of
-    /// rows.
+    /// Creates tiles with the given numbers across and down, in the order of row bands and in the order of column bands.
+    /// `fill` runs the allocation over the bands of rows.
     pub(super) fn new(
         [across, down]: [usize; 2],
         [own_across, along]: [usize; 2],
@@ -86,7 +86,7 @@ impl<const N: usize> Tiles<N> {
     }
 }
 
-/// Hands tiles over from one order to the other, `width` of which lie in a band of the first.
+/// Swaps the tiles of one order into the other. `width` is the number of tiles in a band of the first order.
 pub(super) fn exchange(from: &mut [Tile], to: &mut [Tile], width: usize) {
     let height = from.len() / width;
     for (j, band) in from.chunks_exact_mut(width).enumerate() {
@@ -96,7 +96,7 @@ pub(super) fn exchange(from: &mut [Tile], to: &mut [Tile], width: usize) {
     }
 }
 
-/// Turns a band of tiles into columns, one behind the other; each tile begins at its row.
+/// Transposes a band of tiles into consecutive columns. Each tile starts at its own row.
 pub(super) fn gather<T: Real>(
     tiles: &[Tile],
     rows: &[usize],
@@ -119,7 +119,7 @@ pub(super) fn gather<T: Real>(
     }
 }
 
-/// Turns columns back into a band of tiles.
+/// Transposes columns back into a band of tiles.
 pub(super) fn scatter<T: Real>(
     columns: &[Complex<T>],
     stride: usize,

@@ -1,4 +1,4 @@
-//! What a transform works on, and what of it this rank does.
+//! The torus of a transform, and its partition over the ranks.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -7,33 +7,34 @@ use crate::error::Result;
 use crate::parallel::ranks::WireFormat;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Fields of some cells on a torus, whose rows and columns may be dealt out to ranks.
+/// Layout of fields on a torus, whose rows and columns may be distributed over ranks.
 #[derive(Debug, Clone)]
 pub(super) struct TorusLayout {
-    /// Cells of a field, `[along x, along y]`, of all ranks together.
+    /// Number of cells of a field, `[along x, along y]`, over all ranks.
     pub(super) size: [usize; 2],
     pub(super) torus: [usize; 2],
-    /// How the rows are dealt out, if they are.
+    /// Partition of the rows over the ranks; `None` for a single process.
     pub(super) share: Option<Arc<RowPartition>>,
 }
 
-/// Columns of waves that a rank has are a multiple of this: whole tiles of either precision.
+/// The number of columns of waves of a rank is a multiple of this step, so that tiles of both precisions are
+/// whole.
 const COLUMN_STEP: usize = 16;
 
 impl TorusLayout {
-    /// Columns of waves, of all ranks together.
+    /// Returns the number of columns of waves, over all ranks.
     pub(super) fn width(&self) -> usize {
         self.torus[0] / 2 + 1
     }
 
-    /// Rows of cells held here.
+    /// Returns the local rows of cells.
     pub(super) fn local_rows(&self) -> Range<usize> {
         self.share
             .as_ref()
             .map_or(0..self.size[1], |share| share.local_rows())
     }
 
-    /// The columns of waves that a rank multiplies.
+    /// Returns the columns of waves that a rank multiplies.
     pub(super) fn columns_of(&self, rank: usize) -> Range<usize> {
         let ranks = self.share.as_ref().map_or(1, |share| share.team().size());
         let steps = self.width().div_ceil(COLUMN_STEP);
@@ -41,13 +42,13 @@ impl TorusLayout {
         first(rank)..first(rank + 1)
     }
 
-    /// The columns of waves that are multiplied here.
+    /// Returns the local columns of waves.
     pub(super) fn own_columns(&self) -> Range<usize> {
         let rank = self.share.as_ref().map_or(0, |share| share.team().rank());
         self.columns_of(rank)
     }
 
-    /// The result of work in which ranks may agree on the way; an error if it failed on any.
+    /// Runs work that may include collective calls. Returns an error on all ranks if it failed on any rank.
     pub(super) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match &self.share {
             Some(share) => share.team().run_collectively(work),
@@ -55,7 +56,7 @@ impl TorusLayout {
         }
     }
 
-    /// What the values of all ranks come to, combined in their order; only for combinations that do not round.
+    /// Combines the values of all ranks in rank order. The combination must not round.
     pub(super) fn over_ranks<T: WireFormat>(&self, own: T, combine: impl Fn(T, T) -> T) -> T {
         match &self.share {
             Some(share) => share.team().combined(own, combine),

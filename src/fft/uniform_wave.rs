@@ -1,4 +1,4 @@
-//! Energy of uniform tractions on a grid that repeats along y alone.
+//! Energy of uniform tractions on a grid that is periodic along y alone.
 
 use crate::error::{Error, Result};
 use crate::fft::Convolution;
@@ -7,7 +7,7 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
 
-/// Energy that a component of the traction stores at least when its sum is not zero.
+/// Lower bound of the energy of a traction component whose sum is not zero.
 ///
 /// The unit vector e of a uniform traction and tractions w without a mean span all tractions. For a given vector z
 /// without a mean, let $`u = e - z`$, $`\sigma = u' C u`$, and let $`\rho`$ be the part of $`C u`$ without a mean. With
@@ -17,35 +17,35 @@ use crate::parallel::reduce;
 /// (\xi e + w)' C (\xi e + w) \ge \sigma \xi^2 - 2 |\rho| |\xi| |v| + \lambda |v|^2 .
 /// ```
 ///
-/// The right side is positive if $`\sigma \lambda > |\rho|^2`$. A flat punch as wide as the grid has the traction that
-/// makes $`\rho`$ vanish. Conjugate gradients approach it. The bound is then sharp: the compliance is definite if, and
-/// only if, the approach of that punch is positive. A change of the datum changes $`\sigma`$ alone.
+/// The right side is positive if $`\sigma \lambda > |\rho|^2`$. For the traction of a flat punch as wide as the grid,
+/// $`\rho`$ vanishes. Conjugate gradients approximate this traction. The bound is then sharp: the compliance is positive
+/// definite if and only if the approach of this punch is positive. A change of the datum changes only $`\sigma`$.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UniformWave {
-    /// $`\sigma`$.
+    /// Energy $`\sigma`$.
     energy: f64,
-    /// $`|\rho|`$.
+    /// Norm $`|\rho|`$.
     residual: f64,
-    /// $`|z|`$.
+    /// Norm $`|z|`$.
     deviation: f64,
-    /// Distance at which a line load moves nothing.
+    /// Distance at which a line load causes no displacement.
     datum: f64,
-    /// Change of the energy with the logarithm of the datum.
+    /// Derivative of the energy with respect to the logarithm of the datum.
     slope: f64,
 }
 
-/// Part of $`\sigma \lambda`$ that $`|\rho|^2`$ is reduced to.
+/// Fraction of $`\sigma \lambda`$ to which $`|\rho|^2`$ is reduced.
 const SHARPNESS: f64 = 1e-8;
 
-/// Conjugate-gradient steps per cell, at most.
+/// Maximum number of conjugate-gradient steps per cell.
 const STEPS: usize = 4;
 
 impl UniformWave {
-    /// Computes the traction of a flat punch on a line of cells whose tractions without a mean have the least eigenvalue
-    /// `least`.
+    /// Computes the traction of a flat punch on a line of cells. `least` is the smallest eigenvalue for tractions
+    /// without a mean.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub(crate) fn new(line: &Convolution, least: f64, [datum, slope]: [f64; 2]) -> Result<Self> {
         let (cells, layout) = (line.cells(), &line.layout());
         let mut scratch = line.scratch()?;
@@ -77,7 +77,7 @@ impl UniformWave {
                 *direction = residual + square / last * *direction;
             }
         }
-        // A product of its own leaves nothing of the round-off of the steps.
+        // A new product removes the round-off accumulated during the steps.
         line.apply([&traction], [&mut residual], &mut scratch);
         let energy = dot(layout, &traction, &residual);
         subtract_mean(layout, &mut residual);
@@ -92,8 +92,8 @@ impl UniformWave {
         })
     }
 
-    /// Returns a lower bound of the eigenvalues of all tractions, negative if the compliance is not definite. `added` is
-    /// the compliance of a uniform traction in addition to the bodies, such as that of a spring.
+    /// Returns a lower bound of the eigenvalues of all tractions, negative if the compliance is not positive definite.
+    /// `added` is the compliance of a uniform traction in addition to the bodies, such as the compliance of a spring.
     pub(crate) fn bound(&self, least: f64, added: f64) -> f64 {
         let Self {
             residual,

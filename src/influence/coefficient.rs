@@ -1,21 +1,21 @@
-//! One influence coefficient of a grid, whatever surrounds it.
+//! One influence coefficient of a grid with any boundary.
 
 use crate::bodies::component::Component;
 use crate::influence::{Symbols, Table};
 
-/// One influence coefficient, in the form from which its spectrum is made.
+/// One influence coefficient, in the form from which its spectrum is computed.
 #[derive(Debug)]
 pub(crate) enum Kernel {
-    /// Free surroundings: the coefficient at every distance.
+    /// Coefficient at every distance, for free surroundings.
     Table(Table),
-    /// A grid that repeats along y: the coefficient at every distance up to half the period.
+    /// Coefficient at every distance up to half the period, for a grid that is periodic along y.
     Rows(Table),
-    /// A grid that repeats: its symbol at every wave.
+    /// Symbol at every wave, for a grid that is periodic along both axes.
     Symbols(Symbols),
 }
 
 impl Kernel {
-    /// Whether the grid repeats along x and along y.
+    /// Returns whether the grid is periodic along x and along y.
     pub(crate) fn repeats(&self) -> [bool; 2] {
         match self {
             Self::Table(_) => [false; 2],
@@ -24,12 +24,13 @@ impl Kernel {
         }
     }
 
-    /// Whether the coefficient is odd in x and odd in y.
+    /// Returns whether the coefficient is odd in x and odd in y.
     pub(crate) fn is_odd(&self) -> [bool; 2] {
         self.component().is_odd()
     }
 
-    /// Returns the lesser symbol of the two waves of one period over a periodic grid; zero for other surroundings.
+    /// Returns the smaller symbol of the two waves with one period over a periodic grid; zero for other
+    /// boundaries.
     pub(crate) fn least_of_one_period(&self) -> f64 {
         match self {
             Self::Table(_) | Self::Rows(_) => 0.0,

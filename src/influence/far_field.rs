@@ -1,32 +1,33 @@
-//! The integrals far from the cell, by Taylor's series of their kernels.
+//! The integrals far from the cell, by Taylor series of their kernels.
 
 use crate::influence::integrals::{Cell, Integral};
 
-/// Distance, in longer sides, from which the series replaces quadrature: what it leaves out is below 6e-16 of every
+/// Distance, in longer sides, beyond which the series replaces quadrature. The truncation error is below 6e-16 of every
 /// integral, measured against 60 digits.
 const FAR: f64 = 20.0;
 
-/// Pairs of derivatives that the series goes up to.
+/// Number of pairs of derivatives in the series.
 const PAIRS: usize = 5;
 
-/// Exponents of a monomial along one axis: a kernel has two at the most, and each derivative adds one.
+/// Number of exponents of a monomial along one axis. The exponent of a kernel is at most two, and each derivative adds
+/// one.
 const EXPONENTS: usize = 2 * PAIRS + 3;
 
-/// An integral over a cell at the points of rows, far away by the series of its kernel $`f`$
+/// Evaluation of an integral over a cell at the points of rows. Far from the cell it uses the series of its kernel $`f`$
 ///
 /// ```math
 /// 4 a b \sum_{i + j \le 5} \frac{a^{2 i}}{(2 i + 1)!} \frac{b^{2 j}}{(2 j + 1)!}
 /// \partial_x^{2 i} \partial_y^{2 j} f(x, y) .
 /// ```
 ///
-/// All kernels are homogeneous of degree -1. With $`s = 1/r^2`$ and $`u = x^2 s`$ the sum is therefore one power of each
-/// coordinate that $`f`$ is odd in, over a power of $`r`$, times $`\sum_n s^n P_n(u)`$ with polynomials of degree
-/// $`n + 1`$ at the most.
+/// All kernels are homogeneous of degree -1. With $`s = 1/r^2`$ and $`u = x^2 s`$, the sum is therefore
+/// $`\sum_n s^n P_n(u)`$ with polynomials of degree $`n + 1`$ or less. Its factor is one power of each coordinate in
+/// which $`f`$ is odd, divided by a power of $`r`$.
 #[derive(Debug)]
 pub(super) struct FarFieldSeries {
     cell: Cell,
     integral: Integral,
-    /// The coefficients of each polynomial, that of the highest power last.
+    /// Coefficients of each polynomial in ascending order of the powers.
     polynomials: [[f64; PAIRS + 2]; PAIRS + 1],
 }
 
@@ -57,7 +58,7 @@ impl FarFieldSeries {
         }
     }
 
-    /// The integral at the points `(x, y)` of a row, near and far, with `x` ascending from zero or more and `y >= 0`.
+    /// Computes the integral at the points `(x, y)` of a row, near and far, with ascending `x >= 0` and `y >= 0`.
     pub(super) fn along_row(&self, xs: &[f64], y: f64, out: &mut [f64]) {
         let far = FAR * 2.0 * self.cell.a.max(self.cell.b);
         let near = xs.partition_point(|x| x.hypot(y) < far);
@@ -75,7 +76,7 @@ impl FarFieldSeries {
         }
     }
 
-    /// The sum of `s^n P_n(u)`, times a factor of `x` and `s`.
+    /// Computes the sum of `s^n P_n(u)` times a factor that depends on `x` and `s`.
     fn sum(&self, xs: &[f64], y: f64, out: &mut [f64], factor: impl Fn(f64, f64) -> f64) {
         for (out, &x) in out.iter_mut().zip(xs) {
             let s = 1.0 / (x * x + y * y);
@@ -93,8 +94,8 @@ impl FarFieldSeries {
     }
 }
 
-/// A derivative of a kernel: a sum of `c x^p y^q / r^m`, by `[p][q]`, where `m` is `p + q + 1` and the order of the
-/// derivative.
+/// Derivative of a kernel: a sum of `c x^p y^q / r^m`, indexed by `[p][q]`, where `m` is `p + q + 1` plus the order of
+/// the derivative.
 #[derive(Clone, Copy)]
 struct Monomials {
     order: usize,
@@ -102,7 +103,7 @@ struct Monomials {
 }
 
 impl Monomials {
-    /// The kernel itself.
+    /// Creates the kernel itself.
     fn of(integral: Integral) -> Self {
         let mut coefficients = [[0.0; EXPONENTS]; EXPONENTS];
         let [p, q] = match integral {
@@ -119,14 +120,14 @@ impl Monomials {
         }
     }
 
-    /// Those there are: exponents along x and y, and the coefficient.
+    /// Returns the nonzero terms: exponents along x and y, and the coefficient.
     fn terms(&self) -> impl Iterator<Item = ([usize; 2], f64)> {
         let rows = self.coefficients.iter().enumerate();
         rows.flat_map(|(p, row)| row.iter().enumerate().map(move |(q, c)| ([p, q], *c)))
             .filter(|(_, c)| *c != 0.0)
     }
 
-    /// The derivative along an axis.
+    /// Returns the derivative along an axis.
     fn derived(&self, axis: usize) -> Self {
         let mut coefficients = [[0.0; EXPONENTS]; EXPONENTS];
         for ([p, q], c) in self.terms() {
@@ -147,7 +148,8 @@ impl Monomials {
         }
     }
 
-    /// Adds them, times a weight, as a polynomial of `u`: each is `u^(p/2) (1 - u)^(q/2)`, where halves are rounded down.
+    /// Adds the terms, times a weight, as a polynomial of `u`. Each term is `u^(p/2) (1 - u)^(q/2)`, with halves rounded
+    /// down.
     fn add_to(&self, polynomial: &mut [f64], weight: f64) {
         for ([p, q], c) in self.terms() {
             let mut binomial = weight * c;
@@ -163,7 +165,7 @@ impl Monomials {
 mod tests {
     use super::*;
 
-    /// The series and the quadrature that replaces the closed form nearer to the cell are one integral.
+    /// Checks that the series and the quadrature give the same integral.
     #[test]
     fn series_equal_quadrature() {
         let integrals = [
@@ -185,7 +187,7 @@ mod tests {
                     let mut found = [0.0];
                     series.far_along_row(&[x], y, &mut found);
                     let expected = cell.at(integral, x, y);
-                    // Quadrature misses so much of the integral of 1/R.
+                    // The error is relative to the integral of 1/R, as for the quadrature.
                     let error = (found[0] - expected).abs() / (4.0 * a * b / distance);
                     assert!(
                         error <= 4e-15,
@@ -196,7 +198,7 @@ mod tests {
         }
     }
 
-    /// Rows begin with the closed form or quadrature and end with the series.
+    /// Checks that rows start with the closed form or quadrature and continue with the series.
     #[test]
     fn rows_go_over_from_quadrature_to_series() {
         let xs: Vec<f64> = (0..60).map(f64::from).collect();
@@ -218,7 +220,7 @@ mod tests {
         }
     }
 
-    /// Against 40 digits, where the integral is large and where it nearly vanishes.
+    /// Compares the series with 40 digits, for large and for nearly vanishing integrals.
     #[test]
     fn series_keep_their_relative_accuracy() {
         for (integral, [a, b], [x, y], expected) in [

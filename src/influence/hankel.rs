@@ -1,4 +1,4 @@
-//! Functions of a distance, smooth on the scale of a depth: their tables, their Hankel integrals, their integrals over cells.
+//! Functions of a distance that are smooth on the scale of a depth: tables, Hankel integrals, and integrals over cells.
 
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::LazyLock;
@@ -7,15 +7,15 @@ use crate::numerics::gauss::{
     GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, QuadratureRule,
 };
 
-/// Pieces of a table: up to half of the scale, to the scale, to twice that and so on.
+/// Number of pieces of a table: up to half the scale, to the scale, to twice the scale and so on.
 pub(crate) const PIECES: usize = 100;
-/// Chebyshev coefficients of a piece.
+/// Number of Chebyshev coefficients per piece.
 pub(crate) const TERMS: usize = 21;
-/// Phase of the wave at the far end of a piece over a panel of twelve points.
+/// Maximum phase of the wave over a panel of twelve points, at the far end of a piece.
 const PHASE: f64 = 7.0;
 
-/// Gauss rules along a side of a cell, and how far away, of half its length, the nearest singularity of the kernels
-/// must be: of n points they leave the power -2n of the sum of the axes of the ellipse through it, 1e-14.
+/// Gauss rules along a side of a cell, each with a minimum for the sum of the semi-axes of the ellipse through the nearest
+/// singularity of the kernels, in half sides. The error of a rule with n points is this sum to the power -2n, about 1e-14.
 pub(crate) const RULES: [(f64, QuadratureRule); 7] = [
     (3200.0, &GAUSS_2),
     (215.0, &GAUSS_3),
@@ -26,33 +26,35 @@ pub(crate) const RULES: [(f64, QuadratureRule); 7] = [
     (3.9, &GAUSS_12),
 ];
 
-/// The cheapest rule along a side of half length `a` of a cell, the centre of which is at some distance, of functions with
-/// their nearest singularity i times the scale; none where the side is too long.
+/// Returns the cheapest rule along a side of half length `a` for a cell centre at some distance. The functions have their
+/// nearest singularity at i times the scale. Returns `None` if the side is too long.
 pub(crate) fn rule(a: f64, distance: f64, scale: f64) -> Option<usize> {
     let away = (distance - a).max(0.0).hypot(scale) / a;
     let ellipse = away + (away * away + 1.0).sqrt();
     RULES.iter().position(|(least, _)| ellipse >= *least)
 }
 
-/// The piece on which a distance is.
+/// Returns the piece that contains a distance.
 pub(crate) fn piece_of(distance: f64, scale: f64) -> usize {
-    // The exponent of a ratio in [1, 2) is 0x3ff.
+    // The exponent bits of a ratio in [1, 2) are 0x3ff.
     let exponent = (2.0 * distance / scale).to_bits() >> 52;
     (exponent as usize + 2)
         .saturating_sub(0x400)
         .min(PIECES - 1)
 }
 
-/// The ends of a piece.
+/// Returns the ends of a piece.
 pub(crate) fn ends_of(piece: usize, scale: f64) -> [f64; 2] {
     let end = 0.5 * scale * 2.0_f64.powi(i32::try_from(piece).unwrap_or(0));
     [if piece == 0 { 0.0 } else { 0.5 * end }, end]
 }
 
-/// Wave numbers up to where nothing is left, with the weights of a quadrature, for distances between the ends of a piece.
-/// Below the least one nothing happens.
+/// Returns wave numbers up to `gone`, beyond which the response is negligible, with the weights of a quadrature for distances
+/// between the ends of a piece. The first interval ends at `least`, because the response hardly varies below this wave
+/// number.
 ///
-/// Far from the origin short waves are cut off, smoothly on the scale of the distance, which adds less than round-off.
+/// Far from the origin short waves are cut off smoothly on the scale of the distance. The error of this cut-off is below
+/// round-off.
 pub(crate) fn wave_numbers([near, far]: [f64; 2], gone: f64, least: f64) -> Vec<(f64, f64)> {
     let is_cut = near * gone > 156.0;
     let last = if is_cut { 156.0 / near } else { gone };
@@ -83,13 +85,13 @@ pub(crate) fn wave_numbers([near, far]: [f64; 2], gone: f64, least: f64) -> Vec<
     waves
 }
 
-/// The zeros of the first Chebyshev polynomial that is not used, between two ends.
+/// Returns the zeros of the first unused Chebyshev polynomial, mapped to the interval between two ends.
 pub(crate) fn nodes([start, end]: [f64; 2]) -> [f64; TERMS] {
     let cosine = |node: usize| COSINES[1][node];
     std::array::from_fn(|node| 0.5 * (start + end) + 0.5 * (end - start) * cosine(node))
 }
 
-/// The coefficients of a function by its values at the nodes.
+/// Returns the Chebyshev coefficients of a function from its values at the nodes.
 pub(crate) fn chebyshev(value: impl Fn(usize) -> f64) -> [f64; TERMS] {
     std::array::from_fn(|term| {
         let share = if term == 0 { 1.0 } else { 2.0 } / TERMS as f64;
@@ -101,13 +103,13 @@ pub(crate) fn chebyshev(value: impl Fn(usize) -> f64) -> [f64; TERMS] {
     })
 }
 
-/// The polynomials at the nodes: those of each term.
+/// Values of the Chebyshev polynomials at the nodes, by term.
 static COSINES: LazyLock<[[f64; TERMS]; TERMS]> = LazyLock::new(|| {
     let angle = |node: usize| 0.5 * TAU * (node as f64 + 0.5) / TERMS as f64;
     std::array::from_fn(|term| std::array::from_fn(|node| (term as f64 * angle(node)).cos()))
 });
 
-/// Those of some functions between two ends.
+/// Returns the Chebyshev coefficients of several functions between two ends.
 pub(crate) fn tabulated<const F: usize>(
     ends: [f64; 2],
     at: impl Fn(f64) -> [f64; F],
@@ -116,7 +118,7 @@ pub(crate) fn tabulated<const F: usize>(
     std::array::from_fn(|function| chebyshev(|node| values[node][function]))
 }
 
-/// $`J_0(x)`$, $`J_1(x)/x`$, $`J_2(x)/x^2`$ and $`J_3(x)/x^3`$.
+/// Returns $`J_0(x)`$, $`J_1(x)/x`$, $`J_2(x)/x^2`$ and $`J_3(x)/x^3`$.
 pub(crate) fn bessel(x: f64) -> [f64; 4] {
     let zero = libm::j0(x);
     let square = -0.25 * x * x;

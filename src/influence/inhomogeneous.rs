@@ -1,21 +1,21 @@
-//! What the coefficients of bodies have besides those of homogeneous half-spaces, or in their place.
+//! Corrections to the coefficients of homogeneous half-spaces, or coefficients that replace them.
 
 use std::sync::Arc;
 
 use crate::bodies::kernel::{CoefficientTable, Kernel, KernelSource};
 use crate::influence::LayerCorrection;
 
-/// That of bodies on a grid that does not repeat along both axes.
+/// Correction or replacement for inhomogeneous bodies on a grid that is not periodic along both axes.
 #[derive(Debug)]
 pub(crate) enum KernelCorrection {
-    /// Added to the coefficients of the half-spaces that short waves see.
+    /// Correction added to the coefficients of the half-spaces that determine the response to short waves.
     LayerCorrection(Box<LayerCorrection>),
-    /// In place of all else.
+    /// Table that replaces all other coefficients.
     Table(CoefficientTable),
 }
 
 impl KernelCorrection {
-    /// Of a pair or a kernel; `None` of homogeneous bodies, which need nothing.
+    /// Creates the correction of a pair or a kernel; `None` for homogeneous bodies, which need no correction.
     pub(crate) fn of(kernel: &Kernel) -> Option<Arc<Self>> {
         let added = match kernel.given() {
             None => Self::LayerCorrection(Box::new(LayerCorrection::of(kernel.pair())?)),
@@ -23,13 +23,13 @@ impl KernelCorrection {
                 Self::LayerCorrection(Box::new(LayerCorrection::of_kernel(kernel, isotropic)))
             }
             Some(KernelSource::Table(table)) => Self::Table(CoefficientTable::clone(table)),
-            // On grids that take it there are symbols; operators need none.
+            // Grids that accept these kernels use symbols, and operators need no coefficients.
             Some(KernelSource::Orthotropic(_) | KernelSource::Operators(_)) => return None,
         };
         Some(Arc::new(added))
     }
 
-    /// That on cells of twice the sides.
+    /// Returns the correction on cells with twice the side lengths.
     pub(crate) fn coarser(self: &Arc<Self>) -> Arc<Self> {
         match &**self {
             Self::LayerCorrection(_) => Arc::clone(self),

@@ -1,33 +1,33 @@
-//! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to the last digits.
+//! Integrals of the Boussinesq and Cerruti kernels over a cell, accurate to round-off.
 
 use crate::numerics::gauss::{GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_6, GAUSS_8, QuadratureRule};
 
-/// A cell of half sides `a` and `b`, lengths in any unit.
+/// Cell of half sides `a` and `b`, lengths in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cell {
     pub(super) a: f64,
     pub(super) b: f64,
 }
 
-/// The integrals from which all coefficients are composed.
+/// Integrals that compose all coefficients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Integral {
-    /// `S_X + S_Y`, the integral of `1/R`.
+    /// Integral of `1/R`, `S_X + S_Y`.
     Potential,
-    /// `S_Y`, the integral of `X^2/R^3`.
+    /// Integral of `X^2/R^3`, `S_Y`.
     AlongX,
-    /// `S_XY`, the integral of `X Y/R^3`.
+    /// Integral of `X Y/R^3`, `S_XY`.
     Diagonal,
-    /// `D_X`, the integral of `X/R^2`.
+    /// Integral of `X/R^2`, `D_X`.
     RadialX,
-    /// `D_Y`, the integral of `Y/R^2`.
+    /// Integral of `Y/R^2`, `D_Y`.
     RadialY,
 }
 
 impl Integral {
     pub(super) const COUNT: usize = 5;
 
-    /// Whether it is odd in x and odd in y; otherwise it is even.
+    /// Returns whether the integral is odd in x and odd in y; otherwise it is even.
     pub(super) const fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Potential | Self::AlongX => [false, false],
@@ -38,12 +38,12 @@ impl Integral {
     }
 }
 
-/// Beyond this distance, in longer sides, quadrature replaces the closed form; far away grids take the
-/// [series](crate::influence::far_field) in its place.
+/// Distance, in longer sides, beyond which quadrature replaces the closed form. Tables on grids use a
+/// [series](crate::influence::far_field) instead of quadrature far from the cell.
 const NEAR: f64 = 3.0;
 
 impl Cell {
-    /// The integral at a point.
+    /// Returns the integral at a point.
     pub(super) fn at(self, integral: Integral, x: f64, y: f64) -> f64 {
         let [odd_x, odd_y] = integral.is_odd();
         let is_negative = (odd_x && x < 0.0) != (odd_y && y < 0.0);
@@ -52,7 +52,7 @@ impl Cell {
         if is_negative { -value[0] } else { value[0] }
     }
 
-    /// The integral at the points `(x, y)` of a row, with `x` ascending from zero or more and `y >= 0`.
+    /// Computes the integral at the points `(x, y)` of a row, with ascending `x >= 0` and `y >= 0`.
     pub(super) fn along_row(self, integral: Integral, xs: &[f64], y: f64, out: &mut [f64]) {
         let odd = integral.is_odd();
         match integral {
@@ -77,7 +77,8 @@ impl Cell {
                 self.integrate(xs, y, at, &far, out);
             }
             Integral::RadialY => {
-                // Equal to the last bit to `RadialX` with the axes exchanged, where the pieces cancel.
+                // The result must be bitwise identical to `RadialX` with the axes exchanged, where the pieces
+                // cancel.
                 let swapped = |y, _, r2| y / r2;
                 let at = |x, y| {
                     let odd = Integral::RadialX.is_odd();
@@ -96,8 +97,8 @@ impl Cell {
         }
     }
 
-    /// Integrates a kernel at the points of a row: near the cell one by one, beyond it by quadrature,
-    /// with points that share a rule integrated together.
+    /// Integrates a kernel at the points of a row. Points near the cell are evaluated individually. Farther
+    /// points are evaluated by quadrature, and points with the same rule together.
     fn integrate(
         self,
         xs: &[f64],
@@ -108,7 +109,7 @@ impl Cell {
     ) {
         let mut done = 0;
         while let Some(&x) = xs.get(done) {
-            // On an axis an odd kernel vanishes, and quadrature would leave round-off.
+            // An odd kernel vanishes on an axis, where quadrature would leave round-off.
             let is_on_axis = x == 0.0 || y == 0.0;
             if let (Some((rule, reach)), false) = (self.rule(x, y), is_on_axis) {
                 let rest = &xs[done + 1..];
@@ -122,9 +123,9 @@ impl Cell {
         }
     }
 
-    /// A kernel of known parity at one point: the closed form near the cell, Gauss-Legendre
-    /// quadrature beyond. There the closed form loses `2 eps (r/h)^2` to cancellation, the
-    /// quadrature nothing.
+    /// Integrates a kernel of known parity at one point: in closed form near the cell, by Gauss-Legendre
+    /// quadrature farther away. Far from the cell the closed form loses `2 eps (r/h)^2` to cancellation, while
+    /// the quadrature loses nothing.
     fn at_point(
         self,
         point: [f64; 2],
@@ -132,7 +133,7 @@ impl Cell {
         near: &impl Fn(Self, f64, f64) -> f64,
         far: &impl Fn(f64, f64, f64) -> f64,
     ) -> f64 {
-        // Working in one quadrant makes the parity exact; so does the zero on an axis.
+        // Computing in one quadrant makes the parity exact, and so does the zero on an axis.
         if (is_odd[0] && point[0] == 0.0) || (is_odd[1] && point[1] == 0.0) {
             return 0.0;
         }
@@ -144,8 +145,8 @@ impl Cell {
             self.quadrature(rule, &[x], y, far, &mut value);
             return sign * value[0];
         }
-        // A point beside a slender cell is far away in units of the short side, and the closed form
-        // cancels there: halve the cell until the pieces are compact or far.
+        // A point next to a slender cell is far away in units of the short side, and the closed form cancels
+        // there. The cell is halved until the pieces are compact or far away.
         let Self { a, b } = self;
         let (half, [step_x, step_y]) = if a > 4.0 * b {
             (Self { a: 0.5 * a, b }, [0.5 * a, 0.0])
@@ -183,8 +184,9 @@ impl Cell {
         }
     }
 
-    /// The cheapest rule whose relative error stays below 1e-15 for `1/R` at this distance, measured against 40
-    /// digits (4e-15 of that for the others), and the distance up to which it suffices; `None` near the cell.
+    /// Returns the cheapest rule at this distance, and the distance up to which it suffices; `None` near the
+    /// cell. The relative error is below 1e-15 for `1/R`, measured against 40 digits; for the other kernels it
+    /// is below 4e-15 of the integral of `1/R`.
     fn rule(self, x: f64, y: f64) -> Option<(QuadratureRule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;
@@ -199,7 +201,7 @@ impl Cell {
         Some((rule, reach * side))
     }
 
-    /// The corners `(X, Y, sign)` of the antiderivative's double difference.
+    /// Returns the corners `(X, Y, sign)` of the antiderivative's double difference.
     fn corners(self, x: f64, y: f64) -> [(f64, f64, f64); 4] {
         [
             (x + self.a, y + self.b, 1.0),
@@ -210,7 +212,7 @@ impl Cell {
     }
 }
 
-/// `X asinh(Y/|X|)`, zero in the limit of vanishing `X`.
+/// Returns `X asinh(Y/|X|)`, with the limit zero for vanishing `X`.
 fn scaled_asinh(x: f64, y: f64) -> f64 {
     let ratio = y / x.abs();
     if ratio.is_finite() {
@@ -235,18 +237,18 @@ fn diagonal_near(cell: Cell, x: f64, y: f64) -> f64 {
     cell.corners(x, y).map(corner).iter().sum()
 }
 
-/// Differences across `x` are formed first, in closed form, so that the value keeps its relative
-/// accuracy near `x = 0`, where it vanishes. Requires `x >= 0`.
+/// Computes the integral of `X/R^2` near the cell. The differences in `x` are formed first, in closed form, so
+/// that the value keeps its relative accuracy near `x = 0`, where it vanishes. Requires `x >= 0`.
 fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
     let edge = |y: f64| {
         if y == 0.0 {
             return 0.0;
         }
         let (left, right) = (cell.a + x, cell.a - x);
-        // Y ln R at x + a minus that at x - a.
+        // This is Y ln R at x + a minus Y ln R at x - a.
         let ratio = 4.0 * cell.a * x / (right * right + y * y);
         let logarithms = 0.5 * y * ratio.ln_1p();
-        // X arctan(Y/X) likewise: left * atan(y/left) - right * atan(y/right).
+        // This is the same difference for X arctan(Y/X): left * atan(y/left) - right * atan(y/right).
         let arcs = if right > 0.0 {
             let (at_left, at_right) = ((y / left).atan(), (y / right).atan());
             let difference = (-2.0 * x * y).atan2(left * right + y * y);

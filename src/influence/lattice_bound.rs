@@ -1,4 +1,4 @@
-//! An estimate from below of the eigenvalues of free grids by those of the infinite lattice of their cells.
+//! Conservative estimates of the smallest eigenvalues on free grids, computed on the infinite lattice of their cells.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,28 +8,30 @@ use crate::bodies::layers::Response;
 use crate::grid::Grid;
 use crate::grid::cell_value::CellValue;
 
-/// Steps of the phase from no wave to two cells a period.
+/// Number of steps of the phase from zero to a wave of two cells per period.
 const STEPS: i32 = 16;
-/// Octaves below the first step.
+/// Number of octaves below the first step.
 const OCTAVES: i32 = 12;
-/// Shells of aliases that are added up.
+/// Number of shells of aliases in the sum.
 const SHELLS: i32 = 12;
 
-/// A Hermitian matrix of two rows: its diagonal, and the entry beside it, real or imaginary. Of one row it is diagonal.
+/// Hermitian 2 x 2 matrix: its diagonal, and the off-diagonal entry, which is real or imaginary. A 1 x 1 matrix is stored
+/// as a diagonal one.
 type HermitianPair = [f64; 3];
 
-/// An estimate from below of the eigenvalues of the compliance of some directions, of any rectangle of the cells of a free
+/// Estimates from below the eigenvalues of the compliance of some directions, for any rectangle of the cells of a free
 /// grid.
 ///
-/// Let $`C_j`$ be the coefficients at all distances j of an infinite lattice, and $`S(\theta) = \sum_j C_j\,e^{-i\theta
-/// \cdot j}`$. Tractions t that vanish beyond some cells have the energy
+/// Let $`C_j`$ be the coefficients at all distances j of an infinite lattice, and
+/// $`S(\theta) = \sum_j C_j\,e^{-i\theta \cdot j}`$. Tractions t that vanish outside some cells have the energy
 ///
 /// ```math
 /// t' C t = \frac{1}{4 \pi^2} \int \hat t^*\,S(\theta)\,\hat t\;\mathrm{d}\theta \ge \min_\theta
 /// \lambda_{min}(S(\theta))\;t't ,
 /// ```
 ///
-/// no continuation of the kernel is needed. By Poisson's sum S adds up the aliases of a wave, with the factors of a cell,
+/// so no continuation of the kernel is needed. By the Poisson sum formula, S is the sum over the aliases of a wave with
+/// the factors of a cell,
 ///
 /// ```math
 /// S(\theta) = \sum_m \hat C(k_m)\,\frac{\sin(k_x h_x/2)}{k_x h_x/2}\,\frac{\sin(k_y h_y/2)}{k_y h_y/2}, \qquad
@@ -37,16 +39,18 @@ type HermitianPair = [f64; 3];
 /// ```
 ///
 /// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases
-/// alternate in sign and fall as the cube of their number: the last one that is added bounds the sum of all that are not.
-/// S is even in each phase and smooth but at no phase, where it has a pole, or on a rigid base a limit. It is sampled in
-/// steps of pi/16, and from there by twelve octaves below them. A sample that is the least one along an axis is lowered
-/// by half of the second difference along it, at least 1.5 times as much as a parabola through the samples may be lower
-/// between them; and where S falls towards no phase, by what it falls over the last octave. So it is an estimate of the
-/// least eigenvalue on the safe side, not an enclosure. Zero where S is not a number.
+/// alternate in sign and decrease as the cube of their number. The last shell of the sum therefore bounds the sum of all
+/// omitted shells. S is even in each phase, and smooth except at phase zero, where it has a pole, or a limit on a rigid
+/// base. It is sampled in steps of pi/16, and in twelve octaves below the first step. A sample that is a minimum along an
+/// axis is lowered by half of the second difference along this axis. This is at least 1.5 times the amount by which a
+/// parabola through the samples can be lower between them. If S decreases towards phase zero, the sample is lowered by the
+/// decrease over the last octave. The result is a conservative estimate of the smallest eigenvalue, not an enclosure. It
+/// is zero if S is NaN.
 ///
-/// On a grid that repeats along y, tractions have the phases of its waves along y alone. They are sampled if they are few.
-/// No phase stands for a wave along x of infinite length, which tractions without a mean do not contain: their energy is
-/// the integral over all other phases, and the bound is that of tractions without a mean.
+/// On a grid that is periodic along y, tractions contain only the phases of its waves along y. These phases are sampled if
+/// there are few of them. Phase zero corresponds to a wave along x of infinite length, which tractions without a mean do
+/// not contain. Their energy is the integral over all other phases, so the result is the bound for tractions without a
+/// mean.
 pub(crate) fn least_of_lattice<const N: usize>(
     (grid, repeats_along_y): (Grid, bool),
     bodies: &Kernel,
@@ -66,7 +70,7 @@ pub(crate) fn least_of_lattice<const N: usize>(
     let is_smooth_along_y = waves.is_none();
     let phases_y = waves.unwrap_or_else(|| phases.clone());
     let count = width * phases_y.len();
-    // No wave has no phase.
+    // Phase zero does not belong to a wave.
     let mut samples = vec![f64::INFINITY; count];
     for n in 1..count {
         let theta = [phases[n % width], phases_y[n / width]];
@@ -102,13 +106,13 @@ pub(crate) fn least_of_lattice<const N: usize>(
     bounds.fold(f64::INFINITY, f64::min)
 }
 
-/// The phases along y of the waves of a grid of some cells that repeats; `None` if samples of all phases are fewer.
+/// Returns the phases along y of the waves of a periodic grid; `None` if sampling all phases takes fewer samples.
 fn waves_along_y(cells: usize) -> Option<Vec<f64>> {
     let waves = 0..=cells / 2;
     (cells < 2 * STEPS as usize).then(|| waves.map(|n| TAU * n as f64 / cells as f64).collect())
 }
 
-/// The sum over the aliases of a phase, and the last shell of them, which bounds those left out.
+/// Returns the sum over the aliases of a phase, and the last shell, which bounds the omitted aliases.
 fn aliases(
     grid: Grid,
     bodies: &Kernel,
@@ -141,7 +145,7 @@ fn aliases(
     (sum, shell)
 }
 
-/// The aliases whose larger number along an axis is this one.
+/// Returns the aliases whose larger number along an axis is `number`.
 fn shell_of(number: i32) -> impl Iterator<Item = [i32; 2]> {
     let all = -number..=number;
     all.clone()
@@ -153,7 +157,7 @@ fn sinc(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
 
-/// The least eigenvalue, less the norm of what is not known.
+/// Returns the smallest eigenvalue minus a bound of the norm of the unknown part.
 fn least(([xx, yy, xy], unknown): (HermitianPair, HermitianPair)) -> f64 {
     let radius = (0.5 * (xx - yy)).hypot(xy);
     0.5 * (xx + yy) - radius - unknown.iter().map(|part| part.abs()).sum::<f64>()
@@ -165,8 +169,8 @@ mod tests {
     use crate::bodies::layers::Layer;
     use crate::bodies::material::{ElasticPair, Material};
 
-    /// On a rigid base there is no pole: long waves press a bed by its oedometric compliance, an incompressible one not at
-    /// all.
+    /// Checks a bed on a rigid base, which has no pole. Long waves compress it with its oedometric compliance, which is
+    /// zero for an incompressible bed.
     #[test]
     fn a_bed_on_a_rigid_base_is_stiffest_for_long_waves() {
         for (nu, side) in [(0.5, 0.05), (0.5, 2.0), (0.45, 1.0)] {
@@ -188,7 +192,7 @@ mod tests {
         }
     }
 
-    /// Nothing is known of bodies whose response is not a number.
+    /// Checks that the bound is zero for bodies whose response is NaN.
     #[test]
     fn what_is_not_a_number_bounds_nothing() {
         let near = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();

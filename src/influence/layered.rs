@@ -1,4 +1,4 @@
-//! The part that coated bodies add to the coefficients of their outermost layers.
+//! The correction that coated bodies add to the coefficients of their outermost layers.
 
 use std::sync::OnceLock;
 
@@ -12,47 +12,49 @@ use crate::influence::hankel::{
 };
 use crate::influence::periodic_images::{FAR, pieces};
 
-/// The kernels of the response of a pair less that of its outermost layers as half-spaces, times two pi: of a point
-/// force by the distance r, and of a line load by the distance x. Both are smooth on the scale of the outermost layer.
+/// Kernels of the response of a pair minus the response of its outermost layers as half-spaces, times two pi. The kernels of a
+/// point force depend on the distance r, the kernels of a line load on the distance x. Both are smooth on the scale of the
+/// outermost layer.
 ///
-/// A part $`\Delta\,e^{-kH}/k`$ of the response, with the pole that the base has at k = 0, belongs to a force at the
-/// depth H; what is then left is R(k), gone at [`GONE`]. The kernels of points, as tables hold them, are
+/// The part $`\Delta\,e^{-kH}/k`$ of the response has the pole of the base at k = 0 and corresponds to a force at the depth H.
+/// The remainder is R(k), which is negligible beyond [`GONE`]. The tabulated kernels of points are
 ///
 /// ```math
 /// \int k R_n J_0 \,\mathrm{d}k, \quad \int k \tfrac{R_l + R_t}{2} J_0 \,\mathrm{d}k, \quad
 /// \int k \tfrac{R_l - R_t}{2} \frac{J_2}{r^2}\,\mathrm{d}k, \quad \int k R_c \frac{J_1}{r}\,\mathrm{d}k,
 /// ```
 ///
-/// with what the forces at depths add, and those of lines $`2 \int R_{n,l,t} \cos kx\,\mathrm{d}k`$ and
-/// $`2 \int R_c \sin(kx)/x\,\mathrm{d}k`$ without it. Each is even in its distance.
+/// plus the contributions of the forces at depths. The kernels of lines are $`2 \int R_{n,l,t} \cos kx\,\mathrm{d}k`$ and
+/// $`2 \int R_c \sin(kx)/x\,\mathrm{d}k`$ without these contributions. All kernels are even functions of the distance.
 #[derive(Debug)]
 pub(crate) struct LayerCorrection {
     kernel: Kernel,
     near: Response,
-    /// Of each coated body, or of a kernel, the depth H, and what the base adds to the outermost layer, as a sum for the pair.
+    /// Depth H of each coated body, or of a kernel, and the difference between base and outermost layer; the pair uses their
+    /// sum.
     images: Vec<(f64, Response)>,
-    /// The least depth H.
+    /// Smallest depth H.
     scale: f64,
-    /// Wave number below which nothing happens.
+    /// End of the first interval of wave numbers, on which the response hardly varies.
     least: f64,
     points: [OnceLock<ChebyshevPiece>; PIECES],
     lines: [OnceLock<ChebyshevPiece>; PIECES],
 }
 
-/// k H where R(k) is gone.
+/// Product k H beyond which R(k) is negligible.
 const GONE: f64 = 40.0;
-/// Thickness of a kernel times the wave number below which nothing is supposed to happen.
+/// Thickness of a kernel times the wave number below which its response is assumed constant.
 const LEAST: f64 = 1e-7;
 
-/// Four functions of the distance on a piece, by the coefficients of Chebyshev polynomials.
+/// Chebyshev coefficients of four functions of the distance on a piece.
 type ChebyshevPiece = [[f64; TERMS]; 4];
 
-/// Points at which a function is evaluated together.
+/// Number of points at which a function is evaluated together.
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
 impl LayerCorrection {
-    /// Of a pair; `None` of homogeneous bodies, which need none.
+    /// Creates the correction of a pair; `None` for homogeneous bodies, which need no correction.
     pub(crate) fn of(pair: &ElasticPair) -> Option<Self> {
         if !pair.is_coated() {
             return None;
@@ -82,7 +84,7 @@ impl LayerCorrection {
         })
     }
 
-    /// Of a kernel that tends to its pair for short waves.
+    /// Creates the correction of a kernel that tends to its pair for short waves.
     pub(crate) fn of_kernel(kernel: &Kernel, isotropic: &Isotropic) -> Self {
         let near = times_k(kernel.pair().compliances());
         let depth = 2.0 * isotropic.thickness;
@@ -98,15 +100,15 @@ impl LayerCorrection {
         }
     }
 
-    /// Two pi times the integral of a component over a cell of half sides `[a, b]`, at `(x, y)` from its centre.
+    /// Returns two pi times the integral of a component over a cell of half sides `[a, b]`, at `(x, y)` from its centre.
     pub(crate) fn over_cell(&self, component: Component, sides: [f64; 2], x: f64, y: f64) -> f64 {
         let mut value = [0.0];
         self.at_each(component, sides, &[x], y, &mut value);
         value[0]
     }
 
-    /// The same at the points `(x, y)` of a row, with `x` ascending from zero or more. Along x the values are as smooth
-    /// as the kernels are: where there are many on a piece of the row, they are interpolated.
+    /// Computes this integral at the points `(x, y)` of a row, with ascending `x >= 0`. The values are as smooth along x as
+    /// the kernels. If a piece of the row contains many points, they are interpolated.
     pub(crate) fn along_row(
         &self,
         component: Component,
@@ -161,7 +163,7 @@ impl LayerCorrection {
         }
     }
 
-    /// The sum over the halves of a cell, of the side that is too long, or of the longer one.
+    /// Returns the sum over the two halves of a cell. The side that is too long is halved, or the longer side if both are.
     fn halved(
         &self,
         component: Component,
@@ -180,7 +182,7 @@ impl LayerCorrection {
         part(1.0) + part(-1.0)
     }
 
-    /// At points that share their rules, no more than lanes.
+    /// Computes the integrals at points that share their rules, at most `LANES` of them.
     fn by_rules(
         &self,
         component: Component,
@@ -206,8 +208,8 @@ impl LayerCorrection {
         }
     }
 
-    /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
-    /// displacements: [as](crate::influence::periodic_images) of the closed forms.
+    /// Returns the integral over a cell and all its images along y, at `0 <= y <= period/2` from the nearest of them.
+    /// Displacements are relative to the datum, [as](crate::influence::periodic_images) for the closed forms.
     pub(crate) fn over_rows(
         &self,
         component: Component,
@@ -215,13 +217,13 @@ impl LayerCorrection {
         [x, y]: [f64; 2],
         [period, datum]: [f64; 2],
     ) -> f64 {
-        // Here, and half a period away, the images of one side are those of the other.
+        // At these y the images on both sides are symmetric, so odd components vanish.
         if component.is_odd()[1] && (y == 0.0 || 2.0 * y >= period) {
             return 0.0;
         }
         let share = 2.0 * b / period;
         let uniform = share * self.over_strip(component, a, x, datum);
-        // A cell as long as the period is a strip, and far away all are.
+        // A cell as long as the period is a strip, and far away every row of images acts like a strip.
         if share >= 1.0 || x >= a + FAR * period {
             return uniform;
         }
@@ -231,7 +233,7 @@ impl LayerCorrection {
         uniform + images.sum::<f64>()
     }
 
-    /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
+    /// Returns the integral over an infinitely long strip of half width `a` along y, with displacements relative to the datum.
     pub(crate) fn over_strip(&self, component: Component, a: f64, x: f64, datum: f64) -> f64 {
         let Some(rule) = self.rule(a, x, 0.0) else {
             let part = |x: f64| self.over_strip(component, 0.5 * a, x, datum);
@@ -245,8 +247,8 @@ impl LayerCorrection {
         [self.rule(a, x, y), self.rule(b, y, x)]
     }
 
-    /// The cheapest rule along a side of half length `a` of a cell at `x` along it and `y` across, by the nearest
-    /// singularity of the kernels, i H in the distance; none where the side is too long.
+    /// Returns the cheapest rule along a side of half length `a`, for a cell at `x` along this side and `y` across. The
+    /// nearest singularity of the kernels is at the imaginary distance i H. Returns `None` if the side is too long.
     fn rule(&self, a: f64, x: f64, y: f64) -> Option<usize> {
         rule(a, x.hypot(y), self.scale)
     }
@@ -308,7 +310,7 @@ impl LayerCorrection {
         }
     }
 
-    /// k R(k).
+    /// Returns k R(k).
     fn remainder(&self, k: f64) -> Response {
         let less = |a: f64, b: f64| a - b;
         let images = self.images.iter();
@@ -340,7 +342,8 @@ impl LayerCorrection {
         })
     }
 
-    /// The forces at depths z: of $`e^{-kz}/k`$ the kernels of Bessel's $`J_0`$, $`J_1/r`$ and $`J_2/r^2`$.
+    /// Returns the contributions of the forces at depths z: the integrals of $`e^{-kz}/k`$ with the kernels $`J_0`$, $`J_1/r`$
+    /// and $`J_2/r^2`$.
     fn point_images(&self, r: f64) -> [f64; 4] {
         let mut sum = [0.0; 4];
         for (depth, part) in &self.images {
@@ -372,7 +375,7 @@ impl LayerCorrection {
         })
     }
 
-    /// Wave numbers and what of k R(k) with the weights of a quadrature, for distances between the ends of a piece.
+    /// Returns wave numbers, and parts of k R(k) times the weights of a quadrature, for distances between the ends of a piece.
     fn waves(
         &self,
         [near, far]: [f64; 2],
@@ -394,7 +397,8 @@ fn times_k(compliances: Compliances) -> Response {
     }
 }
 
-/// A length beyond which a body is its base: all layers, as thick as their contrast makes them.
+/// Returns a length beyond which a body responds like its base: the total thickness of the layers times the contrast of their
+/// moduli.
 pub(crate) fn slowest(body: &Material) -> f64 {
     let layers = body.layers().iter();
     let thickness: f64 = layers.clone().map(Layer::thickness).sum();
@@ -407,7 +411,7 @@ pub(crate) fn slowest(body: &Material) -> f64 {
     thickness * (most / least)
 }
 
-/// One of the functions of a table at some distances; a piece is made at the first use.
+/// Returns one of the functions of a table at some distances. The table of a piece is created at its first use.
 fn sample<const N: usize>(
     table: &[OnceLock<ChebyshevPiece>; PIECES],
     scale: f64,
@@ -432,7 +436,7 @@ fn sample<const N: usize>(
     })
 }
 
-/// A sum of Chebyshev polynomials at half of some numbers.
+/// Returns a sum of Chebyshev polynomials at half of the given arguments.
 fn clenshaw<const N: usize>(terms: &[f64; TERMS], t: [f64; N]) -> [f64; N] {
     let (mut next, mut after) = ([0.0; N], [0.0; N]);
     for term in terms[1..].iter().rev() {
@@ -445,7 +449,7 @@ fn clenshaw<const N: usize>(terms: &[f64; TERMS], t: [f64; N]) -> [f64; N] {
     std::array::from_fn(|n| 0.5 * t[n] * next[n] - after[n] + terms[0])
 }
 
-/// Twice where a number is between two ends, from -1 to 1.
+/// Returns twice the position of a number between two ends, where the position is from -1 to 1.
 fn scaled([start, end]: [f64; 2], x: f64) -> f64 {
     4.0 * (x - 0.5 * (start + end)) / (end - start)
 }

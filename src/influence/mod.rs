@@ -1,9 +1,8 @@
 //! Influence coefficients: displacements of a half-space under a uniformly loaded rectangle.
 //!
-//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction; the coefficient
-//! `C_ij(x, y)` is the displacement component `i` it causes at `(x, y)` on the surface, per unit
-//! traction component `j` (a length over a pressure). Traction and displacement are those of body
-//! 1, with z into the body, pressure positive when it pushes into the body.
+//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction. The coefficient `C_ij(x, y)` is the
+//! displacement component `i` at `(x, y)` on the surface per unit traction component `j` (a length over a pressure). Traction
+//! and displacement refer to body 1, with z into the body. Pressure is positive if it pushes into the body.
 //!
 //! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)` and
 //! `R = hypot(X, Y)`, the five integrals of the Boussinesq and Cerruti kernels over the cell are
@@ -42,24 +41,24 @@
 //! \hat C_{zx} = -\hat C_{xz} = -\mathrm{i}\,\frac{(1 - 2\nu) k_x}{2 G k^2},
 //! ```
 //!
-//! and likewise for `zy` and `yz`. The symbol of zero wave number, a mean traction, is undefined and set to zero.
+//! and correspondingly for `zy` and `yz`. The symbol of wave number zero, a mean traction, is undefined and set to zero.
 //!
-//! On a grid that repeats along y alone the integrals are summed over all images of the cell along y. On a line of cells,
-//! which is uniform along y, they are those over a strip of half width a, relative to the datum d
-//! (Johnson 1985, sections 2.2 and 2.3; the constant parts of $`S_X`$ and $`S_Y`$ alone move the body as a whole):
+//! On a grid that is periodic along y alone, the integrals are summed over all images of the cell along y. On a line of
+//! cells, which is uniform along y, they are integrals over a strip of half width a, relative to the datum d (Johnson 1985,
+//! sections 2.2 and 2.3). Constant parts of $`S_X`$ and $`S_Y`$ are omitted, because they only displace the body as a whole:
 //!
 //! ```math
 //! S_X + S_Y = -2 \int_{-a}^{a} \ln\frac{|x - s|}{d}\,\mathrm{d}s, \quad S_Y = S_{XY} = D_Y = 0, \quad
 //! D_X = \pi \int_{-a}^{a} \operatorname{sgn}(x - s)\,\mathrm{d}s .
 //! ```
 //!
-//! Bodies that are [coated](crate::layers) have these coefficients with the constants of their outermost layers, and what the
-//! page of [`layers`](crate::layers) adds to them; their symbols are those of its responses.
+//! The coefficients of [coated](crate::layers) bodies are the sum of two parts: these coefficients with the constants of the
+//! outermost layers, and the correction described in [`layers`](crate::layers). Their symbols are the symbols of the
+//! responses described there.
 //!
-//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159
-//! (2021) 106947, with the printed errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the
-//! second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped,
-//! and the third term of `C_xx` carries `(1 - nu)(x - a)`.
+//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947, with these printed
+//! errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`, the
+//! stray terms before the third are dropped, and the third term of `C_xx` has the factor `(1 - nu)(x - a)`.
 
 mod coefficient;
 mod far_field;
@@ -88,11 +87,11 @@ use crate::bodies::material::Compliances;
 use integrals::Integral;
 
 impl Component {
-    /// The coefficient as a sum of integrals, each with its weight, over `2 pi`.
+    /// Returns the integrals and their weights. The coefficient is the weighted sum divided by `2 pi`.
     fn parts(self, c: Compliances) -> impl Iterator<Item = (f64, Integral)> {
         let alone = |weight, integral| [Some((weight, integral)), None];
         let parts = match self {
-            // (1 - nu) (S_X + S_Y) + nu S_Y: the sum is the potential.
+            // C_xx is (1 - nu) (S_X + S_Y) + nu S_Y, where S_X + S_Y is the potential.
             Self::XX => [
                 Some((c.normal, Integral::Potential)),
                 Some((c.lateral, Integral::AlongX)),

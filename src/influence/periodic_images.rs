@@ -3,28 +3,28 @@
 use crate::influence::integrals::{Cell, Integral};
 use crate::numerics::gauss::GAUSS_4;
 
-/// A row of cells that repeats along y, in the unit of the [`Cell`].
+/// Row of cells that is periodic along y, in the unit of the [`Cell`].
 ///
-/// The integrals of the images with the numbers k are added up to [`WHOLE`], then with weights that fall from one to
-/// zero; beyond, the images are taken as a uniform strip. The weights make up for the difference to the fifteenth
-/// derivative at the end of the strip (midpoint rule with the end corrections of Gregory, by central differences), which
-/// leaves 4e-15 of an image at the distance of one period.
+/// The integrals of the images with numbers up to [`WHOLE`] are summed with the weight one. The weights of the next
+/// images decrease to zero, and the images beyond are replaced by a uniform strip. The weights correct for the
+/// difference up to the fifteenth derivative at the end of the strip (midpoint rule with Gregory's end corrections, by
+/// central differences). The remaining error is 4e-15 of an image at the distance of one period.
 ///
-/// The strip has infinite displacement: that of `1/R` is taken relative to the datum, those of `X^2/R^3` to any point of
-/// the surface, which all it moves alike.
+/// The strip has infinite displacement. The displacement of `1/R` is taken relative to the datum. The displacements of
+/// `X^2/R^3` are relative to any point of the surface, because the strip moves all of these points by the same amount.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Images {
-    /// Length after which the row repeats.
+    /// Period of the row.
     pub(super) period: f64,
-    /// Distance at which a line load moves nothing.
+    /// Distance at which a line load causes no displacement.
     pub(super) datum: f64,
 }
 
-/// Images that count in full, on each side.
+/// Number of images on each side with the weight one.
 const WHOLE: i32 = 8;
 
-/// By how much less than one the images up to [`END`] count, the nearest to the end first, and those beyond it, which
-/// otherwise would not.
+/// Differences between one and the weights of the images up to [`END`], starting at the end. They are also the weights
+/// of the images beyond it, which would otherwise be zero.
 const CORRECTIONS: [f64; 8] = [
     5.984_979_299_564_494e-2,
     -8.555_555_935_044_48e-3,
@@ -36,14 +36,14 @@ const CORRECTIONS: [f64; 8] = [
     -7.981_009_139_050_703e-8,
 ];
 
-/// The last image before the end of the strip that is cut out.
+/// Number of the last image before the end of the strip that is replaced by images.
 const END: i32 = WHOLE + 8;
 
-/// Distance in periods beyond which images are a strip to the last digit, `exp(-2 pi 6) = 4e-17`.
+/// Distance in periods beyond which images act like a strip up to round-off, `exp(-2 pi 6) = 4e-17`.
 pub(crate) const FAR: f64 = 6.0;
 
 impl Images {
-    /// The integral at the points `(x, y)` of a row, with `x` ascending from zero or more and `0 <= y <= period/2`.
+    /// Computes the integral at the points `(x, y)` of a row, with ascending `x >= 0` and `0 <= y <= period/2`.
     pub(super) fn along_row(
         self,
         cell: Cell,
@@ -52,7 +52,7 @@ impl Images {
         y: f64,
         out: &mut [f64],
     ) {
-        // Here, and half a period away, the images of one side are those of the other.
+        // At these y the images on both sides are symmetric, so odd integrals vanish.
         if integral.is_odd()[1] && (y == 0.0 || 2.0 * y >= self.period) {
             out.fill(0.0);
             return;
@@ -85,10 +85,10 @@ impl Images {
         }
     }
 
-    /// Over a strip of half width `a` along y, infinitely long.
+    /// Returns the integral over an infinitely long strip of half width `a` along y.
     fn of_strip(self, a: f64, integral: Integral, x: f64) -> f64 {
         match integral {
-            // The integral of -2 ln(|x|/d): -(x + a) ln|x + a| + (x - a) ln|x - a|, in terms that do not cancel.
+            // This is the integral of -2 ln(|x|/d), -(x + a) ln|x + a| + (x - a) ln|x - a|, in terms that do not cancel.
             Integral::Potential => {
                 let log = |x: f64| (x / self.datum).abs().ln();
                 let inner = if x == 0.0 {
@@ -104,22 +104,23 @@ impl Images {
     }
 }
 
-/// A cell of the same width whose integrals, times the weight, make a strip into a row of images.
+/// Cell of the same width. Its integrals, times the weight, contribute to the difference between a strip and a row of
+/// images.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ImageStrip {
     /// Half side along y.
     pub(crate) half: f64,
-    /// Whether it is a piece of the strip that is cut out, not an image.
+    /// Whether the piece belongs to the strip that is subtracted, and is not an image.
     pub(crate) is_strip: bool,
-    /// How far it lies from the cell, towards lower y.
+    /// Distance of the piece from the cell towards lower y.
     pub(crate) offset: f64,
     pub(crate) weight: f64,
 }
 
-/// What a strip, of which cells of half side b cover a part, lacks to be the row of their images.
+/// Returns the pieces that must be added to a uniform strip to obtain the row of images of a cell with half side b.
 pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = ImageStrip> {
     let share = 2.0 * b / period;
-    // What cells of some height are taken as has ends that are smeared over that height.
+    // A uniform strip that represents cells of a finite length has ends that are averaged over this length.
     let strip = GAUSS_4.into_iter().map(move |[node, part]| ImageStrip {
         half: (f64::from(END) + 0.5) * period,
         is_strip: true,
@@ -136,7 +137,7 @@ pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = ImageStrip> {
     strip.chain(images)
 }
 
-/// How much an image counts.
+/// Returns the weight of an image.
 fn weight(image: i32) -> f64 {
     let image = image.abs();
     let beyond = image - END;

@@ -8,7 +8,7 @@ use crate::error::{Error, Result, positive};
 use crate::influence::LayerCorrection;
 use crate::influence::integrals::Cell;
 
-/// A cell of half sides `a` along x and `b` along y, centred on the origin.
+/// Cell of half sides `a` along x and `b` along y, centred on the origin.
 ///
 /// ```
 /// use stickslip::{Material, influence::Rectangle};
@@ -23,15 +23,15 @@ use crate::influence::integrals::Cell;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rectangle {
-    /// The cell in units of its size, so that no power of a length overflows.
+    /// Cell in units of its size, so that no power of a length overflows.
     pub(super) cell: Cell,
-    /// The greatest power of two that is not above the longer side. Division by it is exact, so a point very close to
-    /// an edge keeps its distance from it.
+    /// Largest power of two that does not exceed the longer side. Division by it is exact, so a point very close to an edge
+    /// keeps its distance to the edge.
     pub(super) unit: f64,
 }
 
-/// The nine influence coefficients at one point (lengths over pressures): displacement component
-/// first, traction component second.
+/// The nine influence coefficients at one point (lengths over pressures). The first index is the displacement component, the
+/// second the traction component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[expect(missing_docs, reason = "the type says what the two letters mean")]
@@ -47,15 +47,15 @@ pub struct Tensor {
     pub zz: f64,
 }
 
-/// Shorter side over the longer below which powers of the ratio vanish.
+/// Ratio of the shorter to the longer side below which powers of the ratio underflow.
 const SLENDEREST: f64 = 1e-100;
 
 impl Rectangle {
-    /// A cell of half sides `a` and `b` (lengths).
+    /// Creates a cell of half sides `a` and `b` (lengths).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if one of them is not positive and finite; [`Error::CellsTooLong`] beyond a ratio of 1e100,
-    /// where powers of it leave the range of numbers.
+    /// - [`Error::NotPositive`] if a half side is not positive and finite.
+    /// - [`Error::CellsTooLong`] for a ratio of more than 1e100, whose powers can overflow or underflow.
     pub fn new(a: f64, b: f64) -> Result<Self> {
         positive("half side a of the cell", a)?;
         positive("half side b of the cell", b)?;
@@ -64,7 +64,7 @@ impl Rectangle {
             return Err(Error::CellsTooLong { sides });
         }
         let longer = positive("longer side of the cell", 2.0 * a.max(b))?;
-        // The mantissa bits are cleared. A subnormal number becomes zero, and is refused as a unit.
+        // Clearing the mantissa bits leaves a power of two. A subnormal number becomes zero and is rejected as a unit.
         let unit = f64::from_bits(longer.to_bits() & f64::INFINITY.to_bits());
         positive("unit of the longer side of the cell", unit)?;
         Ok(Self {
@@ -76,10 +76,10 @@ impl Rectangle {
         })
     }
 
-    /// The coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
+    /// Returns the coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
     ///
-    /// The error is about 1e-15 of `C_zz` at any distance, of coated bodies below 1e-12 of that of the cell itself. Of coated
-    /// bodies each call evaluates the integrals anew: for many points take a [`Table`](crate::influence::Table).
+    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies it is below 1e-12 of `C_zz` at the cell itself.
+    /// For coated bodies each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
     #[must_use]
     pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
         match ElasticPair::new(*material, Material::rigid()) {
@@ -88,11 +88,11 @@ impl Rectangle {
         }
     }
 
-    /// The coefficients of the relative displacement `u_1 - u_2` of two bodies.
+    /// Returns the coefficients of the relative displacement `u_1 - u_2` of two bodies.
     ///
-    /// The tractions act on body 1 and their opposites on body 2: `xx`, `yy`, `zz`, `xy`, `yx`
-    /// add, the normal-shear terms `xz`, `yz`, `zx`, `zy` subtract. Of a pair that
-    /// [stands for a kernel](ElasticPair::stands_for_kernel) they are those of its half-spaces, not of the kernel.
+    /// The tractions act on body 1 and the opposite tractions on body 2. The coefficients `xx`, `yy`, `zz`, `xy` and `yx` of
+    /// both bodies add, the normal-shear terms `xz`, `yz`, `zx` and `zy` subtract. For a pair that [represents a
+    /// kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         self.assemble(pair.compliances(), LayerCorrection::of(pair).as_ref(), x, y)
@@ -126,7 +126,7 @@ impl Rectangle {
         }
     }
 
-    /// One coefficient at `(x, y)`; only the integrals that it needs are evaluated.
+    /// Returns one coefficient at `(x, y)`. Only the required integrals are evaluated.
     fn coefficient(&self, component: Component, compliances: Compliances, x: f64, y: f64) -> f64 {
         let (x, y) = (x / self.unit, y / self.unit);
         let parts = component.parts(compliances);
@@ -136,12 +136,12 @@ impl Rectangle {
         sum * self.scale()
     }
 
-    /// The half sides along x and y (lengths).
+    /// Returns the half sides along x and y (lengths).
     pub(super) fn half_sides(&self) -> [f64; 2] {
         [self.cell.a * self.unit, self.cell.b * self.unit]
     }
 
-    /// The factor from an integral in that unit to a coefficient.
+    /// Returns the factor that converts an integral in units of the cell to a coefficient.
     pub(super) fn scale(&self) -> f64 {
         self.unit / TAU
     }

@@ -1,4 +1,4 @@
-//! The integrals sampled at every cell distance, once for all coefficients and all coarser grids.
+//! The integrals sampled at every cell distance, shared by all coefficients and all coarser grids.
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -16,33 +16,33 @@ use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, get_or_make};
 
-/// The integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`, in
-/// units of the cell size, so that they are the same for a cell twice as large. Each integral is
-/// sampled on first use, 8 bytes per distance.
+/// Integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`. They are in units of the cell
+/// size, so the same samples are valid for a cell twice as large. Each integral is sampled on first use and takes 8 bytes per
+/// distance.
 #[derive(Debug)]
 pub(crate) struct Samples {
     rectangle: Rectangle,
     sides: [f64; 2],
     size: [usize; 2],
-    /// How the distances along y are dealt out to ranks, if they are: each samples its own.
+    /// Partition of the distances along y over the ranks, if they are distributed. Each rank samples its own distances.
     share: Option<Arc<RowPartition>>,
-    /// Where the grid repeats along y, after so many cells.
+    /// Images and number of cells per period, if the grid is periodic along y.
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
-    /// The part that coated bodies add to each coefficient, or a kernel in their place, in the same unit.
+    /// Correction by coated bodies for each coefficient, or a kernel that replaces the coefficients, in the same unit.
     added: Option<Arc<KernelCorrection>>,
     rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
 }
 
-/// A sampled quantity.
+/// Quantity that is sampled.
 #[derive(Debug, Clone, Copy)]
 enum Sampled {
     Integral(Integral),
     LayerCorrection(Component),
 }
 
-/// How the rows of a sampled quantity are found.
+/// Method for the rows of a sampled quantity.
 #[derive(Debug)]
 enum Rows {
     Cell(Box<FarFieldSeries>),
@@ -60,11 +60,11 @@ impl Sampled {
 }
 
 impl Samples {
-    /// For the cells of `grid`, up to `size` distances along each axis.
+    /// Creates the samples for the cells of `grid`, up to `size` distances along each axis.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or
-    /// compared; [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn new(grid: Grid, size: [usize; 2]) -> Result<Self> {
         memory("influence coefficients", size, size_of::<f64>())?;
         Ok(Self {
@@ -80,7 +80,7 @@ impl Samples {
         })
     }
 
-    /// The same for a grid that repeats along y, its displacements relative to a datum (a length).
+    /// Creates the samples for a grid that is periodic along y, with displacements relative to a datum (a length).
     pub(crate) fn repeating_along_y(grid: Grid, size: [usize; 2], datum: f64) -> Result<Self> {
         let samples = Self::new(grid, size)?;
         let unit = samples.rectangle.unit;
@@ -94,31 +94,32 @@ impl Samples {
         })
     }
 
-    /// The same with the distances along y dealt out to ranks.
+    /// Distributes the distances along y over ranks.
     pub(crate) fn shared(self, share: Option<Arc<RowPartition>>) -> Self {
         Self { share, ..self }
     }
 
-    /// The same for what the value of a cell means.
+    /// Sets the meaning of cell values.
     pub(crate) fn of(self, cell_value: CellValue) -> Self {
         Self { cell_value, ..self }
     }
 
-    /// The same for bodies that add so much to the coefficients of their outermost layers.
+    /// Sets the correction to the coefficients of the outermost layers of coated bodies.
     pub(crate) fn coated(self, added: Option<Arc<KernelCorrection>>) -> Self {
         Self { added, ..self }
     }
 
-    /// Whether they are those of cells of any size.
+    /// Returns whether the samples are valid for cells of any size.
     pub(crate) fn have_no_scale(&self) -> bool {
         self.images.is_none() && self.added.is_none()
     }
 
-    /// A coefficient of the pair on a grid whose cells are the sampled ones or a multiple of them.
+    /// Returns a coefficient of the pair on a grid whose cells are the sampled cells or a multiple of them.
     ///
     /// # Errors
-    /// As [`Samples::new`]; [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) for a coefficient that a table lacks;
-    /// [`Error::Sample`](crate::Error::Sample) for one that is not finite.
+    /// - The errors of [`Samples::new`].
+    /// - [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) for a coefficient that a table does not contain.
+    /// - [`Error::Sample`](crate::Error::Sample) for a coefficient that is not finite.
     pub(crate) fn table(
         &self,
         grid: Grid,
@@ -143,7 +144,7 @@ impl Samples {
         if self.added.is_some() {
             let make = || {
                 let values = self.sample(Sampled::LayerCorrection(component))?;
-                // The response of a user may be none at some wave.
+                // A user-defined response can be NaN for some waves.
                 all_finite("coefficients of the kernel", &values)?;
                 Ok(Arc::new(values))
             };
@@ -174,8 +175,8 @@ impl Samples {
         }
     }
 
-    /// The integral, or the rest, at the distances of some columns from zero on, and of rows that are told by their
-    /// numbers, each with whether the sign is the other one.
+    /// Returns the integral, or the correction, at the distances of the columns from zero and of rows given by `row`: a row
+    /// number, and whether the sign is reversed.
     fn integrals(
         &self,
         sampled: Sampled,
@@ -210,8 +211,8 @@ impl Samples {
         Ok(values)
     }
 
-    /// The part that coated bodies add to a coefficient, at the points of a row; of a grid that repeats along y, of a line of
-    /// cells.
+    /// Writes the correction by coated bodies to a coefficient at the points of a row. On a grid that is periodic along y it
+    /// includes all images.
     fn rests_along_row(&self, component: Component, row: usize, xs: &[f64], out: &mut [f64]) {
         let unit = self.rectangle.unit;
         let rest = match self.added.as_deref() {
@@ -241,12 +242,12 @@ impl Samples {
         }
     }
 
-    /// The integral less its second differences over 24, from samples that go one distance further on all sides.
+    /// Returns the integral minus 1/24 of its second differences, from samples that extend by one distance on all sides.
     fn at_centres(&self, sampled: Sampled, rows: Range<usize>) -> Result<Vec<f64>> {
         let [nx, _] = self.size;
         let (width, [odd_x, odd_y]) = (nx + 1, sampled.is_odd());
         let folded = |row: usize| {
-            // The rows before the first one and after the last one belong to those held here.
+            // The rows before the first and after the last row are also needed on this rank.
             let (row, is_before) = match (rows.start + row).checked_sub(1) {
                 Some(row) => (row, false),
                 None => (1, true),

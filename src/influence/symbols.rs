@@ -9,19 +9,19 @@ use crate::bodies::material::Compliances;
 use crate::grid::Grid;
 use crate::influence::integrals::Integral;
 
-/// The symbol of one coefficient for the waves that fit a periodic grid.
+/// Symbol of one coefficient for the waves that fit a periodic grid.
 ///
 /// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is
-/// real for the components even or odd in both axes, imaginary for the others. The displacement under a
-/// mean traction, a wave of infinite length, is undefined; zero is used.
+/// real for components that are even or odd in both axes, and imaginary for the others. The displacement
+/// under a mean traction, a wave of infinite length, is undefined and set to zero.
 #[derive(Debug, Clone)]
 pub(crate) struct Symbols {
     component: Component,
     compliances: Compliances,
-    /// Bodies whose symbols are no sums of those of half-spaces.
+    /// Kernel of bodies whose symbols are not sums of the symbols of half-spaces.
     other: Option<Box<Kernel>>,
     size: [usize; 2],
-    /// Wave numbers of one period over the grid.
+    /// Wave numbers of one period over the grid along x and y.
     steps: [f64; 2],
 }
 
@@ -43,7 +43,8 @@ impl Symbols {
         self.component
     }
 
-    /// The symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the cells.
+    /// Returns the symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the
+    /// cells.
     pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
         let odd = self.component.is_odd();
         // A wave of two cells per period has no direction, so odd components vanish there.
@@ -63,7 +64,7 @@ impl Symbols {
 }
 
 impl Component {
-    /// The symbol of bodies, or its imaginary part, of the wave vector.
+    /// Returns the symbol of bodies, or its imaginary part, at the wave vector.
     fn symbol(self, kernel: &Kernel, [x, y]: [f64; 2]) -> f64 {
         if let Some(KernelSource::Orthotropic(response)) = kernel.given() {
             return response([x, y]).component(self);
@@ -72,7 +73,8 @@ impl Component {
         self.of_response(kernel.times_k(k), [x / k, y / k]) / k
     }
 
-    /// What a response comes to in the direction of the wave vector, a unit vector; or its imaginary part.
+    /// Returns this component of a response in the direction of the wave vector (a unit vector), or its
+    /// imaginary part.
     pub(crate) fn of_response(self, found: Response, [x, y]: [f64; 2]) -> f64 {
         match self {
             Self::ZZ => found.normal,
@@ -88,7 +90,7 @@ impl Component {
 }
 
 impl Integral {
-    /// Fourier transform of the kernel over `2 pi`, or its imaginary part.
+    /// Returns the Fourier transform of the kernel over `2 pi`, or its imaginary part.
     fn symbol(self, x: f64, y: f64) -> f64 {
         let k = x.hypot(y);
         let (x, y) = (x / k, y / k);

@@ -14,8 +14,8 @@ use crate::support::debug::shown;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
 ///
-/// Distances of the other sign follow from the parity of the component, so that only a quarter of the
-/// samples that a convolution needs is evaluated and stored: 8 bytes per sample, 16 for `XX` and `YY`.
+/// Distances of the opposite sign follow from the parity of the component. Only a quarter of the samples that a convolution
+/// needs is therefore evaluated and stored: 8 bytes per sample, 16 for `XX` and `YY`.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, influence::{Component, Table}};
@@ -32,10 +32,10 @@ pub struct Table {
     component: Component,
     nx: usize,
     ny: usize,
-    /// How the rows are dealt out to ranks, if they are, and the first row here.
+    /// Partition of the rows over ranks, if they are distributed, and the first local row.
     share: Option<Arc<RowPartition>>,
     first_row: usize,
-    /// Weights and the integrals they multiply, row by row.
+    /// Weights and integrals, row by row.
     parts: Vec<(f64, Arc<Vec<f64>>)>,
     /// Scale of the sum of the parts.
     scale: f64,
@@ -47,9 +47,9 @@ impl Table {
     /// Samples a coefficient of the pair at every cell distance of the grid.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared;
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) of a pair that stands
-    /// for a [`Kernel`].
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::IncompleteKernel`](crate::Error::IncompleteKernel) for a pair that represents a [`Kernel`].
     pub fn sample(grid: Grid, pair: &ElasticPair, component: Component) -> Result<Self> {
         pair.check_no_kernel()?;
         let added = KernelCorrection::of(&Kernel::from(*pair));
@@ -75,20 +75,20 @@ impl Table {
         }
     }
 
-    /// Which coefficient was sampled.
+    /// Returns the sampled component.
     #[must_use]
     pub fn component(&self) -> Component {
         self.component
     }
 
-    /// Distances sampled along x and along y.
+    /// Returns the number of sampled distances along x and along y.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         [self.nx, self.ny]
     }
 
-    /// The coefficient (a length over a pressure) from a cell to the one `i` columns and `j` rows
-    /// further; `None` beyond the distances sampled.
+    /// Returns the coefficient (a length over a pressure) from a cell to the cell `i` columns and `j` rows further; `None`
+    /// beyond the sampled distances.
     #[must_use]
     pub fn get(&self, i: isize, j: isize) -> Option<f64> {
         let (column, row) = (i.unsigned_abs(), j.unsigned_abs());
@@ -101,12 +101,12 @@ impl Table {
         Some(if negative { -value } else { value })
     }
 
-    /// How the rows are dealt out to ranks, if they are.
+    /// Returns the partition of the rows over ranks, if they are distributed.
     pub(crate) fn share(&self) -> Option<&Arc<RowPartition>> {
         self.share.as_ref()
     }
 
-    /// The coefficient `column` columns and `row` rows further, within the distances sampled here.
+    /// Returns the coefficient at a distance of `column` columns and `row` rows, which must be sampled on this rank.
     pub(crate) fn at(&self, column: usize, row: usize) -> f64 {
         let index = (row - self.first_row) * self.nx + column;
         let parts = self.parts.iter();
@@ -114,7 +114,7 @@ impl Table {
         sum * self.scale
     }
 
-    /// Writes those of a row, from nothing on.
+    /// Writes the coefficients of a row, starting at distance zero.
     pub(crate) fn write_row(&self, row: usize, out: &mut [f64]) {
         let first = (row - self.first_row) * self.nx;
         out.fill(0.0);

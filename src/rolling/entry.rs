@@ -1,4 +1,4 @@
-//! The law of cells that enter the contact by rolling.
+//! The entry law of rolling: the compliance of cells that come into contact in a step.
 
 use crate::grid::neighbours::neighbours;
 use crate::normal::NormalSolution;
@@ -7,16 +7,17 @@ use crate::tangential::{
     EntryCompliance, PressureOnWindow, entry_compliance, ratios_of_compliances,
 };
 
-/// $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell `before` and had the gap g there,
+/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell under the pressure p, whose particle came from the cell
+/// `before` and had the gap g there,
 ///
 /// ```math
 /// \kappa = n\,n' + \with_remaining_limits(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
-/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies, and n across the edge of the contact
-/// `normal` of before: the surface ahead moves in plane strain across it, and in antiplane strain along it (of coated bodies
-/// $`C_l/C_n`$ and $`C_t/C_n`$ of the waves of two cells in place of 1 and $`1 + c_l/c_n`$). Of rough
-/// surfaces n is a matter of the mean slope: $`n\,n'`$ is that of the 3 x 3 cells around.
+/// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies. The unit vector n is normal to the
+/// contact edge at the cell `before`. The surface ahead of the contact moves in plane strain across the edge and in
+/// antiplane strain along it. For coated bodies, $`C_l/C_n`$ and $`C_t/C_n`$ of waves two cells long replace 1 and
+/// $`1 + c_l/c_n`$. For rough surfaces n follows the mean slope: $`n\,n'`$ is an average over the surrounding 3 x 3 cells.
 pub(crate) fn compliance(
     normal: &NormalSolution,
     before: usize,
@@ -37,7 +38,7 @@ pub(crate) fn compliance(
     }
 }
 
-/// Writes the own compliance of each cell of a window under a pressure that does not change.
+/// Writes the entry compliance of each cell of a window under a constant pressure.
 pub(crate) fn entering(
     normal: &NormalSolution,
     pressed: &PressureOnWindow,
@@ -57,7 +58,8 @@ pub(crate) fn entering(
     }
 }
 
-/// $`n\,n'`$ by the slopes of the gap around a cell, each weighted by its square: `[xx, xy, yy]` of trace one.
+/// Returns $`n\,n'`$, the mean over the slopes of the gap around a cell, each weighted by its square, as `[xx, xy, yy]` with
+/// trace one.
 fn across(normal: &NormalSolution, cell: usize) -> [f64; 3] {
     let grid = normal.grid();
     let (size, repeats) = (grid.size(), normal.boundary().repeats());

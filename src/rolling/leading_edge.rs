@@ -1,24 +1,24 @@
-//! The side of a contact on which rolling bodies meet.
+//! The side of a contact at which particles enter.
 
 use crate::tangential::Axis;
 
-/// Where particles enter the contact.
+/// Side at which particles enter the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LeadingEdge {
-    /// At the largest x: particles move along -x (the default).
+    /// The side of the largest x: particles move along -x (the default).
     #[default]
     PlusX,
-    /// At the smallest x.
+    /// The side of the smallest x.
     MinusX,
-    /// At the largest y.
+    /// The side of the largest y.
     PlusY,
-    /// At the smallest y.
+    /// The side of the smallest y.
     MinusY,
 }
 
 impl LeadingEdge {
-    /// The axis that particles move along.
+    /// Returns the axis along which particles move.
     #[must_use]
     pub fn axis(self) -> Axis {
         match self {
@@ -27,7 +27,7 @@ impl LeadingEdge {
         }
     }
 
-    /// Whether it lies at the positive end of the axis.
+    /// Returns whether the edge is at the positive end of the axis.
     pub(crate) fn is_positive(self) -> bool {
         matches!(self, Self::PlusX | Self::PlusY)
     }

@@ -1,8 +1,8 @@
-//! Steady rolling: traction, slip and creepage of two bodies that roll over each other, as the contact sees them.
+//! Steady rolling: traction, slip and creepage of two bodies that roll over each other, in a frame that moves with the contact.
 //!
-//! The contact stands still, and the particles of both surfaces move through it by $`d`$, a number of whole cells, from the
-//! [leading edge](LeadingEdge) on. With $`T f(x) = f(x + d)`$, the value where a particle was before that step, the slip
-//! of a cell over a step is
+//! The contact is fixed in this frame. The particles of both surfaces enter it at the [leading edge](LeadingEdge) and move
+//! through it by $`d`$ per step, a whole number of cells. With $`T f(x) = f(x + d)`$, the value at the position of a particle
+//! before the step, the slip of a cell over a step is
 //!
 //! ```math
 //! s = (1 - T)\,(C q + u_p) + B q - w, \qquad
@@ -10,37 +10,38 @@
 //! ```
 //!
 //! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies of the same material), the
-//! creepages $`\xi, \eta`$, the spin $`\varphi`$ about the origin of the grid, all per length rolled, and x and y in the
-//! middle of the way of the particle. Coulomb's law holds in every cell: $`|q| \le \mu p`$, and slip against the traction
-//! only where $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force, as a positive
-//! [shift](crate::TangentialSolution::shift) does.
+//! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
+//! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
+//! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
+//! positive force, as a positive [shift](crate::TangentialSolution::shift) does.
 //!
-//! A creepage is given, or the force along its axis; the creepage then is the multiplier of that force, found in the same
-//! solve. In place of the spin a moment can be given.
+//! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
+//! creepage as its multiplier. A moment can be prescribed instead of the spin.
 //!
-//! # Cells that enter
+//! # Entering cells
 //!
-//! A particle ahead of the contact moves with the free surface: by B q less than one that sticks, $`B = \kappa\,g/p`$, with
-//! the gap g where the particle was, the pressure p of the cell it enters, and $`\kappa`$ from 1 across the edge of the
-//! contact to $`1/(1 - \nu)`$ along it (of bodies of one material). It is the law of
-//! [growing contacts](crate::guide::load_steps). With it the error of the force falls with the square of the size of
-//! the cells, without it ([`EntryRule::WholeStep`], as CONTACT) in proportion.
+//! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a sticking
+//! particle by B q, with $`B = \kappa\,g/p`$, the gap g at the previous position of the particle and the pressure p of the cell
+//! that it enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to $`1/(1 - \nu)`$ along the edge (for
+//! bodies of the same material). This is the entry law of [growing contacts](crate::guide::load_steps). With this law the
+//! error of the force decreases with the square of the cell size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error
+//! decreases in proportion to the cell size.
 //!
 //! # Loads
 //!
-//! - [`RollingSolver::set_load`] and [`RollingSolver::set_pressure`] take new normal contacts, as in the [time loop of a
+//! - [`RollingSolver::set_load`] and [`RollingSolver::set_pressure`] set new normal contacts, as in the [time loop of a
 //!   vehicle](crate::guide::rolling#vehicle-dynamics).
 //! - [`RollingSolver::stiffness`] returns the derivatives of forces and moment with respect to creepages and spin.
-//! - [`RollingSolver::creep_forces`] returns the points of creep curves and surfaces.
-//! - [`SpinControl::Moment`] prescribes a moment instead of the spin, which several solves then find.
+//! - [`RollingSolver::creep_forces`] returns the points of creep curves and creep surfaces.
+//! - [`SpinControl::Moment`] prescribes a moment instead of the spin. Several solves then determine the spin.
 //!
 //! # Bodies of different materials
 //!
-//! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] takes a pressure that ignores
-//! the lift; its solution then has the warning [`NeglectedLift`](crate::Warning::NeglectedLift). A [`CoupledRollingProblem`]
-//! repeats two solves, of the pressure over the lifted gap and of the tractions under this pressure. The passes form a
-//! contraction in all measured contacts. A sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0), 24 cells over 2.6
-//! contact radii, longitudinal creepage 0.05, spin 0.1, to a tolerance of 1e-9:
+//! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
+//! ignores the lift; its solution then has the warning [`NeglectedLift`](crate::Warning::NeglectedLift). A
+//! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
+//! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
+//! 0.45, 0.25 and 0), 24 cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass over that of the last | passes | products |
 //! |---|---|---|---|---|
@@ -49,27 +50,28 @@
 //! | 0.5 | 0.3 | 0.13 | 15 | 741 |
 //! | 0.5 | 1 | 0.22 | 21 | 802 |
 //!
-//! [`CoupledRollingReport`] has a rigorous bound for each half, the residual of the coupling, and an estimate for the whole.
+//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole.
 //! [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
 //!
 //! # Uniqueness and error
 //!
-//! $`(1 - T) C`$ is not symmetric, but monotone: with the energy norm $`|e|_C^2 = e' C e`$ and fields e that are zero
-//! outside the contact,
+//! The operator $`(1 - T) C`$ is not symmetric, but monotone. With the energy norm $`|e|_C^2 = e' C e`$ and fields e that are
+//! zero outside the contact,
 //!
 //! ```math
 //! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \with_remaining_limits(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
-//! where $`\lambda`$ bounds from below the eigenvalues of C on a window one step longer than the contact, and m cells, a
-//! step apart, lie one behind the other at most. So there is one traction for each creepage, and for each force below
-//! $`\mu P`$, and the [certificate](crate::cgm#the-certified-error) of the engine bounds
-//! $`(q - q^*)' ((1 - T)\,C + B)\,(q - q^*)`$, relative to the same of q.
+//! where $`\lambda`$ is a lower bound of the eigenvalues of C on a window one step longer than the contact, and m is the largest
+//! number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each creepage, and for each
+//! force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
+//! $`(q - q^*)' ((1 - T)\,C + B)\,(q - q^*)`$, relative to the same form of q.
 //!
 //! # Accuracy and cost
 //!
-//! Sphere, $`\nu = 0.25`$, friction 0.3, the longitudinal creepage at which Kalker's linear theory reaches $`\mu P`$; cold,
-//! to a tolerance of 1e-8, by the cells across the contact:
+//! The table is for a sphere, $`\nu = 0.25`$, friction 0.3, and the longitudinal creepage at which Kalker's linear theory reaches
+//! $`\mu P`$. The solves are cold (they start from zero tractions), with a tolerance of 1e-8; the columns are the numbers of
+//! cells across the contact:
 //!
 //! | cells | 16 | 32 | 64 | 128 |
 //! |---|---|---|---|---|
@@ -77,13 +79,13 @@
 //! | $`F/\mu P`$ without | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
 //! | products, cold | 46 | 62 | 83 | 114 |
 //!
-//! After one per cent more of the creepage a solve takes 27, 37, 49 and 64 products. The products are of double precision,
-//! and each has an application of the preconditioner in single precision. A cold solve therefore takes the time of 1.0, 1.4
-//! and 1.6 times as many products on 32, 64 and 128 cells.
+//! After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products. The products are in double
+//! precision, and each product includes one application of the preconditioner in single precision. A cold solve therefore takes
+//! the time of 1.0, 1.4 and 1.6 times as many products on 32, 64 and 128 cells.
 //!
-//! Of Carter's cylinder at 0.64 of the sliding force the force is wrong by 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of
-//! $`\mu P`$ on 32, 64, 128, 256 and 512 cells, without the law by 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law needs the
-//! slope of the gap two cells ahead of the contact: leave the grid as much room.
+//! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$ on
+//! 32, 64, 128, 256 and 512 cells. Without the entry law it is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law requires the slope of the
+//! gap two cells ahead of the contact, so the grid must extend at least this far.
 //!
 //! ```
 //! use stickslip::rolling::RollingProblem;
@@ -104,11 +106,11 @@
 //!
 //! # Slip that turns
 //!
-//! The traction at the end of a step opposes the mean slip of the step. Under spin, or oblique creepage and $`\nu > 0`$, the
-//! slip turns within the contact; the direction of the traction then lags by half a step, and forces converge
-//! with first order. [`slip_corrections`](RollingProblemBuilder::slip_corrections) extrapolates the slip to the end of the
-//! step, and the order becomes 1.5 to 2. Sphere, R = 1, G = 1, $`\nu = 0`$, W = 1.2, friction 0.3, free of creepage, $`F_y/\mu W`$ by the cells across the
-//! contact:
+//! The traction at the end of a step opposes the mean slip of the step. Under spin, or under oblique creepage with $`\nu > 0`$,
+//! the slip turns within the contact. The direction of the traction then lags by half a step, and the forces converge with first
+//! order. [`slip_corrections`](RollingProblemBuilder::slip_corrections) extrapolates the slip to the end of the step, and the
+//! order becomes 1.5 to 2. The table is for a sphere, R = 1, G = 1, $`\nu = 0`$, W = 1.2, friction 0.3, without creepage. It
+//! lists $`F_y/\mu W`$ by the number of cells across the contact:
 //!
 //! | spin, corrections | 12 | 24 | 48 | 96 | 192 |
 //! |---|---|---|---|---|---|
@@ -117,11 +119,11 @@
 //! | 1, none | 0.3486 | 0.3195 | 0.3035 | 0.2953 | 0.2911 |
 //! | 1, two | 0.2925 | 0.2892 | 0.28763 | 0.28702 | 0.28687 |
 //!
-//! Without spin and across or along the rolling direction there is nothing to correct. Rolled steps of a
+//! No correction is necessary without spin if the creepage is along or across the rolling direction. Rolling steps of a
 //! [`History`](crate::History) have no correction.
 //!
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
-//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry rule and the bound are derived here.
+//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry law and the bound are derived here.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;

@@ -1,4 +1,4 @@
-//! The way of the particles of rolling bodies through the contact in one step.
+//! The paths of particles through the contact of rolling bodies in one step.
 
 use crate::error::{Error, Result, finite, positive};
 use crate::grid::Grid;
@@ -8,10 +8,10 @@ use crate::half_space::HalfSpace;
 use crate::rolling::LeadingEdge;
 use crate::tangential::Axis;
 
-/// Lines that are summed at once.
+/// Number of lines that are summed simultaneously.
 const LINES: usize = 4;
 
-/// The way through a rectangle of cells.
+/// Shift of particles through a rectangle of cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WindowShift {
     pub(crate) size: [usize; 2],
@@ -20,7 +20,7 @@ pub(crate) struct WindowShift {
 }
 
 impl WindowShift {
-    /// Where the particle of a cell was before, if that is in the rectangle.
+    /// Returns the previous position of the particle of a cell; `None` if it is outside the rectangle.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
         let [line, way] = self.line();
         let place = cell % line;
@@ -31,8 +31,8 @@ impl WindowShift {
         }
     }
 
-    /// `T f` in place, each value where its particle is after the step; zero in cells whose particles come from beyond the
-    /// rectangle.
+    /// Applies T in place: moves each value with its particle over the step. Cells whose particles come from outside the
+    /// rectangle become zero.
     pub(crate) fn shift_with_particles(&self, field: &mut [f64]) {
         let [line, way] = self.line();
         let way = way.min(line);
@@ -48,7 +48,8 @@ impl WindowShift {
         }
     }
 
-    /// The cells of a line, and how far in it a particle moves: along y all rows are one line.
+    /// Returns the number of cells per line and the shift of a particle within a line. For rolling along y all rows form
+    /// one line.
     pub(crate) fn line(&self) -> [usize; 2] {
         let [nx, ny] = self.size;
         match self.edge.axis() {
@@ -57,7 +58,7 @@ impl WindowShift {
         }
     }
 
-    /// `(1 - T) f` in place; zero in cells whose particles come from beyond the window.
+    /// Applies `1 - T` in place. Cells whose particles come from outside the window become zero.
     pub(crate) fn difference(&self, field: &mut [f64]) {
         let [line, way] = self.line();
         for line in field.chunks_exact_mut(line) {
@@ -76,10 +77,10 @@ impl WindowShift {
         }
     }
 
-    /// The sum from the leading edge on, the inverse of `1 - T` for fields that vanish there, in place.
+    /// Sums in place from the leading edge; this is the inverse of `1 - T` for fields that vanish there.
     pub(crate) fn sum(&self, field: &mut [f64]) {
         let [line, way] = self.line();
-        // Several lines at once, so that additions overlap.
+        // Several lines are summed simultaneously so that additions overlap.
         for lines in field.chunks_mut(LINES * line) {
             for place in way..line {
                 let (at, before) = if self.edge.is_positive() {
@@ -94,7 +95,7 @@ impl WindowShift {
         }
     }
 
-    /// A cell that is the last on its particles' way.
+    /// Returns a cell at the end of the path of its particle.
     pub(crate) fn trailing_cell(&self) -> usize {
         if self.edge.is_positive() {
             0
@@ -103,21 +104,21 @@ impl WindowShift {
         }
     }
 
-    /// The most cells, a step apart, that lie one behind the other where `length` cells do along the axis.
+    /// Returns the length of the longest chain of cells one step apart, for `length` consecutive cells along the axis.
     pub(crate) fn chain(&self, length: usize) -> usize {
         length.div_ceil(self.cells)
     }
 }
 
-/// The way on a grid.
+/// Shift of particles on a grid.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RollingShift {
     grid: Grid,
     edge: LeadingEdge,
     cells: usize,
-    /// How far the bodies roll.
+    /// Length rolled per step.
     pub(crate) length: f64,
-    /// From where a particle is after the step to where it was before.
+    /// Vector from the position of a particle after the step to its position before the step.
     pub(crate) back: [f64; 2],
 }
 
@@ -136,7 +137,7 @@ impl RollingShift {
         }
     }
 
-    /// `Ok` if its length is positive and finite and the grid does not repeat along it.
+    /// Checks that the length is positive and finite and that the grid is not periodic along the rolling direction.
     pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
         positive("cells that a step rolls", self.cells as f64)?;
         let length = finite("length of a rolled step", self.length)?;
@@ -152,7 +153,7 @@ impl RollingShift {
         Ok(())
     }
 
-    /// The way through a rectangle of cells.
+    /// Returns the shift through a rectangle of cells.
     pub(crate) fn through(&self, size: [usize; 2]) -> WindowShift {
         WindowShift {
             size,
@@ -161,13 +162,14 @@ impl RollingShift {
         }
     }
 
-    /// Where the particle of a cell of the grid was before, if that was on the grid.
+    /// Returns the previous position of the particle of a grid cell; `None` if it was outside the grid.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
         self.through(self.grid.size()).before(cell)
     }
 
-    /// The traction of a cell that follows its pressure from `before` to `after`: their ratio hardly changes in a contact
-    /// that rolls. A cell that comes into contact has the ratio of where its particle was.
+    /// Returns the traction of a cell after its pressure has changed from `before` to `after`, if the traction follows the
+    /// pressure. In a rolling contact the ratio of traction to pressure hardly changes. A cell that comes into contact has
+    /// the ratio at the previous position of its particle.
     pub(crate) fn in_proportion(
         &self,
         traction: &Field,
@@ -181,25 +183,27 @@ impl RollingShift {
         like.map_or(0.0, |like| traction[like] / before[like] * after[cell])
     }
 
-    /// What a turn moves a particle beyond the turn of where it is after the step, because it was elsewhere before.
+    /// Returns the displacement of a particle by a rotation at its previous position, minus the displacement at its
+    /// position after the step.
     pub(crate) fn rotation_correction(&self, turn: f64) -> [f64; 2] {
         [-turn * self.back[1], turn * self.back[0]]
     }
 
-    /// `Ok` if what is in contact is still on the grid after the step.
+    /// Checks that all particles in contact are still on the grid after the step.
     pub(crate) fn check_behind(&self, bodies: &HalfSpace, pressure: &Field) -> Result<()> {
         let contact = contact_of(bodies, pressure);
         contact.map_or(Ok(()), |contact| self.behind(contact).map(|_| ()))
     }
 
-    /// `Ok` if the particles of a contact at the end of the step were on the grid before it.
+    /// Checks that all particles in the contact at the end of the step were on the grid before the step.
     pub(crate) fn check_ahead(&self, bodies: &HalfSpace, pressure: &Field) -> Result<()> {
         let contact = contact_of(bodies, pressure);
         contact.map_or(Ok(()), |contact| self.shifted_upstream(contact).map(|_| ()))
     }
 
-    /// The window of a step, with where the particles in the contact of its end were before, and where those of the contact
-    /// of its beginning have come to; if it has to be wider, it is by some more, so that the contact may grow.
+    /// Returns the window of a step. It contains the previous positions of the particles in the final contact and the final
+    /// positions of the particles in the initial contact. If the window must be widened, it receives an additional margin
+    /// for growth of the contact.
     pub(crate) fn reach(
         &self,
         bodies: &HalfSpace,
@@ -219,17 +223,17 @@ impl RollingShift {
         Ok(bodies.restrict_to_window(reach.widened(self.grid)))
     }
 
-    /// Where the particles of a window were before the step.
+    /// Returns the window of the previous positions of particles in a window.
     pub(crate) fn shifted_upstream(&self, window: Window) -> Result<Window> {
         self.moved(window, true, "ahead of")
     }
 
-    /// Where a window has come to after the step.
+    /// Returns the window of the positions after the step of particles in a window.
     fn behind(&self, window: Window) -> Result<Window> {
         self.moved(window, false, "behind")
     }
 
-    /// A window that lies a step ahead or behind.
+    /// Returns a window shifted by one step upstream (`shifted_upstream`) or downstream.
     fn moved(&self, window: Window, ahead: bool, side: &'static str) -> Result<Window> {
         let (axis, mut corner) = (self.edge.axis().index(), window.corner());
         let is_up = ahead == self.edge.is_positive();
@@ -253,7 +257,7 @@ impl RollingShift {
         Window::at(self.grid, corner, window.size).ok_or(Error::EmptyContact)
     }
 
-    /// How much wider than the contact a window has to be.
+    /// Returns the margins by which a window must exceed the contact.
     pub(crate) fn margins(&self) -> [usize; 2] {
         let mut margins = [0; 2];
         margins[self.edge.axis().index()] = self.cells;

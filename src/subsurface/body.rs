@@ -1,4 +1,4 @@
-//! Which body is looked into, and what its half-space is told.
+//! The choice of the body whose interior is computed, and its half-space.
 
 use crate::bodies::material::{ElasticPair, Material};
 use crate::error::{Error, Result};
@@ -6,10 +6,10 @@ use crate::subsurface::kernel::{Component, Load};
 
 /// One of the two bodies of a contact.
 ///
-/// Depths count from the surface into the body, in both bodies, and are never negative: the depth `d` is the plane
-/// `z = d` of body 1 and `z = -d` of body 2. Components are along the common axes x, y and z in both, with z into
-/// body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, body 2 the opposites; so both have
-/// `szz = -p`, `sxz = -qx` and `syz = -qy` on their surface.
+/// Depths are measured from the surface into the body, in both bodies, and are never negative: the depth `d` is the
+/// plane `z = d` of body 1 and `z = -d` of body 2. Components refer to the common axes x, y and z in both bodies, with
+/// z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, and body 2 the opposite
+/// tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};
@@ -20,7 +20,7 @@ use crate::subsurface::kernel::{Component, Load};
 /// let pressure = Field::constant(bodies.grid(), 0.1);
 /// let at = |body| at_points(&bodies, body, Tractions::new(&pressure), &[[0.1, 0.2, 0.3]]);
 /// let (one, two) = (at(Body::One)?[0], at(Body::Two)?[0]);
-/// // Both are pressed away from the contact, the stiffer one less; under the same stress.
+/// // Both bodies are pressed away from the contact, the stiffer one less, under the same stress.
 /// assert!((one.displacement[2] / two.displacement[2] + 4.0).abs() < 1e-12);
 /// assert!((one.stress.zz / two.stress.zz - 1.0).abs() < 1e-12);
 /// # Ok::<(), Error>(())
@@ -30,11 +30,11 @@ use crate::subsurface::kernel::{Component, Load};
 pub enum Body {
     /// Body 1, into which z points.
     One,
-    /// Body 2, above it.
+    /// Body 2, from which z points away.
     Two,
 }
 
-/// What the half-space `z >= 0` that stands for a body is made of and told.
+/// Material of the half-space `z >= 0` that represents a body, and signs of its tractions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Constants {
     pub(super) shear_modulus: f64,
@@ -43,7 +43,7 @@ pub(super) struct Constants {
     coated: Option<Material>,
 }
 
-/// `Ok` for bodies of which it is known how they respond below the surface.
+/// Returns an error if the bodies are defined by a kernel, which does not describe their interior.
 pub(super) fn check_described(pair: &ElasticPair) -> Result<()> {
     if pair.stands_for_kernel() {
         return Err(Error::UnsupportedForCoatings {
@@ -68,7 +68,7 @@ impl Body {
         }
         let is_coated = material.is_coated();
         Ok(Constants {
-            // The kernels of a coated body have its moduli.
+            // The kernels of a coated body include its moduli.
             shear_modulus: if is_coated {
                 1.0
             } else {
@@ -81,14 +81,15 @@ impl Body {
     }
 }
 
-/// Body 2 is the half-space `z >= 0` seen from below: mirrored in z, its tractions along x and y are the opposites.
+/// Body 2 is represented by the half-space `z >= 0` mirrored in z; its tractions along x and y have the opposite sign.
 impl Constants {
-    /// The body, if it is coated.
+    /// Returns the material if the body is coated.
     pub(super) fn coated(&self) -> Option<&Material> {
         self.coated.as_ref()
     }
 
-    /// Which of the kernels of a depth are its own: those of homogeneous bodies, of body 1 and of body 2.
+    /// Returns the index of the kernels of this body at a depth: 0 for homogeneous bodies, 1 for a coated body 1, 2
+    /// for a coated body 2.
     pub(super) fn place(&self) -> usize {
         match (&self.coated, self.is_second) {
             (None, _) => 0,
@@ -97,7 +98,7 @@ impl Constants {
         }
     }
 
-    /// `Ok` if something deforms at all these depths.
+    /// Returns an error if one of the depths is in a rigid base.
     pub(super) fn check_depths(&self, depths: &[f64]) -> Result<()> {
         let Some(body) = self
             .coated
@@ -117,7 +118,7 @@ impl Constants {
         Ok(())
     }
 
-    /// The factor of a traction before it acts on the half-space.
+    /// Returns the factor by which a traction is multiplied before it acts on the half-space.
     pub(super) fn factor_in(&self, load: Load) -> f64 {
         if self.is_second && load != Load::P {
             -1.0
@@ -126,7 +127,7 @@ impl Constants {
         }
     }
 
-    /// The factor from a component composed of the integrals to that of the body.
+    /// Returns the factor that converts a component composed of the integrals to the component of the body.
     pub(super) fn factor_out(&self, component: Component) -> f64 {
         let sign = if self.is_second && component.is_odd_in_z() {
             -1.0

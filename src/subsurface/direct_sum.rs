@@ -14,14 +14,14 @@ use crate::subsurface::points::PointResult;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::strip::Strips;
 
-/// The cells that carry tractions.
+/// Cells that carry tractions.
 pub(super) struct Loaded<'a> {
     grid: Grid,
     fields: [Option<&'a [f64]>; 3],
     cell: LoadedRectangle,
-    /// Where the grid repeats along y.
+    /// Images along y, if the grid is periodic along y.
     strips: Option<Strips>,
-    /// The columns of each row between which they lie; rows without any are left out.
+    /// Range of columns with loaded cells for each row; rows without loaded cells are omitted.
     rows: Vec<(usize, Range<usize>)>,
 }
 
@@ -78,7 +78,7 @@ impl<'a> Loaded<'a> {
         })
     }
 
-    /// The integrals of all cells times the tractions they carry, summed row by row.
+    /// Returns the sums of the integrals of all cells times their tractions, row by row.
     fn sums(&self, [x, y, z]: [f64; 3]) -> Result<[[f64; Integral::COUNT]; 3]> {
         let mut sums = [[0.0; Integral::COUNT]; 3];
         let nx = self.grid.nx();

@@ -1,15 +1,17 @@
-//! How far a point is from the cells: along an axis of the surface, and below it.
+//! Distances of a point from the cells along an axis of the surface, and its depth.
 
 use crate::grid::Grid;
 
-/// Depth, in longer sides of a cell, below which a point is on the surface: squares of such depths are lost.
+/// Depth, in longer sides of a cell, below which a point counts as on the surface, because squares of smaller depths
+/// can underflow.
 const SURFACE: f64 = 1e-150;
-/// How far a point may be from the middle of the grid, in shorter sides of a cell: fifth powers of it are numbers.
+/// Largest distance of a point from the middle of the grid, in shorter sides of a cell. Its fifth power does not
+/// overflow.
 const REACH: f64 = 1e60;
-/// The rule of that.
+/// Error text for points farther away.
 pub(super) const TOO_FAR: &str = "must lie within 1e60 cells of the grid";
 
-/// The depth at which the integrals are taken.
+/// Returns the depth at which the integrals are evaluated.
 pub(super) fn depth_in(grid: Grid, depth: f64) -> f64 {
     if depth < SURFACE * grid.dx().max(grid.dy()) {
         0.0
@@ -18,20 +20,21 @@ pub(super) fn depth_in(grid: Grid, depth: f64) -> f64 {
     }
 }
 
-/// Whether the integrals are numbers at this coordinate of a point.
+/// Returns whether the integrals are finite at this coordinate of a point.
 pub(super) fn reach(grid: Grid, coordinate: f64) -> bool {
     coordinate.abs() <= REACH * grid.dx().min(grid.dy())
 }
 
-/// The distances of a point from the cells along one axis, from their nearest images if they repeat. A point on an
-/// edge is there for the cells on both sides: one that were beside it by a rounding would see logarithms that do not
-/// cancel.
+/// Distances of a point from the cells along one axis, or from their nearest images if the axis is periodic.
+///
+/// A point on an edge must be on the edge for the cells on both sides. If round-off moved it to one side, the
+/// logarithms of the two cells would not cancel.
 pub(super) struct Distances {
     at: f64,
     cells: usize,
     side: f64,
     repeats: bool,
-    /// Half sides from the middle of the grid, if they are whole.
+    /// Distance from the middle of the grid in half sides, if it is an integer.
     steps: Option<f64>,
 }
 
@@ -50,7 +53,7 @@ impl Distances {
     }
 
     pub(super) fn to(&self, cell: usize) -> f64 {
-        // The centre in half sides.
+        // Position of the centre in half sides.
         let centre = 2.0 * cell as f64 - (self.cells - 1) as f64;
         let half = 0.5 * self.side;
         let (distance, period, unit) = match self.steps {

@@ -1,16 +1,15 @@
-//! Stress and displacement below the surface of each body, from the pressure and both tractions of a contact.
+//! Stress and displacement below the surface of each body, from the pressure and the tractions of a contact.
 //!
-//! A cell that carries a uniform traction causes stresses and displacements in the half-space below it that are known
-//! in closed form (Love 1929; Ahmadi, Keer & Mura 1983); those of all cells add up,
+//! A cell with a uniform traction causes stresses and displacements in the half-space below it, for which closed forms exist
+//! (Love 1929; Ahmadi, Keer & Mura 1983). The effects of all cells are added,
 //!
 //! ```math
 //! \sigma_{ij}(x, y, z) = \sum_{\text{cells}} \left[S^p_{ij}\,p + S^x_{ij}\,q_x + S^y_{ij}\,q_y\right] .
 //! ```
 //!
-//! [`at_points`] adds them up at any points, [`Planes`] at the cell centres of planes of chosen depths, by fast
-//! transforms. In [coated](crate::layers) bodies planes alone have stresses, in the layers and below them. A stress that the
-//! contact does not cause, such as that of the bulk, is [added](Tractions::with_uniform_stress)
-//! where it is uniform.
+//! [`at_points`] computes the sum at any points. [`Planes`] computes it at the cell centres of planes at chosen depths, by
+//! fast transforms. For [coated](crate::layers) bodies only planes can be computed, in the layers and below them. A uniform
+//! stress that the contact does not cause, such as a bulk stress, can be [added](Tractions::with_uniform_stress).
 //!
 //! ```
 //! use stickslip::subsurface::{self, Body};
@@ -32,18 +31,19 @@
 //!
 //! # Units and signs
 //!
-//! Stresses are pressures, positive in tension; displacements are lengths. Depths count into the body and are
-//! positive in both; the axes x, y and z are common to both, with z into body 1. Under the load both bodies have `szz
-//! = -p`, `sxz = -qx` and `syz = -qy`. Displacements are those of the body, not relative to the other, and vanish at
-//! infinity (on grids that repeat see [`Planes`]): under a pressure `uz` is positive in body 1 and negative in body 2.
+//! Stresses are pressures, positive in tension; displacements are lengths. Depths are measured into the body and are
+//! positive in both bodies. The axes x, y and z are common to both bodies, with z into body 1. Under the load both bodies
+//! have `szz = -p`, `sxz = -qx` and `syz = -qy`. Displacements are displacements of the body itself, not relative to the
+//! other body, and vanish at infinity (for periodic grids see [`Planes`]). Under a pressure `uz` is positive in body 1 and
+//! negative in body 2.
 //!
 //! # On the surface
 //!
-//! Depth zero is the limit from inside the body. `szz`, `sxz` and `syz` are then the tractions, and on the edge
-//! between cells the mean of those on both sides. `sxx`, `syy` and `sxy` jump or are logarithmically infinite on an
-//! edge between cells of different tractions; there their value is the mean of the two sides without the infinite
-//! part, which the longer half side of a cell has in place of the distance to the edge. Cell centres, where planes
-//! are computed, are free of that.
+//! Depth zero is the limit from inside the body. `szz`, `sxz` and `syz` are then the tractions, and on the edge between
+//! cells the mean of the tractions on both sides. `sxx`, `syy` and `sxy` jump or are logarithmically infinite on an edge
+//! between cells of different tractions. There the value is the mean of both sides without the infinite part: the longer
+//! half side of a cell replaces the distance to the edge. Planes are computed at cell centres, where these singularities do
+//! not occur.
 //!
 //! # Sources
 //!
@@ -51,7 +51,7 @@
 //! Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357, <https://doi.org/10.1016/0020-7683(83)90032-X>; K. L.
 //! Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
 //!
-//! The example `fretting_rig` draws:
+//! The example `fretting_rig` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/fretting_rig.html"))]
 
 mod body;

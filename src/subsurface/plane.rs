@@ -1,4 +1,4 @@
-//! The answer of one depth.
+//! The stresses and displacements at one depth.
 
 use crate::error::Result;
 use crate::grid::Grid;
@@ -10,7 +10,7 @@ use crate::subsurface::stress::Stress;
 use crate::support::debug::shown;
 use crate::warning::Warning;
 
-/// Stress, and displacement if it was asked for, at the cell centres of a plane in one body.
+/// Stress, and displacement if requested, at the cell centres of a plane in one body.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Planes, Tractions};
@@ -22,7 +22,7 @@ use crate::warning::Warning;
 /// let pressure = Field::from_fn(grid, |x, y| 200.0 * (-10.0 * (x * x + y * y)).exp());
 /// let plane = Planes::new(&bodies, &[0.2])?.solve(0, Body::Two, Tractions::new(&pressure))?;
 /// assert_eq!((plane.depth(), plane.z()), (0.2, -0.2));
-/// // Every plane carries the load, and the further from the surface, the more evenly.
+/// // Every plane carries the load, and more evenly at larger depths.
 /// let [_, _, zz] = plane.normal_stress();
 /// assert!((zz.integral() / pressure.integral() + 1.0).abs() < 1e-12);
 /// assert!(-zz.min() < 0.8 * pressure.max());
@@ -36,7 +36,7 @@ pub struct Plane {
     normal: [Field; 3],
     shear: [Field; 3],
     displacement: Option<[Field; 3]>,
-    /// Whether it is nearer than a cell to tractions that end at an edge.
+    /// Whether the depth is less than a cell side, below tractions that end at an edge.
     is_at_edge: bool,
 }
 
@@ -53,7 +53,7 @@ clone_in_place!(Plane {
 
 try_clone!(Plane { normal, shear, displacement } { body, depth, is_at_edge });
 
-/// The components in the order of the fields.
+/// Components in the order of the fields.
 pub(super) const STRESSES: [[Component; 3]; 2] = [
     [Component::Sxx, Component::Syy, Component::Szz],
     [Component::Sxy, Component::Sxz, Component::Syz],
@@ -73,10 +73,10 @@ impl Plane {
         })
     }
 
-    /// For an answer of this body.
+    /// Prepares the plane for a solution of this body.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory); the plane is then as it was.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out. The plane is then unchanged.
     pub(super) fn prepare(&mut self, body: Body, with_displacements: bool) -> Result<()> {
         if !with_displacements {
             self.displacement = None;
@@ -88,14 +88,14 @@ impl Plane {
         Ok(())
     }
 
-    /// At this depth, below tractions that end at an edge or do not.
+    /// Sets the depth, and whether tractions above the plane end at an edge.
     pub(super) fn place(&mut self, depth: f64, has_edge: bool) {
         let grid = self.grid();
         self.depth = depth;
         self.is_at_edge = has_edge && depth < grid.dx().max(grid.dy());
     }
 
-    /// Normal stresses and shear stresses, to be written.
+    /// Returns the normal stresses and the shear stresses as mutable slices.
     pub(super) fn stress_mut(&mut self) -> ([&mut [f64]; 3], [&mut [f64]; 3]) {
         let [normal, shear] = [&mut self.normal, &mut self.shear];
         (
@@ -104,7 +104,7 @@ impl Plane {
         )
     }
 
-    /// Adds a stress to that of all cells.
+    /// Adds a stress to the stress of all cells.
     pub(super) fn add(&mut self, stress: &Stress) {
         let fields = self.normal.iter_mut().chain(&mut self.shear);
         for (field, part) in fields.zip(stress.components()) {
@@ -122,25 +122,25 @@ impl Plane {
         Some(fields.each_mut().map(Field::as_mut_slice))
     }
 
-    /// The grid of all its fields.
+    /// Returns the grid of all fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.normal[0].grid()
     }
 
-    /// The body it lies in.
+    /// Returns the body that contains the plane.
     #[must_use]
     pub fn body(&self) -> Body {
         self.body
     }
 
-    /// Its depth below the surface (a length, zero or positive).
+    /// Returns the depth below the surface (a length, zero or positive).
     #[must_use]
     pub fn depth(&self) -> f64 {
         self.depth
     }
 
-    /// Its z on the axis common to both bodies (a length): the depth in body 1, minus the depth in body 2.
+    /// Returns the z coordinate on the axis common to both bodies (a length): the depth in body 1, minus the depth in body 2.
     #[must_use]
     pub fn z(&self) -> f64 {
         match self.body {
@@ -149,47 +149,47 @@ impl Plane {
         }
     }
 
-    /// The normal stresses xx, yy and zz (pressures, tensile positive).
+    /// Returns the normal stresses xx, yy and zz (pressures, tensile positive).
     #[must_use]
     pub fn normal_stress(&self) -> [&Field; 3] {
         self.normal.each_ref()
     }
 
-    /// The shear stresses xy, xz and yz (pressures).
+    /// Returns the shear stresses xy, xz and yz (pressures).
     #[must_use]
     pub fn shear_stress(&self) -> [&Field; 3] {
         self.shear.each_ref()
     }
 
-    /// The displacements of the body along x, y and z (lengths); `None` if they were not
-    /// [asked for](crate::subsurface::Planes::with_displacements).
+    /// Returns the displacements of the body along x, y and z (lengths); `None` if they were not
+    /// [requested](crate::subsurface::Planes::with_displacements).
     #[must_use]
     pub fn displacement(&self) -> Option<[&Field; 3]> {
         self.displacement.as_ref().map(<[Field; 3]>::each_ref)
     }
 
-    /// Remarks that a value may mislead: [`Warning::StressAtEdge`] on a plane nearer to the surface than a side of a cell, if
-    /// shear tractions end at the edge of a contact.
+    /// Returns the warnings about the plane. [`Warning::StressAtEdge`] is returned if shear tractions end at the edge of a
+    /// contact and the depth is less than a side of a cell.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);
         at_edge.into_iter().collect()
     }
 
-    /// The stress in cell `(ix, iy)`, `None` outside the grid.
+    /// Returns the stress in cell `(ix, iy)`; `None` outside the grid.
     #[must_use]
     pub fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
         let grid = self.grid();
         (ix < grid.nx() && iy < grid.ny()).then(|| self.at(iy * grid.nx() + ix))
     }
 
-    /// The stresses of all cells, row by row with x fastest.
+    /// Returns the stresses of all cells, row by row with x fastest.
     #[must_use]
     pub fn stresses(&self) -> impl ExactSizeIterator<Item = Stress> + '_ {
         (0..self.grid().cells()).map(|cell| self.at(cell))
     }
 
-    /// The field of a function of the stress, such as [`Stress::von_mises`].
+    /// Returns the field of a function of the stress, such as [`Stress::von_mises`].
     #[must_use]
     pub fn map(&self, mut f: impl FnMut(Stress) -> f64) -> Field {
         let mut field = Field::zeros(self.grid());

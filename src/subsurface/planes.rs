@@ -1,4 +1,4 @@
-//! Stress and displacement of whole planes, by fast convolution.
+//! Stress and displacement on whole planes by fast convolution.
 
 use std::array::from_fn;
 use std::borrow::Cow;
@@ -22,40 +22,45 @@ use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
 use crate::support::debug::shown;
 
-/// Stress, and if asked for displacement, at the cell centres of planes at chosen depths below each body: the sum
-/// over all cells of [`at_points`](crate::subsurface::at_points), by fast transforms. Reusable for any tractions on
-/// the same bodies.
+/// Solver for the stress, and the displacement if requested, at the cell centres of planes at chosen depths below each body. The
+/// values are the sums over all cells of [`at_points`](crate::subsurface::at_points), computed by fast transforms. The solver can
+/// be reused for any tractions on the same bodies.
 ///
-/// The kernels of a depth are made when it is first solved, and kept: 112 bytes per cell and depth, or 152 with
-/// displacements (while they are made 170), and a tenth more where the padded length is not twice the number of
-/// cells. Those of homogeneous bodies do not depend on the materials and serve both; clones share them. On a grid that repeats along
-/// both axes they take a quarter. [`through`](Self::through) keeps none, so its memory does not grow with the number
-/// of depths. The transforms take 96 bytes per cell, a [`Plane`] 48, or 72 with displacements.
+/// # Memory
 ///
-/// In [coated](crate::layers) bodies the kernels are those of the body: 144 bytes per cell and depth, or 216 with
-/// displacements, for each coated body that is looked into.
+/// The kernels of a depth are computed at its first solve and kept. They take 112 bytes per cell and depth, or 152 with
+/// displacements (170 during their computation), and a tenth more if the padded length is not twice the number of cells. The
+/// kernels of homogeneous bodies do not depend on the materials and are used for both bodies; clones share them. On a grid that
+/// is periodic along both axes they take a quarter. [`through`](Self::through) keeps no kernels, so its memory does not grow with
+/// the number of depths. The transforms take 96 bytes per cell, a [`Plane`] 48, or 72 with displacements.
 ///
-/// One depth costs three transforms of the tractions and one back for each component: the six stresses of 512 x 512
-/// cells take the time of nine products of [`HalfSpace::operator`]; the kernels, once, that of fifty.
+/// In [coated](crate::layers) bodies the kernels depend on the body. They take 144 bytes per cell and depth, or 216 with
+/// displacements, for each coated body that is computed.
+///
+/// # Cost
+///
+/// One depth takes three transforms of the tractions and one inverse transform per component. The six stresses of 512 x 512 cells
+/// take as much time as nine products of [`HalfSpace::operator`]. Computing the kernels takes as much time as fifty products,
+/// once.
 ///
 /// # Boundaries
 ///
-/// - Free surroundings: exact, as the sum over cells.
-/// - [`Periodic`](crate::Boundary::Periodic): every wave of traction decays as `exp(-kz)` times a linear function of
-///   z, and has the surface displacements of the operators; tractions are the waves that fit the grid. The mean has
-///   `szz = -p`, `sxz = -qx`, `syz = -qy` at every depth, `sxx = syy = -p nu/(1 - nu)` (no lateral strain), and no
-///   displacement: at every depth displacements have zero mean.
-/// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the sum over all images along y. Displacements are
-///   relative to the datum, a point of the surface. One row of cells is in plane strain.
+/// - Free surroundings: exact, equal to the sum over cells.
+/// - [`Periodic`](crate::Boundary::Periodic): every wave of traction decays as `exp(-kz)` times a linear function of z, and has
+///   the surface displacements of the operators. The tractions consist of the waves that fit the grid. The mean has `szz = -p`,
+///   `sxz = -qx`, `syz = -qy` at every depth, `sxx = syy = -p nu/(1 - nu)` (no lateral strain), and no displacement.
+///   Displacements have zero mean at every depth.
+/// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the sum over all images along y. Displacements are relative to the
+///   datum, a point of the surface. One row of cells is in plane strain.
 ///
 /// # Coated bodies
 ///
-/// The waves are carried downwards through the layers by decaying parts alone, at any contrast and depth. On free grids
-/// and lines the part that is singular at a cell is the closed form of the outermost layer, and the rest Hankel
-/// integrals, right to about 1e-11 of the largest component. A depth equal to the sum of the thicknesses of layers, added
-/// from the surface, is the side of the outer layer; the next number is the other side.
-/// `szz`, `sxz`, `syz` and displacements are continuous there, `sxx`, `syy` and `sxy` jump. The mean of a grid that
-/// repeats has Poisson's ratio of the layer.
+/// The waves are propagated downwards through the layers by decaying factors only, which is stable for any contrast and depth. On
+/// free grids and lines, the part that is singular at a cell is the closed form of the outermost layer. The correction consists
+/// of Hankel integrals with errors of about 1e-11 of the largest component. A depth equal to the sum of the layer thicknesses,
+/// added from the surface, is on the outer side of the interface. The next larger floating-point number is on the inner side.
+/// `szz`, `sxz`, `syz` and the displacements are continuous there, while `sxx`, `syy` and `sxy` jump. The mean of a periodic grid
+/// uses Poisson's ratio of the layer.
 ///
 /// ```
 /// use stickslip::layers::Layer;
@@ -78,13 +83,13 @@ use crate::support::debug::shown;
 ///
 /// # Ranks
 ///
-/// Of [distributed](HalfSpace::distributed) bodies every rank makes planes at the same depths, and holds of kernels,
-/// transforms and planes what belongs to its rows and columns; the values have the bits of one process. All ranks solve
-/// together; the observer of the first decides. Values at the centres of cells
-/// ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that does not repeat along both axes, and files
-/// ([`write_vti`](Self::write_vti)), are refused.
+/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. It stores the parts of kernels,
+/// transforms and planes that belong to its rows and columns. The values are bitwise identical to the values of a single process.
+/// Solves are collective calls, and the observer of the first rank decides. Values at the centres of cells
+/// ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that is not periodic along both axes, and files
+/// ([`write_vti`](Self::write_vti)), are rejected with an error.
 ///
-/// # A ball
+/// # Examples
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Planes};
@@ -121,16 +126,18 @@ pub struct Planes {
 
 shown!(Planes: bodies, depths);
 
-/// The kernels of a depth: of homogeneous bodies, of a coated body 1 and of a coated body 2.
+/// Kernels of a depth: for homogeneous bodies, for a coated body 1 and for a coated body 2.
 type Kept = [OnceLock<Spectra>; 3];
 
 impl Planes {
-    /// Planes at these depths (lengths, zero or positive) below the surface of either body.
+    /// Creates planes at the given depths (lengths, zero or positive) below the surface of either body.
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or more than 1e60 of the shorter
-    /// side of a cell; [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) of a [`Kernel`](crate::Kernel);
-    /// [`Error::Memory`](crate::Error::Memory); [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or larger than 1e60 times the shorter
+    ///   side of a cell.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for bodies defined by a [`Kernel`](crate::Kernel).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails or the ranks disagree.
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {
         let rule = "must be non-negative and finite";
         let is_depth = |depth: f64| depth >= 0.0 && depth.is_finite();
@@ -157,7 +164,7 @@ impl Planes {
         })
     }
 
-    /// With the displacements, for half the cost of the stresses in addition.
+    /// Adds the displacements, at an additional cost of half the cost of the stresses.
     #[must_use]
     pub fn with_displacements(self) -> Self {
         Self {
@@ -167,23 +174,23 @@ impl Planes {
         }
     }
 
-    /// The depths (lengths).
+    /// Returns the depths (lengths).
     #[must_use]
     pub fn depths(&self) -> &[f64] {
         &self.depths
     }
 
-    /// The plane at the depth of number `index` in a body.
+    /// Returns the plane at the depth with this index in a body.
     ///
     /// # Errors
-    /// [`Error::Length`](crate::Error::Length) if there is no such depth;
-    /// [`Error::RigidBody`](crate::Error::RigidBody), also for a depth in the rigid base of a coated body;
-    /// [`Error::Memory`](crate::Error::Memory) for its kernels;
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch),
-    /// [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
-    /// [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) and [`Error::Sample`](crate::Error::Sample) for
-    /// tractions that are not those of these bodies, or tractions or a uniform stress that are not finite;
-    /// [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::Length`](crate::Error::Length) if there is no such depth.
+    /// - [`Error::RigidBody`](crate::Error::RigidBody) for a rigid body, and for a depth in the rigid base of a coated body.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out for the kernels.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
+    ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the tractions belong to different bodies.
+    /// - [`Error::Sample`](crate::Error::Sample) if a traction or the uniform stress is not finite.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails or the ranks disagree.
     pub fn solve<'a>(
         &mut self,
         index: usize,
@@ -193,11 +200,12 @@ impl Planes {
         self.solve_observed(index, body, tractions, unwatched)
     }
 
-    /// [`solve`](Self::solve) with an observer that may cancel. It is asked before the kernels are sampled, and before each
-    /// transform of a kernel and of three components; they count as products.
+    /// Solves as [`solve`](Self::solve) does, with an observer that may cancel. The observer is called before the kernels are
+    /// sampled, and before each transform of a kernel and of three components. These calls count as products.
     ///
     /// # Errors
-    /// As [`solve`](Self::solve); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    /// - The errors of [`solve`](Self::solve).
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
     pub fn solve_observed<'a>(
         &mut self,
         index: usize,
@@ -210,12 +218,14 @@ impl Planes {
         Ok(plane)
     }
 
-    /// The same into a plane that is there, without allocation once the kernels are made but for fields of
+    /// Solves into an existing plane. Once the kernels exist, nothing is allocated, except for fields of
     /// [`CellValue::Centre`](crate::CellValue::Centre).
     ///
     /// # Errors
-    /// As [`Planes::solve`]; [`Error::GridMismatch`](crate::Error::GridMismatch) for the plane too. The plane is then
-    /// unchanged, unless ranks have lost each other on the way.
+    /// - The errors of [`Planes::solve`].
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the plane has a different grid.
+    ///
+    /// The plane is unchanged after an error, unless the connection between ranks was lost during the solve.
     pub fn solve_into<'a>(
         &mut self,
         index: usize,
@@ -248,12 +258,13 @@ impl Planes {
         self.bodies.joint(solved)
     }
 
-    /// Hands the planes of a body at all depths to `visit`, one after the other in the order given. The plane is
-    /// lent: what is to stay must be copied. Kernels that are not there already are forgotten at once, so that the
-    /// memory does not grow with the number of depths.
+    /// Passes the planes of a body at all depths to `visit`, in the given order. The plane is passed by reference and
+    /// overwritten, so `visit` must copy the values that it needs later. Kernels that do not exist yet are discarded after each
+    /// depth, so the memory does not grow with the number of depths.
     ///
     /// # Errors
-    /// As [`Planes::solve`]; the first error of `visit` ends it.
+    /// - The errors of [`Planes::solve`].
+    /// - The first error of `visit`, which ends the traversal.
     pub fn through<'a>(
         &mut self,
         body: Body,
@@ -263,10 +274,11 @@ impl Planes {
         self.through_observed(body, tractions, visit, unwatched)
     }
 
-    /// [`through`](Self::through) with an observer that is asked as by [`solve_observed`](Self::solve_observed).
+    /// Calls [`through`](Self::through) with an observer, which is called as in [`solve_observed`](Self::solve_observed).
     ///
     /// # Errors
-    /// As [`through`](Self::through); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    /// - The errors of [`through`](Self::through).
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
     pub fn through_observed<'a>(
         &mut self,
         body: Body,
@@ -314,7 +326,7 @@ impl Planes {
         Plane::new(self.bodies.grid(), body, self.with_displacements)
     }
 
-    /// The tractions of a body on all ranks, once it has a plane of this number, or any, on this grid.
+    /// Returns the tractions of a body. All ranks check that the plane with this index, or every plane, exists on this grid.
     fn begin<'a>(
         &self,
         index: Option<usize>,
@@ -350,7 +362,7 @@ impl Planes {
         })
     }
 
-    /// The kernels of a depth, made anew.
+    /// Computes the kernels of a depth.
     fn spectra(
         &self,
         index: usize,
@@ -365,7 +377,7 @@ impl Planes {
         })
     }
 
-    /// Hands the transforms the tractions of a body.
+    /// Loads the tractions of a body into the transforms.
     fn load(&mut self, loads: &BodyLoads<'_>, watch: &mut WorkObserver<'_>) -> Result<()> {
         watch.notify_observer()?;
         let factors = Load::ALL.map(|load| loads.constants.factor_in(load));
@@ -375,7 +387,7 @@ impl Planes {
         Ok(())
     }
 
-    /// Computes the fields of a plane from the tractions that the transforms hold.
+    /// Computes the fields of a plane from the transformed tractions.
     fn fill(
         &mut self,
         plane: &mut Plane,
@@ -406,7 +418,7 @@ impl Planes {
     }
 }
 
-/// What acts on a body, and whether shear tractions end at an edge.
+/// Tractions on a body, and whether shear tractions end at an edge.
 struct BodyLoads<'a> {
     constants: Constants,
     fields: [Option<Cow<'a, [f64]>>; 3],
@@ -414,7 +426,7 @@ struct BodyLoads<'a> {
     has_edge: bool,
 }
 
-/// Whether there is an edge of the contact among these cells, and whether there are shear tractions.
+/// Returns whether these cells include a cell without pressure, and whether there are shear tractions.
 fn edge(fields: [Option<&[f64]>; 3]) -> [bool; 2] {
     let [pressure, shear @ ..] = fields;
     let is_sheared = |field: &[f64]| field.iter().any(|q| *q != 0.0);

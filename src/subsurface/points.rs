@@ -1,4 +1,4 @@
-//! Stress and displacement at scattered points, by direct sum over the loaded cells.
+//! Stress and displacement at arbitrary points, by direct summation over the loaded cells.
 
 use std::ops::ControlFlow;
 
@@ -15,7 +15,7 @@ use crate::subsurface::distances::{TOO_FAR, reach};
 use crate::subsurface::stress::Stress;
 use crate::subsurface::tractions::Tractions;
 
-/// Pairs of a point and a cell between two questions to an observer.
+/// Number of pairs of a point and a cell between two calls of an observer.
 const PORTION: usize = 100_000;
 
 /// Displacement and stress of a body at a point.
@@ -39,28 +39,31 @@ const PORTION: usize = 100_000;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PointResult {
-    /// Along x, y and z (lengths), of the body itself, not relative to the other; zero at infinity,
-    /// relative to the datum where the grid repeats along y.
+    /// Displacement along x, y and z (lengths) of the body itself, not relative to the other body. It is zero at infinity, or
+    /// relative to the datum if the grid is periodic along y.
     pub displacement: [f64; 3],
-    /// The stress (pressures, tensile positive).
+    /// Stress (pressures, tensile positive).
     pub stress: Stress,
 }
 
-/// Displacement and stress of a body at any points `[x, y, depth]` (lengths), by direct sum over the loaded cells: the
-/// uniform traction on each cell and nothing elsewhere, exact to 1e-13 of the largest component at the point, at any
-/// place and depth up to 1e60 cells away. A depth below 1e-150 of the longer side of a cell is the surface.
+/// Returns the displacement and stress of a body at any points `[x, y, depth]` (lengths), by direct summation over the loaded
+/// cells. Each cell carries a uniform traction, and there is no traction outside the cells. The result is accurate to 1e-13 of
+/// the largest component at the point, at any position and depth up to 1e60 cells away. A depth of less than 1e-150 of the longer
+/// side of a cell counts as the surface.
 ///
-/// x and y are those of the grid, the depth counts from the surface into the [`Body`]. Depth zero is the limit from
-/// inside the body. Between cells of different tractions sxx, syy and sxy are there logarithmically infinite or jump:
-/// on a common edge their finite part, and the mean of both sides, is returned ([the page of the
+/// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`]. Depth zero
+/// is the limit from inside the body. There sxx, syy and sxy are logarithmically infinite or jump between cells of different
+/// tractions. On a common edge the mean of both sides of their finite parts is returned ([the page of the
 /// module](crate::subsurface#on-the-surface)).
 ///
-/// On a grid that repeats along y all images of the cells count too, and displacements are relative to the datum.
+/// If the grid is periodic along y, the sum includes all images of the cells, and displacements are relative to the datum.
 ///
-/// The cost of a point is about 0.3 microseconds for each loaded cell (some fifty times that where several rows repeat along y).
-/// For a whole plane use [`Planes`](crate::subsurface::Planes). More than
-/// [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) points, and those of as many cells, are shared by the threads of the
-/// caller's pool; the bits do not depend on their number.
+/// # Cost
+///
+/// A point takes about 0.3 microseconds per loaded cell, and about fifty times as long if several rows are periodic along y. For
+/// a whole plane use [`Planes`](crate::subsurface::Planes). The threads of the caller's pool share the work if there are more
+/// than [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) points or the grid has more cells than this. The results are bitwise
+/// identical for any number of threads.
 ///
 /// ```
 /// use stickslip::subsurface::{self, Body};
@@ -81,11 +84,15 @@ pub struct PointResult {
 /// ```
 ///
 /// # Errors
-/// [`Error::Sample`] for a depth that is negative, a coordinate, traction or uniform stress that is not finite, or a point
-/// farther away than 1e60 of the shorter side of a cell;
-/// [`Error::GridMismatch`], [`Error::BoundaryMismatch`] and [`Error::MaterialMismatch`] if the tractions are not
-/// those of these bodies; [`Error::RigidBody`]; [`Error::UnsupportedForCoatings`] for a coated body, which has [`Planes`](crate::subsurface::Planes);
-/// [`Error::DivergentPeriodicSum`] if the grid repeats along both axes: use [`Planes`](crate::subsurface::Planes); [`Error::Memory`]; [`Error::Ranks`].
+/// - [`Error::Sample`] for a negative depth, for a coordinate, traction or uniform stress that is not finite, or for a point
+///   farther away than 1e60 times the shorter side of a cell.
+/// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] if the
+///   tractions belong to different bodies.
+/// - [`Error::RigidBody`] for a rigid body.
+/// - [`Error::UnsupportedForCoatings`] for a coated body; use [`Planes`](crate::subsurface::Planes).
+/// - [`Error::DivergentPeriodicSum`] if the grid is periodic along both axes; use [`Planes`](crate::subsurface::Planes).
+/// - [`Error::Memory`] if memory runs out.
+/// - [`Error::Ranks`] if the bodies are distributed over ranks.
 pub fn at_points<'a>(
     bodies: &HalfSpace,
     body: Body,
@@ -95,11 +102,12 @@ pub fn at_points<'a>(
     at_points_observed(bodies, body, tractions, points, unwatched)
 }
 
-/// [`at_points`] with an observer that may cancel. It is asked before each portion of the points: a few for each thread, or more
-/// where those take less than some 30 milliseconds; portions count as products.
+/// Calls [`at_points`] with an observer that may cancel. The observer is called before each portion of the points. A portion
+/// contains a few points per thread, or more if these take less than about 30 milliseconds. Portions count as products.
 ///
 /// # Errors
-/// As [`at_points`]; [`Error::NotConverged`] if it cancels.
+/// - The errors of [`at_points`].
+/// - [`Error::NotConverged`] if the observer cancels.
 pub fn at_points_observed<'a>(
     bodies: &HalfSpace,
     body: Body,

@@ -1,4 +1,4 @@
-//! The integrals of a depth in Fourier space, shared by both bodies, and the components composed of them.
+//! The integrals at a depth in Fourier space, which both bodies share, and the components composed of them.
 
 use std::f64::consts::TAU;
 
@@ -16,32 +16,32 @@ use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weig
 use crate::subsurface::layered::{Layered, StressEntry};
 use crate::subsurface::strip::Strips;
 
-/// The spectra of the kernels at one depth.
+/// Spectra of the kernels at one depth.
 #[derive(Debug)]
 pub(super) struct Spectra {
     depth: f64,
-    /// Where the integrals are taken.
+    /// Depth at which the integrals are evaluated.
     z: f64,
     values: SpectrumValues,
-    /// The first wave along x here, and waves along y.
+    /// First local wave along x, and number of waves along y.
     first: usize,
     height: usize,
     repeats: bool,
 }
 
-/// Those of the displacements only where they are asked for; otherwise they are empty.
+/// Values of the kernels. The arrays for displacements are empty if displacements are not requested.
 #[derive(Debug)]
 enum SpectrumValues {
-    /// The integrals, which depend on the cells, not on the materials, so that homogeneous bodies have them in common.
+    /// Integrals, which depend on the cells but not on the materials, so homogeneous bodies share them.
     Integrals([Vec<f64>; Integral::COUNT]),
-    /// The components in a coated body under each traction, and Poisson's ratio at the depth.
+    /// Components in a coated body under each traction, and Poisson's ratio at the depth.
     Layered([Vec<f64>; StressEntry::COUNT], f64),
 }
 
-/// What the integrals take while they are made, per sampled distance: all of them, the rows of one and the spectrum of
-/// one.
+/// Memory of the integrals during their computation, per sampled distance: all integrals, and the rows and the spectrum
+/// of one integral.
 const BYTES: usize = (Integral::COUNT + 2) * size_of::<f64>();
-/// What the components of a coated body take.
+/// Memory of the components of a coated body during their computation, per sampled distance.
 const LAYERED_BYTES: usize = (StressEntry::COUNT + 2) * size_of::<f64>();
 
 impl Spectra {
@@ -85,7 +85,7 @@ impl Spectra {
         ))
     }
 
-    /// Those of a coated body.
+    /// Computes the spectra of a coated body.
     pub(super) fn layered(
         bodies: &HalfSpace,
         body: &Material,
@@ -128,7 +128,7 @@ impl Spectra {
         self.depth
     }
 
-    /// The kernels of three components.
+    /// Returns the kernels of three components.
     pub(super) fn compose(
         &self,
         components: [Component; 3],
@@ -144,7 +144,7 @@ impl Spectra {
     }
 }
 
-/// Transforms the samples of all kernels that are kept; those of waves are their transforms.
+/// Transforms the samples of all kernels that are kept. On a periodic grid the values are transforms already.
 fn transform<const N: usize>(
     values: &mut [Vec<f64>; N],
     boundary: Boundary,
@@ -165,7 +165,7 @@ fn transform<const N: usize>(
     Ok(())
 }
 
-/// The integrals at the distances of a quarter of the torus that are sampled here, row by row.
+/// Returns the integrals at the local distances of a quarter of the torus, row by row.
 fn samples(
     grid: Grid,
     boundary: Boundary,
@@ -196,7 +196,7 @@ fn samples(
     Ok(values)
 }
 
-/// Symbols of kernels, or their imaginary parts, for the waves of a quarter that are multiplied here.
+/// Returns symbols of kernels, or their imaginary parts, for the local waves of a quarter.
 fn waves<const N: usize>(
     grid: Grid,
     torus: &Torus,
@@ -220,7 +220,7 @@ fn waves<const N: usize>(
             }
             let [x, y] = [0, 1].map(|axis| TAU / sides[axis] * periods[axis] as f64);
             for (n, (line, symbol)) in lines.iter_mut().zip(symbols([x, y])).enumerate() {
-                // A wave of two cells per period has no direction, so what is odd vanishes there.
+                // A wave of two cells per period has no direction, so odd symbols vanish there.
                 let odd = is_odd(n);
                 let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == size[axis]);
                 line[row] = if is_lost { 0.0 } else { symbol };
@@ -233,11 +233,11 @@ fn waves<const N: usize>(
     Ok(values)
 }
 
-/// The Fourier transforms of the functions under the integrals, or their imaginary parts, for the wave vector `[x, y]`,
-/// not zero.
+/// Returns the Fourier transforms of the functions under the integrals, or their imaginary parts, for a nonzero wave
+/// vector `[x, y]`.
 ///
-/// The harmonic potentials have `V = 2 pi exp(-kz)/k`, `L = -V/k` and `W = V/k^2`, as each is the derivative of the
-/// next along z. `T` follows from the stresses of an incompressible body: `T_ijz = z V_ij - V_z` on the diagonal,
+/// The harmonic potentials are `V = 2 pi exp(-kz)/k`, `L = -V/k` and `W = V/k^2`, because each is the z derivative of
+/// the next. `T` follows from the stresses of an incompressible body: `T_ijz = z V_ij - V_z` on the diagonal,
 /// `T_xyz = z V_xy`, `T_xzz = z V_xz`, `T_xxy = z L_xxy - W_xxy - V_y`, and `T_iik = -3 V_k`.
 fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
     let k = x.hypot(y);
@@ -267,7 +267,7 @@ fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
     Integral::ALL.map(|integral| decay * of(integral))
 }
 
-/// Three components under each traction, of a homogeneous body as sums of the integrals.
+/// Kernels of three components under each traction; for a homogeneous body they are sums of the integrals.
 #[derive(Debug)]
 pub(super) struct ComposedSpectra<'a> {
     spectra: &'a Spectra,
@@ -277,8 +277,8 @@ pub(super) struct ComposedSpectra<'a> {
 }
 
 impl ComposedSpectra<'_> {
-    /// What a unit mean traction causes on a grid that repeats along both axes: the stresses of a body whose sides do
-    /// not move, and no displacement.
+    /// Returns the response to a unit mean traction on a grid that is periodic along both axes. It consists of the
+    /// stresses of a body without lateral strain; the displacement is zero.
     fn mean(&self, component: Component, load: Load) -> f64 {
         let nu = match self.spectra.values {
             SpectrumValues::Integrals(_) => self.poisson_ratio,

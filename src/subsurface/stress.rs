@@ -1,10 +1,10 @@
-//! The stress at a point and what is read from it.
+//! The stress at a point and the quantities derived from it.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use crate::numerics::jacobi::diagonalised;
 
-/// The symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
+/// Symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
 ///
 /// ```
 /// use stickslip::subsurface::Stress;
@@ -15,7 +15,7 @@ use crate::numerics::jacobi::diagonalised;
 /// assert_eq!(principal.values, [2.0, 0.0, -2.0]);
 /// assert!((principal.directions[0][0] - principal.directions[0][1]).abs() < 1e-15);
 /// assert_eq!(stress.hydrostatic(), 0.0);
-/// // Stresses of two loads add up, and grow with their load.
+/// // Stresses of two loads add up, and scale with the load.
 /// let tension = Stress { xx: 3.0, ..Stress::default() };
 /// assert_eq!((stress + 2.0 * tension).xx, 6.0);
 /// assert_eq!(stress + tension - tension, stress);
@@ -46,20 +46,20 @@ pub struct Stress {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Principal {
-    /// The principal stresses (pressures, tensile positive), the largest first.
+    /// Principal stresses (pressures, tensile positive), in descending order.
     pub values: [f64; 3],
-    /// The unit vector `[x, y, z]` of each. They are orthogonal and form a right-handed set; the signs of the first two
-    /// are arbitrary, and directions of equal stresses are any within their plane.
+    /// Unit vector `[x, y, z]` of each principal stress. The vectors are orthogonal and form a right-handed set. The
+    /// signs of the first two are arbitrary, and the directions of equal stresses are arbitrary within their plane.
     pub directions: [[f64; 3]; 3],
 }
 
 impl Stress {
-    /// `[xx, yy, zz, xy, xz, yz]`.
+    /// Returns the components `[xx, yy, zz, xy, xz, yz]`.
     pub(super) fn components(&self) -> [f64; 6] {
         [self.xx, self.yy, self.zz, self.xy, self.xz, self.yz]
     }
 
-    /// By components, with those of another stress.
+    /// Combines each component with the same component of another stress.
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             xx: f(self.xx, other.xx),
@@ -71,7 +71,7 @@ impl Stress {
         }
     }
 
-    /// Von Mises' equivalent stress (a pressure), never negative:
+    /// Returns the von Mises equivalent stress (a pressure), never negative:
     ///
     /// ```math
     /// \sigma_v^2 = \tfrac12 \left[(\sigma_{xx} - \sigma_{yy})^2 + (\sigma_{yy} - \sigma_{zz})^2
@@ -93,22 +93,23 @@ impl Stress {
         (0.5 * (a + b + c) + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
     }
 
-    /// The mean of the three normal stresses, `(xx + yy + zz)/3` (a pressure): positive in tension, negative under
-    /// compression. Its negative is the hydrostatic pressure.
+    /// Returns the mean of the three normal stresses, `(xx + yy + zz)/3` (a pressure): positive in tension, negative
+    /// under compression. Its negative is the hydrostatic pressure.
     #[must_use]
     pub fn hydrostatic(&self) -> f64 {
         (self.xx + self.yy + self.zz) / 3.0
     }
 
-    /// The largest shear stress on any plane through the point, half the difference of the largest and the smallest
-    /// principal stress (a pressure): Tresca's measure.
+    /// Returns the largest shear stress on any plane through the point, half the difference of the largest and the
+    /// smallest principal stress (a pressure). This is Tresca's measure.
     #[must_use]
     pub fn max_shear(&self) -> f64 {
         let [largest, _, smallest] = self.principal().values;
         0.5 * (largest - smallest)
     }
 
-    /// Principal stresses and their directions: the errors are round-off, of the values that of the largest stress.
+    /// Returns the principal stresses and their directions. The errors are of the order of round-off; the errors of the
+    /// values are relative to the largest stress.
     #[must_use]
     pub fn principal(&self) -> Principal {
         let Self {
@@ -123,7 +124,7 @@ impl Stress {
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| values[j].total_cmp(&values[i]));
         let [a, b, _] = order.map(|i| vectors.map(|row| row[i]));
-        // Each rotation has left its rounding in the axes.
+        // Each rotation has added round-off to the axes.
         let a = unit(a);
         let along = dot(a, b);
         let b = unit([0, 1, 2].map(|k| b[k] - along * a[k]));
@@ -139,7 +140,7 @@ impl Stress {
     }
 }
 
-/// The stress of two loads together.
+/// Adds the stresses of two loads.
 impl Add for Stress {
     type Output = Self;
 
@@ -162,7 +163,7 @@ impl Sub for Stress {
     }
 }
 
-/// The stress of a load times a factor.
+/// Multiplies the stress of a load by a factor.
 impl Mul<f64> for Stress {
     type Output = Self;
 

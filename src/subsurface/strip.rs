@@ -7,8 +7,8 @@ use crate::grid::boundary::Boundary;
 use crate::influence::periodic_images::{FAR, pieces};
 use crate::subsurface::kernel::{Integral, LoadedRectangle};
 
-/// Rows of cells that repeat along y: the cells near the point one by one, the others as a uniform strip
-/// ([how](crate::influence::periodic_images)).
+/// Rows of cells that are periodic along y. The cells near the point are summed individually, the others as a
+/// uniform strip (see [`periodic_images`](crate::influence::periodic_images)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strips {
     /// Half sides of a cell.
@@ -16,12 +16,12 @@ pub(super) struct Strips {
     b: f64,
     period: f64,
     datum: f64,
-    /// What replaces a zero distance inside a logarithm, as in the pieces that the strip is made up with.
+    /// Length that replaces a zero distance inside a logarithm, as in the pieces that correct the strip.
     edge: f64,
 }
 
 impl Strips {
-    /// None where the grid does not repeat along y alone.
+    /// Returns `None` if the grid is not periodic along y alone.
     pub(super) fn new(grid: Grid, boundary: Boundary) -> Option<Self> {
         let Boundary::PeriodicAlongY { datum } = boundary else {
             return None;
@@ -39,7 +39,7 @@ impl Strips {
         })
     }
 
-    /// The integrals at `[x, y, z]` with `|y| <= period/2`.
+    /// Returns the integrals at `[x, y, z]` with `|y| <= period/2`.
     pub(super) fn integrals(
         &self,
         cell: &LoadedRectangle,
@@ -57,7 +57,7 @@ impl Strips {
         values
     }
 
-    /// The integrals at the points `(x, y, z)` of a row, with `x` ascending from zero or more and
+    /// Computes the integrals at the points `(x, y, z)` of a row, with ascending `x >= 0` and
     /// `0 <= y <= period/2`.
     pub(super) fn integrals_along_row(
         &self,
@@ -98,7 +98,7 @@ impl Strips {
                 }
             }
         }
-        // Here, and half a period away, the images of one side are those of the other.
+        // At these y the images on both sides are symmetric, so odd integrals vanish.
         if y == 0.0 || 2.0 * y >= self.period {
             for (out, integral) in out.iter_mut().zip(Integral::ALL) {
                 if integral.is_odd()[1] {
@@ -108,18 +108,20 @@ impl Strips {
         }
     }
 
-    /// Over a strip of half width `a` along y, infinitely long: the limits of the closed forms, in which
-    /// `V` is relative to the datum and a constant is left out of `W_xx = -V`, as both are on the surface.
+    /// Returns the integrals over an infinitely long strip of half width `a` along y. They are the limits of
+    /// the closed forms. `V` is relative to the datum, and a constant is omitted from `W_xx = -V`, as on the
+    /// surface.
     fn of_strip(&self, x: f64, z: f64) -> [f64; Integral::COUNT] {
-        // In units of the half width.
+        // Lengths are in units of the half width.
         let [x, z, datum] = [x, z, self.datum].map(|length| length / self.a);
         let (right, left) = (x + 1.0, x - 1.0);
         let mut squares = [right, left].map(|x| x * x + z * z);
         let [arc_right, arc_left] = [right, left].map(|x| x.atan2(z));
-        // Differences between the edges at x + a and x - a.
+        // These are differences between the edges at x + a and x - a.
         let (arcs, logarithms, zz, zx);
         if squares[1] == 0.0 {
-            // On an edge of the surface the mean of both sides, and in the logarithm a length in place of none.
+            // On an edge of the surface the value is the mean of both sides, and a length replaces the zero
+            // distance in the logarithm.
             squares[1] = (self.edge / self.a).powi(2);
             logarithms = (squares[0] / squares[1]).ln();
             (arcs, zz, zx) = (FRAC_PI_2, 0.0, 0.0);

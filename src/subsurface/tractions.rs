@@ -1,4 +1,4 @@
-//! What acts on the surface of the bodies.
+//! The tractions on the surface of the bodies.
 
 use std::borrow::Cow;
 use std::fmt::Debug;
@@ -19,13 +19,16 @@ use crate::normal::NormalSolution;
 use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
-/// Pressure and tractions on the surface (pressures), from fields or from a solution: those of a [`NormalSolution`], of a
-/// pair of one and a [`TangentialSolution`], of a [`CoupledSolution`], a [`History`] or a [`State`].
+/// Pressure and tractions on the surface (pressures). They are created from fields, from a [`NormalSolution`], from a
+/// pair of a [`NormalSolution`] and a [`TangentialSolution`], from a [`CoupledSolution`], from a [`History`] or from a
+/// [`State`].
 ///
-/// On bodies with [`CellValue::Centre`] the values are those at the centres, and the cells that are summed up carry
-/// $`p - \Delta_h p/24`$, which moves the surface alike where the outermost cells of a free grid carry nothing.
+/// On bodies with [`CellValue::Centre`] the fields contain values at the cell centres. The sum uses uniform cells that
+/// carry $`p - \Delta_h p/24`$. Both cause the same displacements of the surface if the outermost cells of a free grid
+/// carry nothing.
 ///
-/// Signs as everywhere: a positive pressure is compression, the tractions are those on body 1 along x and y.
+/// The sign convention is that of the whole crate: a positive pressure is compression, and the tractions act on body 1
+/// along x and y.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};
@@ -44,14 +47,14 @@ use crate::tangential::TangentialSolution;
 pub struct Tractions<'a> {
     pressure: &'a Field,
     traction: Option<[&'a Field; 2]>,
-    /// Of the body whose stress is asked for.
+    /// Uniform stress of the body whose stress is requested.
     uniform: Stress,
-    /// Surroundings and bodies of the solution that they come from.
+    /// Boundary, cell values and bodies of the solution that contains the tractions.
     host: Option<(Boundary, CellValue, &'a ElasticPair)>,
 }
 
 impl<'a> Tractions<'a> {
-    /// A pressure (positive in compression), without traction.
+    /// Creates tractions from a pressure (positive in compression), without shear.
     #[must_use]
     pub fn new(pressure: &'a Field) -> Self {
         Self {
@@ -62,7 +65,7 @@ impl<'a> Tractions<'a> {
         }
     }
 
-    /// With tractions along x and y (pressures) on body 1, in place of those it had.
+    /// Sets the tractions along x and y (pressures) on body 1 and replaces previous tractions.
     #[must_use]
     pub fn with_traction(self, traction: [&'a Field; 2]) -> Self {
         Self {
@@ -71,9 +74,9 @@ impl<'a> Tractions<'a> {
         }
     }
 
-    /// With a uniform stress of the body that is looked into (pressures, tensile positive), such as bulk stress, which is
-    /// added to the stress of the tractions everywhere, at the surface too; in place of the one it had. Displacements are
-    /// still those of the tractions.
+    /// Sets a uniform stress (pressures, tensile positive), such as a bulk stress. It is added everywhere, including the
+    /// surface, to the stress that the tractions cause in the computed body. It replaces a previous uniform stress.
+    /// Displacements are valid_range.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Stress, Tractions};
@@ -102,18 +105,19 @@ impl<'a> Tractions<'a> {
         }
     }
 
-    /// What of them must be the same on all ranks.
+    /// Returns the properties that must be equal on all ranks.
     pub(super) fn shown(&self) -> impl Debug {
         (self.traction.is_some(), self.uniform)
     }
 
-    /// The uniform stress that is added, once it is finite.
+    /// Returns the uniform stress, or an error if it is not finite.
     pub(super) fn checked_uniform(&self) -> Result<Stress> {
         all_finite("uniform stress", &self.uniform.components())?;
         Ok(self.uniform)
     }
 
-    /// Pressure and tractions along x and y, if any, of uniform cells, once they are those of these bodies and finite.
+    /// Returns the pressure and, if present, the tractions along x and y of uniform cells. Returns an error if they
+    /// belong to different bodies or are not finite.
     pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<Cow<'a, [f64]>>; 3]> {
         let (grid, quantity) = (bodies.grid(), "the contact whose stress is asked for");
         if let Some((boundary, cell_value, pair)) = self.host {
@@ -135,10 +139,10 @@ impl<'a> Tractions<'a> {
     }
 }
 
-/// The tractions of uniform cells that move the surface as these do.
+/// Returns the tractions of uniform cells that cause the same surface displacements.
 fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>> {
     let values = traction.as_slice();
-    // A grid of waves has their own kernels below the surface too.
+    // On a periodic grid, the waves have their own kernels also below the surface.
     let is_of_waves = bodies.boundary() == Boundary::Periodic;
     if is_of_waves || bodies.cell_value() == CellValue::Uniform {
         return Ok(Cow::Borrowed(values));
@@ -152,7 +156,7 @@ fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>
     )?))
 }
 
-/// The pressure of a contact.
+/// Creates tractions from the pressure of a contact.
 impl<'a> From<&'a NormalSolution> for Tractions<'a> {
     fn from(normal: &'a NormalSolution) -> Self {
         let host = Some((normal.boundary(), normal.cell_value(), normal.pair()));
@@ -163,14 +167,14 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
     }
 }
 
-/// The pressure and the tractions of a contact that was solved one after the other.
+/// Creates tractions from the pressure and the tractions of a contact with one-way coupling.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
     fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
         Self::from(normal).with_traction(tangential.traction())
     }
 }
 
-/// Those of a contact of dissimilar bodies.
+/// Creates tractions from a coupled contact of dissimilar bodies.
 #[cfg(feature = "history")]
 impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     fn from(solution: &'a CoupledSolution) -> Self {
@@ -178,7 +182,7 @@ impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     }
 }
 
-/// Those of a state of a history.
+/// Creates tractions from a state of a history.
 #[cfg(feature = "history")]
 impl<'a> From<&'a State> for Tractions<'a> {
     fn from(state: &'a State) -> Self {
@@ -186,7 +190,7 @@ impl<'a> From<&'a State> for Tractions<'a> {
     }
 }
 
-/// Those of a history as it stands.
+/// Creates tractions from the current state of a history.
 #[cfg(feature = "history")]
 impl<'a> From<&'a History> for Tractions<'a> {
     fn from(history: &'a History) -> Self {

@@ -1,4 +1,4 @@
-//! The stress of a slab as a file.
+//! Files with the stress of a volume.
 
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -12,22 +12,23 @@ use crate::subsurface::plane::Plane;
 use crate::subsurface::planes::Planes;
 use crate::subsurface::tractions::Tractions;
 
-/// The arrays of the file; the order of the components is that of a symmetric tensor of VTK.
+/// Arrays of the file. The components are in the order of a symmetric tensor in VTK.
 const STRESS: Array = ("stress", &["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);
 const VON_MISES: Array = ("von_mises", &[]);
 const DISPLACEMENT: Array = ("displacement", &["X", "Y", "Z"]);
 
-/// Relative difference between steps that count as equal.
+/// Relative difference below which steps count as equal.
 const EQUAL: f64 = 1e-9;
 
 impl Planes {
-    /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView: the tensor `stress` (xx, yy, zz,
-    /// xy, yz, xz), `von_mises`, both with the [uniform stress](Tractions::with_uniform_stress) if there is one, and the vector `displacement` if it was [asked for](Self::with_displacements), in
-    /// doubles that keep every bit. z is that of the axes common to both bodies: body 2 lies at `z <= 0`.
+    /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView. The file contains the tensor `stress` (xx,
+    /// yy, zz, xy, yz, xz) and `von_mises`, both including the [uniform stress](Tractions::with_uniform_stress), and the vector
+    /// `displacement` if it was [requested](Self::with_displacements). All values are doubles without loss of precision. The z
+    /// axis is common to both bodies: body 2 is at `z <= 0`.
     ///
-    /// The values are point data at the cell centres, where they hold, on an image whose origin is the first of them; a
-    /// [flat image](crate::io::vti) of the surface has its cells around them. Depths are computed and written one by
-    /// one: memory does not grow with their number.
+    /// The values are point data at the cell centres, where they are computed. The origin of the image is the first cell centre;
+    /// in a [flat image](crate::io::vti) of the surface, cells surround these points. Depths are computed and written
+    /// sequentially, so the memory does not grow with their number.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Tractions};
@@ -39,7 +40,7 @@ impl Planes {
     /// let path = std::env::temp_dir().join("stickslip_slab.vti");
     /// let mut planes = Planes::new(&bodies, &[0.0, 0.1, 0.2])?;
     /// planes.write_vti(&path, Body::One, Tractions::new(&pressure))?;
-    /// // Seven doubles a point.
+    /// // Each point has seven doubles.
     /// let size = std::fs::metadata(&path).unwrap().len();
     /// assert!(size > 3 * 16 * 16 * 7 * 8);
     /// # std::fs::remove_file(&path).unwrap();
@@ -47,9 +48,12 @@ impl Planes {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Sample`] for the first depth that does not follow the others in equal steps downwards;
-    /// [`Error::Length`] if there is no depth; [`Error::File`]; as [`Planes::solve`]. A file that was there is then
-    /// as it was.
+    /// - [`Error::Sample`] for the first depth that is not in equal downward steps.
+    /// - [`Error::Length`] if there is no depth.
+    /// - [`Error::File`] if the file cannot be written.
+    /// - The errors of [`Planes::solve`].
+    ///
+    /// An existing file is unchanged after an error.
     #[doc(alias = "ParaView")]
     pub fn write_vti<'a>(
         &mut self,
@@ -60,10 +64,11 @@ impl Planes {
         self.write_vti_observed(path, body, tractions, unwatched)
     }
 
-    /// [`write_vti`](Self::write_vti) with an observer that is asked as by [`solve_observed`](Self::solve_observed).
+    /// Calls [`write_vti`](Self::write_vti) with an observer, which is called as in [`solve_observed`](Self::solve_observed).
     ///
     /// # Errors
-    /// As [`write_vti`](Self::write_vti); [`Error::NotConverged`] if it cancels.
+    /// - The errors of [`write_vti`](Self::write_vti).
+    /// - [`Error::NotConverged`] if the observer cancels.
     pub fn write_vti_observed<'a>(
         &mut self,
         path: impl AsRef<Path>,
@@ -113,7 +118,7 @@ impl Planes {
     }
 }
 
-/// The first depth and the step to the next.
+/// Returns the first depth and the step between depths.
 fn equal_steps(depths: &[f64]) -> Result<(f64, f64)> {
     let (first, last) = match depths {
         [] => return length("list of depths", 1, 0).map(|()| (0.0, 1.0)),

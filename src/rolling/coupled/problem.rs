@@ -1,4 +1,4 @@
-//! The scene of coupled steady rolling, checked once.
+//! The problem of coupled steady rolling and the checks of its input.
 
 use std::sync::Arc;
 
@@ -20,10 +20,11 @@ use crate::tangential::{Axis, Friction, TangentialModel};
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
 ///
 /// Between bodies of different materials tractions lift the surfaces, and the pressure changes. A
-/// [`RollingProblem`](crate::rolling::RollingProblem) takes a pressure that ignores the lift. This problem finds both
-/// together: it adds the lift to the gap, solves the pressure and the tractions again, and repeats until the tractions
-/// no longer change. For bodies that [are not coupled](crate::ElasticPair::is_coupled) one pass is exact; its results
-/// are bitwise identical to the results of a [`NormalProblem`](crate::NormalProblem) and a `RollingProblem`.
+/// [`RollingProblem`](crate::rolling::RollingProblem) requires a given pressure, which ignores the lift. This problem
+/// solves for pressure and tractions together. It adds the lift to the gap, solves for the pressure and the tractions
+/// again, and repeats until the tractions no longer change. For bodies that [are not
+/// coupled](crate::ElasticPair::is_coupled) one pass is exact; its results are bitwise identical to the results of a
+/// [`NormalProblem`](crate::NormalProblem) and a `RollingProblem`.
 ///
 /// ```
 /// use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
@@ -75,9 +76,9 @@ pub struct CoupledRollingProblemBuilder {
 }
 
 impl CoupledRollingProblem {
-    /// Creates a builder from bodies, gap before loading (lengths, on the grid of the bodies), friction and normal load.
-    /// Without options both creepages and the spin are zero. The gap is copied from a reference. A gap given by value, or
-    /// in an [`Arc`], is not copied.
+    /// Creates a builder from the bodies, the gap before loading (lengths, on the grid of the bodies), the friction and
+    /// the normal load. Without options both creepages and the spin are zero. The gap is copied from a reference. A gap
+    /// given by value, or in an [`Arc`], is not copied.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -102,13 +103,14 @@ impl CoupledRollingProblem {
         }
     }
 
-    /// Solves once, with its own buffers.
+    /// Solves the problem once. Each call allocates its own buffers.
     ///
     /// # Errors
     /// - [`Error::NotConverged`] with the report. [`CoupledRollingSolver::solve_into`] keeps the last iterate.
     /// - [`Error::EmptyContact`] if no cell carries pressure.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
-    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction does not hold the loads.
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the loads exceed the capacity of
+    ///   friction.
     /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledRollingSolution> {
         let mut solver = CoupledRollingSolver::new(self.try_clone()?)?;
@@ -117,8 +119,8 @@ impl CoupledRollingProblem {
         Ok(solution)
     }
 
-    /// Returns the reusable solver. Gap, friction and loads may change between its solves, and each solve starts from the
-    /// last solution.
+    /// Returns the reusable solver. The gap, the friction and the loads can change between solves, and each solve starts
+    /// from the last solution.
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
@@ -126,7 +128,7 @@ impl CoupledRollingProblem {
         CoupledRollingSolver::new(self)
     }
 
-    /// Returns an error for loads that no pressure allows.
+    /// Returns an error if no pressure can carry the loads.
     pub(super) fn check(
         &self,
         normal: NormalControl,
@@ -148,7 +150,7 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Sets the number of cells that a particle passes in a step (default 1).
+    /// Sets the number of cells that a particle passes per step (default 1).
     pub fn step(mut self, cells: usize) -> Self {
         self.problem.cells = cells;
         self
@@ -179,23 +181,25 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Sets how cells that enter the contact follow the motion (default [`EntryRule::SinceTouch`]).
+    /// Sets the entry law, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
     pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
         self.problem.entry_rule = entry_rule;
         self
     }
 
-    /// Checks everything that does not depend on the pressure.
+    /// Checks all inputs that do not depend on the pressure.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if gap or friction live on a different grid, [`Error::Sample`] if the gap is not finite.
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`] for the
-    ///   normal load.
-    /// - [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells.
+    /// - [`Error::GridMismatch`] if the gap or the friction has a different grid, [`Error::Sample`] if the gap is not
+    ///   finite.
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`] for an
+    ///   invalid normal load.
+    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
+    ///   step of zero cells.
     /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or spin on such a grid.
     /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
-    /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for the settings.
-    /// - [`Error::Ranks`] on bodies that ranks share.
+    /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for invalid settings.
+    /// - [`Error::Ranks`] if the bodies are distributed over ranks.
     pub fn build(self) -> Result<CoupledRollingProblem> {
         let Self {
             mut problem,

@@ -1,42 +1,44 @@
-//! How a solve of coupled rolling ended, and how large its error can be.
+//! The report of a coupled rolling solve: status, cost and error bounds.
 
 use crate::error::{Error, Result};
 use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
 
-/// Report of coupled steady rolling: ending, cost, passes and certified errors.
+/// Report of coupled steady rolling: status, cost, passes and certified errors.
 ///
-/// The equations have two halves: the pressure for given tractions, and the tractions for a given pressure. Each half has
-/// a rigorous bound of its error. Coupled rolling as a whole has no known bound, as in
-/// [`CoupledReport`](crate::coupled::CoupledReport).
+/// The equations have two halves: the pressure for given tractions, and the tractions for a given pressure. The error of
+/// each half has a rigorous bound. As for [`CoupledReport`](crate::coupled::CoupledReport), no bound is known for the
+/// coupled problem as a whole.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct CoupledRollingReport {
-    /// Report of the whole: status, steps and products of all passes, and the largest residual of both halves. The duality
-    /// gap is infinite for coupled bodies.
+    /// Report of the coupled solve: status, iterations and products of all passes, and the larger residual of the two
+    /// halves. The duality gap is infinite for coupled bodies.
     pub work: Report,
-    /// Steps and products for the pressure, with the certificate of the last pass.
+    /// Iterations and products for the pressure, with the certificate of the last pass.
     pub normal: Report,
-    /// Steps and products for the tractions, with the certificate of the last pass.
+    /// Iterations and products for the tractions, with the certificate of the last pass.
     pub rolling: Report,
-    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    /// Number of passes. Each pass solves for the pressure and then for the tractions.
     pub passes: usize,
-    /// Residual of the coupling: half the range of the lift within the contact that the last pass has added, over the
-    /// largest normal displacement. If the approach is prescribed, the largest such lift replaces half the range.
+    /// Residual of the coupling. It is half the range, within the contact, of the lift that the last pass has added,
+    /// divided by the largest normal displacement. If the approach is prescribed, the largest absolute value of that lift
+    /// replaces half its range.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub coupling_residual: f64,
-    /// Change of the pressure in the last pass, over the pressure (root mean squares). Zero after one pass that is exact.
+    /// Change of the pressure in the last pass divided by the pressure (root mean squares). It is zero if a single pass is
+    /// exact.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_change: f64,
-    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    /// Bound of the relative error of the pressure in the energy norm for the tractions of the solution.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_error_bound: f64,
-    /// Bound of the relative error of the tractions in the norm of
-    /// [rolling](crate::rolling#uniqueness-and-error), for the pressure of the solution.
+    /// Bound of the relative error of the tractions in the norm of [rolling](crate::rolling#uniqueness-and-error) for the
+    /// pressure of the solution.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
-    /// Estimate of the relative error of the pressure in the energy norm, of the coupled contact as a whole. It is not a
+    /// Estimate of the relative error of the pressure in the energy norm for the coupled contact as a whole. It is not a
     /// bound. It assumes the slopes of [`ErrorEstimate`](crate::coupled::ErrorEstimate); `None` if their product is one or
     /// more.
     pub error_estimate: Option<f64>,
@@ -69,7 +71,7 @@ impl CoupledRollingReport {
         }
     }
 
-    /// Before a solve, with the memory there is.
+    /// Resets the report before a solve and keeps its memory.
     pub(super) fn clear(&mut self) {
         for report in [&mut self.work, &mut self.normal, &mut self.rolling] {
             report.clear();
@@ -80,7 +82,7 @@ impl CoupledRollingReport {
         self.error_estimate = None;
     }
 
-    /// Error of both halves and of their coupling, the largest part.
+    /// Returns the largest of the errors of both halves and of their coupling.
     pub(super) fn merit(&self) -> f64 {
         [
             self.work.residual,
@@ -92,7 +94,7 @@ impl CoupledRollingReport {
         .fold(0.0, crate::cgm::reduce::larger)
     }
 
-    /// Ends with a status: an error unless it has converged.
+    /// Sets the status. Returns an error if it is not [`Status::Converged`].
     pub(super) fn end(&mut self, status: Status) -> Result<()> {
         self.work.status = status;
         if status == Status::Converged {

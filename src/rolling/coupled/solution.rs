@@ -10,7 +10,8 @@ use crate::support::debug::shown;
 use crate::support::serialise::checked;
 use crate::warning::Warning;
 
-/// Both halves of coupled steady rolling. Two solutions are equal if their halves are, whatever the course of their solves.
+/// Normal and rolling solutions of coupled steady rolling. Two solutions are equal if both halves are equal, even if their
+/// solves took different numbers of iterations.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledRollingSolution {
@@ -58,20 +59,20 @@ impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
 
 impl CoupledRollingSolution {
     /// Returns the normal half: pressure, gap under load, approach, contact area. The gap includes the lift by the
-    /// tractions. For coupled bodies its report is the report of the whole.
+    /// tractions. For coupled bodies its report is the report of the coupled solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
     /// Returns the rolling half: tractions, slip, zones, creepages, force and moment. For coupled bodies its report is the
-    /// report of the whole.
+    /// report of the coupled solve.
     #[must_use]
     pub fn rolling(&self) -> &RollingSolution {
         &self.rolling
     }
 
-    /// Returns the ending, the cost, the passes and the certified errors of the solve.
+    /// Returns the status, the cost, the passes and the certified errors of the solve.
     #[must_use]
     pub fn report(&self) -> &CoupledRollingReport {
         &self.report
@@ -83,7 +84,7 @@ impl CoupledRollingSolution {
         unwrap_or_abort(self.try_warnings())
     }
 
-    /// Returns [`Self::warnings`] where memory may run out.
+    /// Returns [`Self::warnings`], or an error if memory runs out.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

@@ -19,23 +19,23 @@ use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSol
 use crate::support::debug::shown;
 use crate::tangential::{Axis, Friction, Lifting, TangentialModel, lift_residual};
 
-/// Tolerance of the halves in the first pass, and ratio of this tolerance to the error of the coupling in later passes. A
-/// ratio of 0.1 left the passes of strong friction in a cycle of two.
+/// Tolerance of the halves in the first pass, and ratio of their tolerance to the error of the coupling in later passes.
+/// With a ratio of 0.1, the passes alternated between two states under strong friction.
 const START: f64 = 1e-3;
 const SHARPER: f64 = 0.03;
-/// Part of the tolerance that the halves may use up.
+/// Fraction of the tolerance that is available for the errors of the halves.
 const HALVES: f64 = 0.3;
-/// Least tolerance of the tractions: a smaller one is below round-off.
+/// Smallest tolerance of the tractions. A smaller tolerance would be below round-off.
 const LEAST_TOLERANCE: f64 = 1e-13;
-/// Passes that a solve may take, and passes without halving the error after which it has stalled.
+/// Maximum number of passes of a solve, and number of passes without halving the error after which the solve has stalled.
 const MOST_PASSES: usize = 100;
 const PATIENCE: usize = 15;
-/// Part of a force that friction does not hold under the pressure of an intermediate pass, over the limit.
+/// Factor that reduces a force to just below the friction capacity of an intermediate pass.
 const HELD: f64 = 0.999;
-/// Measured slope of the pressure by the tractions, over beta.
+/// Measured derivative of the pressure with respect to the tractions, divided by beta.
 const TYPICAL: f64 = 0.7;
 
-/// Solves coupled rolling for one load after the other, each from the last solution.
+/// Solver of coupled rolling for a sequence of loads. Each solve starts from the last solution.
 ///
 /// ```
 /// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
@@ -62,27 +62,27 @@ pub struct CoupledRollingSolver {
     pub(super) normal: NormalSolver,
     /// Solver of the last pass; `None` before the first.
     pub(super) rolling: Option<RollingSolver>,
-    /// Operator of the lift on the whole grid; `None` of bodies that are not coupled.
+    /// Operator of the lift on the whole grid; `None` for bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,
-    /// A bound of the coupling between the energy norms, times the root of the largest tangential eigenvalue.
+    /// Bound of the coupling between the energy norms times the square root of the largest tangential eigenvalue.
     reach: f64,
     /// Tractions whose lift the gap contains.
     traction: [Vec<f64>; 2],
     lift: Vec<f64>,
     spin: f64,
     is_warm: bool,
-    /// The normal half of the last solution, of bodies that are coupled.
+    /// Normal half of the last solution of coupled bodies.
     pub(super) last: Option<NormalSolution>,
     report: CoupledRollingReport,
 }
 
 shown!(CoupledRollingSolver: problem);
 
-/// A pass that has been solved.
+/// Outcome of a pass.
 struct Pass {
-    /// Ending of a half that did not reach its tolerance.
+    /// Status of a half that did not reach its tolerance.
     failure: Option<Status>,
-    /// Whether a force was reduced that friction does not hold.
+    /// Error for a force beyond the friction capacity, if the pass reduced a force.
     held: Option<Error>,
 }
 
@@ -121,10 +121,10 @@ impl CoupledRollingSolver {
         TangentialModel::Vector.check(settings)
     });
 
-    /// Sets the loads or creepages along x and y, and the spin or moment, of the next solve.
+    /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`]; all is then unchanged.
+    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`]. All loads are then unchanged.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -136,10 +136,10 @@ impl CoupledRollingSolver {
         Ok(())
     }
 
-    /// Sets the normal load of the next solve.
+    /// Sets the normal load for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]; the load
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]. The load
     ///   is then unchanged.
     pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
         let CoupledRollingProblem { controls, spin, .. } = self.problem;
@@ -148,11 +148,11 @@ impl CoupledRollingSolver {
         Ok(())
     }
 
-    /// Sets the gap before loading of the next solve.
+    /// Sets the gap before loading for the next solve.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too
-    ///   much for the gap; [`Error::Memory`]. The gap is then unchanged.
+    ///   large for the gap; [`Error::Memory`]. The gap is then unchanged.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         gap.check("gap", bodies.grid())?;
@@ -160,16 +160,16 @@ impl CoupledRollingSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction for the next solve.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::Memory`]; the friction is then unchanged.
+    /// - [`Error::GridMismatch`] or [`Error::Memory`]. The friction is then unchanged.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
         self.problem.friction.try_clone_from(friction)
     }
 
-    /// Forgets the last solution: the next solve starts as the first did.
+    /// Discards the last solution. The next solve starts like the first solve.
     pub fn reset(&mut self) {
         self.normal.reset();
         self.rolling = None;
@@ -181,13 +181,13 @@ impl CoupledRollingSolver {
         self.last = None;
     }
 
-    /// Returns an empty solution of the right size for [`Self::solve_into`].
+    /// Returns an empty solution with the grid of the bodies for [`Self::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> CoupledRollingSolution {
         unwrap_or_abort(self.try_new_solution())
     }
 
-    /// Returns [`Self::new_solution`] where memory may run out.
+    /// Returns [`Self::new_solution`], or an error if memory runs out.
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.
@@ -199,14 +199,15 @@ impl CoupledRollingSolver {
         })
     }
 
-    /// Solves into `solution`, whose last content does not matter.
+    /// Solves into `solution` and overwrites its previous content.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the solution has a different grid; nothing is then changed.
-    /// - [`Error::NotConverged`] with the report; the last iterate is then in `solution`.
+    /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
+    /// - [`Error::NotConverged`] with the report. The last iterate is then in `solution`.
     /// - [`Error::EmptyContact`] if no cell carries pressure.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
-    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction does not hold the loads.
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the loads exceed the capacity of
+    ///   friction.
     /// - [`Error::Memory`] if memory runs out.
     pub fn solve_into(&mut self, solution: &mut CoupledRollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
@@ -215,7 +216,8 @@ impl CoupledRollingSolver {
     /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel.
     ///
     /// # Errors
-    /// As [`Self::solve_into`]; [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has cancelled.
+    /// The errors of [`Self::solve_into`]; [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has
+    /// cancelled.
     pub fn solve_observed(
         &mut self,
         solution: &mut CoupledRollingSolution,
@@ -242,7 +244,7 @@ impl CoupledRollingSolver {
         &self.report
     }
 
-    /// Repeats passes until both halves belong to one another.
+    /// Repeats passes until the pressure and the tractions are consistent with each other.
     fn solve_passes(
         &mut self,
         solution: &mut CoupledRollingSolution,
@@ -297,7 +299,7 @@ impl CoupledRollingSolver {
         }
     }
 
-    /// Tractions found, minus those whose lift the gap contains.
+    /// Returns the new tractions minus the tractions whose lift is in the gap.
     fn residual_of(&self, rolling: &RollingSolution) -> Result<[Vec<f64>; 2]> {
         fallible::try_each(|axis| {
             let found = rolling.traction()[axis].as_slice();
@@ -306,7 +308,7 @@ impl CoupledRollingSolver {
         })
     }
 
-    /// Solves the pressure over the lifted gap, then the tractions under this pressure.
+    /// Solves for the pressure over the lifted gap, then for the tractions under this pressure.
     fn solve_pass(
         &mut self,
         tolerance: f64,
@@ -334,7 +336,7 @@ impl CoupledRollingSolver {
         if pass.failure.is_some() {
             return Ok(pass);
         }
-        // A half that stalled within the tolerance serves as one that has converged.
+        // A half that has stalled within the tolerance counts as converged.
         let (.., report) = solution.normal.parts_mut();
         report.status = Status::Converged;
         let settings = conditions
@@ -345,7 +347,7 @@ impl CoupledRollingSolver {
             posed.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
         }
         let mut solver = RollingSolver::new(posed)?;
-        // Nothing is neglected here.
+        // The coupled solve neglects no lift.
         solver.lifting = None;
         if self.report.passes > 0 {
             solver.take_start(solution.rolling.traction().map(Field::as_slice), self.spin);
@@ -361,7 +363,7 @@ impl CoupledRollingSolver {
             let report = solution.rolling.report();
             self.report.rolling.add_pass(report);
             add_counts(&mut self.report.work, report);
-            // A start that leads nowhere may be the reason.
+            // The start may cause the stall; the second attempt starts from zero tractions.
             if is_last || pass.failure != Some(Status::Stalled) {
                 break;
             }
@@ -373,7 +375,7 @@ impl CoupledRollingSolver {
         Ok(pass)
     }
 
-    /// Gives the normal half the gap with the lift by the tractions.
+    /// Passes the gap with the lift by the tractions to the normal solver.
     fn lift_gap(&mut self) -> Result<()> {
         self.normal.set_load(self.problem.normal)?;
         let Some(lifting) = &mut self.lifting else {
@@ -387,8 +389,8 @@ impl CoupledRollingSolver {
         self.normal.set_gap(&gap)
     }
 
-    /// Poses the rolling under a pressure. A force that friction does not hold under it is reduced, since the pressure of
-    /// a later pass may hold it.
+    /// Builds the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
+    /// pressure, since the pressure of a later pass may carry them.
     fn pose(
         &self,
         normal: &NormalSolution,
@@ -425,7 +427,7 @@ impl CoupledRollingSolver {
         }
     }
 
-    /// Measures each half for the present other half; returns the error of their coupling.
+    /// Computes the error of each half for the current state of the other half. Returns the error of their coupling.
     fn examine(&mut self, before: &mut [f64], solution: &CoupledRollingSolution) -> Result<f64> {
         let (normal, rolling) = (&solution.normal, &solution.rolling);
         let layout = normal.grid().layout();
@@ -437,7 +439,7 @@ impl CoupledRollingSolver {
         before.copy_from_slice(pressure);
         let (coupling, energy) = self.coupling_errors(&layout, solution)?;
         let report = &mut self.report;
-        // One pass is exact where the tractions lift nothing.
+        // A single pass is exact if the tractions cause no lift.
         report.pressure_change = match self.lifting {
             None => 0.0,
             Some(_) => ratio(change.sqrt(), size.sqrt()),
@@ -462,8 +464,8 @@ impl CoupledRollingSolver {
         Ok(reduce::larger(coupling, energy))
     }
 
-    /// Residual of the normal law that the tractions leave whose lift is not in the gap, and a bound of the change of the
-    /// pressure that they cause in the energy norm, over that of the pressure.
+    /// Returns the residual of the normal law and a bound of the relative change of the pressure in the energy norm, both
+    /// caused by the tractions whose lift is not in the gap.
     fn coupling_errors(
         &mut self,
         layout: &Layout,
@@ -491,7 +493,7 @@ impl CoupledRollingSolver {
         Ok((coupling, energy))
     }
 
-    /// Writes the report, and marks the halves as those of a coupled contact.
+    /// Writes the report and marks both halves as halves of a coupled contact.
     fn finish(&mut self, solution: &mut CoupledRollingSolution, outcome: &Result<()>) {
         if self.lifting.is_some() {
             self.report.work.duality_gap = f64::INFINITY;
@@ -505,7 +507,7 @@ impl CoupledRollingSolver {
             normal.parts_mut().3.clone_from(&self.report.work);
             solution.rolling.set_report(&self.report.work);
         }
-        // The next solve starts from the tractions found.
+        // The next solve starts from these tractions.
         for (kept, found) in self.traction.iter_mut().zip(solution.rolling.traction()) {
             kept.copy_from_slice(found.as_slice());
         }
@@ -518,14 +520,14 @@ impl CoupledRollingSolver {
     }
 }
 
-/// Adds the counts of a half to those of the whole.
+/// Adds the counts of a half to the counts of the coupled solve.
 fn add_counts(work: &mut Report, half: &Report) {
     let whole = (work.status, work.residual, work.duality_gap);
     work.add_pass(half);
     (work.status, work.residual, work.duality_gap) = whole;
 }
 
-/// The status of a half that neither reached its tolerance nor stalled within `allowed`.
+/// Returns the status of a half, or `None` if it reached its tolerance or stalled within `allowed`.
 fn ended(outcome: Result<()>, allowed: f64) -> Result<Option<Status>> {
     match outcome {
         Ok(()) => Ok(None),
@@ -542,8 +544,8 @@ fn ratio(part: f64, whole: f64) -> f64 {
 }
 
 impl RollingProblem {
-    /// Returns the norm of rolling over the energy norm, of the smoothest tractions. The tolerance of the tractions is
-    /// smaller by this factor, since the lift follows the energy norm.
+    /// Returns the ratio of the norm of rolling to the energy norm for the smoothest tractions. The tolerance of the
+    /// tractions is smaller by this factor, because the lift follows the energy norm.
     fn noise(&self) -> f64 {
         let angle = std::f64::consts::PI / (self.chain as f64 + 1.0);
         std::f64::consts::SQRT_2 * (0.5 * angle).sin()
@@ -551,7 +553,7 @@ impl RollingProblem {
 }
 
 impl RollingSolver {
-    /// Takes tractions of the grid, and a spin, as the start of the next solve.
+    /// Sets tractions on the grid and a spin as the start of the next solve.
     fn take_start(&mut self, traction: [&[f64]; 2], spin: f64) {
         for (cell, index) in self.problem.pressed.window().indices().enumerate() {
             for (own, traction) in self.traction.iter_mut().zip(traction) {

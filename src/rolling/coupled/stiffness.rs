@@ -1,7 +1,7 @@
-//! How forces and moment follow creepages and spin, with the pressure that follows the tractions.
+//! Derivatives of forces and moment with respect to creepages and spin, including the pressure that follows the tractions.
 //!
-//! At fixed zones the equations of both halves are linear. The solver finds the changes of the pressure for given changes
-//! of the tractions, then those of the tractions, and repeats.
+//! With fixed zones the equations of both halves are linear. The solver computes the change of the pressure for a given
+//! change of the tractions, then the change of the tractions for this pressure, and repeats both.
 
 use std::ops::ControlFlow;
 
@@ -27,31 +27,31 @@ use crate::tangential::{
     Axis, CouplingDisplacement, EntryCompliance, Friction, Lifting, is_at_limit,
 };
 
-/// Relative residual of each half, and relative change of the tractions at which the repetition ends.
+/// Relative residual of each half, and relative change of the tractions that ends the iteration.
 const TOLERANCE: f64 = 1e-10;
 const CHANGE: f64 = 1e-9;
-/// Passes that a column may take.
+/// Maximum number of passes per column.
 const MOST_PASSES: usize = 200;
 /// Largest relative change of gap or pressure in the central difference of an entry compliance.
 const DIFFERENCE: f64 = 1e-4;
 
 type IntervalMotion = <Interval as LinearisedSet<1>>::CellMotion;
 
-/// The normal half at a fixed contact.
+/// Normal half with a fixed contact area.
 struct NormalHalf {
     linear: LinearWorkspace<IntervalMotion, 1>,
     compliance: Compliance<1>,
     layout: Layout,
     right: Vec<[f64; 1]>,
     unknowns: Vec<[f64; 1]>,
-    /// The pressure by a unit of the approach, if a force is prescribed.
+    /// Derivative of the pressure with respect to the approach, if a force is prescribed.
     by_approach: Option<Vec<f64>>,
-    /// Operator of the whole grid.
+    /// Operator on the whole grid.
     whole: ElasticOperator<1>,
     scratch: Scratch,
 }
 
-/// Changes by a unit of a motion.
+/// Changes caused by a unit of a motion.
 struct Change {
     /// Changes of the tractions and of the pressure, on the window.
     traction: [Vec<f64>; 2],
@@ -61,23 +61,23 @@ struct Change {
     lift: Vec<f64>,
     pressed: Vec<f64>,
     gap: Vec<f64>,
-    /// Displacements of the cells over a step by the changes.
+    /// Displacements of the cells over a step, caused by the changes.
     moved: [Vec<f64>; 2],
 }
 
 impl CoupledRollingSolver {
-    /// Returns how forces and moment change with creepages and spin about the last solution,
+    /// Returns the derivatives of forces and moment with respect to creepages and spin at the last solution,
     ///
     /// ```math
     /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
     /// ```
     ///
-    /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant; the pressure follows the
-    /// tractions, and with the pressure follow the friction limits and the entry compliance. Zones and contact area are
+    /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant. The pressure follows the
+    /// tractions, and the friction limits and the entry compliance follow the pressure. The zones and the contact area are
     /// fixed. Each column takes as many passes as a solve.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if there is no solution yet, or if a column is not found.
+    /// - [`Error::NotConverged`] if there is no solution yet, or if the iteration for a column does not converge.
     /// - [`Error::Memory`] if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
@@ -86,7 +86,7 @@ impl CoupledRollingSolver {
     /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product and may cancel.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
@@ -160,7 +160,7 @@ impl RollingSolver {
             lifting.lift(slices(&change.whole), &mut change.lift);
             half.follow(self, &mut change, work, &mut *observer)?;
             let turned = self.entry_change(normal, &change)?;
-            // Cells at their limits follow the limits.
+            // Tractions of slipping cells follow their friction limits.
             let mut known: [Vec<f64>; 2] = fallible::vector(cells)?;
             for (cell, index) in window.indices().enumerate() {
                 let q = at(&slices(&self.traction), cell);
@@ -223,7 +223,8 @@ impl RollingSolver {
         Err(Error::NotConverged(Box::new(work.clone())))
     }
 
-    /// Returns the displacements by the change of the entry compliance under the present tractions, by central differences.
+    /// Returns the displacements by the change of the entry compliance under the current tractions. The derivative is a
+    /// central difference.
     fn entry_change(&self, normal: &NormalSolution, change: &Change) -> Result<Vec<[f64; 2]>> {
         let problem = &self.problem;
         let (pressed, window) = (&problem.pressed, problem.pressed.window());
@@ -312,7 +313,7 @@ impl NormalHalf {
         Ok(half)
     }
 
-    /// Finds the pressures that answer displacements of the cells.
+    /// Solves for the pressures that cause the given displacements of the cells.
     fn respond(
         &mut self,
         asked: impl Fn(usize) -> [f64; 1] + Sync,
@@ -342,7 +343,7 @@ impl NormalHalf {
         Ok(())
     }
 
-    /// Finds the change of the pressure that keeps the contact closed under a lift, and the change of the gap.
+    /// Computes the change of the pressure that keeps the contact closed under a lift, and the change of the gap.
     fn follow(
         &mut self,
         of: &RollingSolver,

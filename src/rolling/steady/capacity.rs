@@ -1,4 +1,4 @@
-//! The moments that spins of any size reach.
+//! The range of moments that spins of any size can cause.
 
 use std::iter::successors;
 
@@ -8,46 +8,46 @@ use crate::parallel::reduce;
 use crate::rolling::{RollingControl, RollingProblem};
 use crate::tangential::{SLIDING, centre};
 
-/// Steps of Newton's method, and halvings of each: whatever is reached by then is a bound.
+/// Maximum number of Newton steps, and of halvings of each step. The result is a bound after any number of them.
 const STEPS: usize = 60;
-/// Lengths that round the kinks of the bound off, as parts of the mean lever of the limits, one after the other.
+/// Successive rounding lengths for the kinks of the bound, as fractions of the mean lever of the limits.
 const ROUNDINGS: [f64; 6] = [1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
-/// Sum of the tractions, relative to that of the limits, that counts as none.
+/// Sum of the tractions, relative to the sum of the limits, that counts as zero.
 const BALANCED: f64 = 1e-13;
-/// Part of the expected decrease that a step has to bring.
+/// Fraction of the expected decrease that a step must achieve.
 const DECREASE: f64 = 1e-4;
-/// Motion of a path by a turn of one, as a part of the shorter side of a cell, that counts as rest.
+/// Motion of a path per unit rotation, relative to the shorter side of a cell, that counts as rest.
 const AT_REST: f64 = 1e-9;
 
-/// Width of the range of moments, over the integral of the limits times their distances, that counts as none: round-off
-/// would fill it.
+/// Width of the range of moments, relative to the integral of the limits times their distances, that counts as zero. In a
+/// narrower range round-off would dominate.
 const NARROW: f64 = 1e-8;
 
-/// Tractions at their limits m along $`v = t + c`$, the motion by a turn t and by a shift c, whose length is rounded to
-/// $`\sqrt{v^2 + \epsilon^2}`$.
+/// Tractions with magnitudes equal to their limits m along $`v = t + c`$, the motion by a rotation t and by a shift c.
+/// The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
 #[derive(Debug, Default)]
 pub(in crate::rolling) struct Sliding {
-    /// The sum of m times the length.
+    /// Sum of m times the rounded length.
     bound: f64,
-    /// Their sums.
+    /// Sums of the tractions.
     pub(in crate::rolling) sums: [f64; 2],
     /// Derivatives of the sums with respect to c: `[xx, xy, yy]`.
     stiffness: [f64; 3],
 }
 
-/// The motion of a contact that slides as a whole: a turn about the origin, and a shift.
+/// Motion of a contact that slides as a whole: a rotation about the origin and a shift.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::rolling) struct SlidingMotion {
     pub(in crate::rolling) turn: f64,
     pub(in crate::rolling) shift: [f64; 2],
 }
 
-/// The controls of both axes: sums of tractions or creepages.
+/// Prescribed sums of tractions or creepages along both axes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::rolling) struct Prescribed {
-    /// Sums of the tractions, where a force is prescribed.
+    /// Sums of the tractions along the axes with a prescribed force.
     pub(in crate::rolling) sums: [Option<f64>; 2],
-    /// Creepages, zero where a force is prescribed.
+    /// Creepages; zero along an axis with a prescribed force.
     pub(in crate::rolling) creepage: [f64; 2],
 }
 
@@ -72,16 +72,16 @@ impl Prescribed {
 }
 
 impl RollingProblem {
-    /// Returns the moments about the origin of the grid that spins approach as they fall without limit, and as they rise.
-    /// The moment has no jumps, so that each moment between the two belongs to a spin.
+    /// Returns the limits of the moment about the origin of the grid as the spin tends to minus and plus infinity. The
+    /// moment is continuous in the spin, so a spin exists for each moment between these limits.
     ///
-    /// At a large spin the tractions are at their limits m along the motion of the middle of each path, except in a cell
-    /// whose path has its middle at rest. If the sums of tractions within their limits are f along some axes,
-    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along those axes. The least of these bounds is
-    /// the moment about the middles of a contact that slides as a whole.
+    /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a
+    /// cell whose path has its middle at rest. For tractions within their limits whose sums along some axes are f,
+    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along those axes. The smallest of these bounds
+    /// is the moment about the middles of the paths when the contact slides as a whole.
     ///
     /// # Errors
-    /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator), if the middle of a path is at rest.
+    /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator) if the middle of a path is at rest.
     pub(in crate::rolling) fn moment_ends(
         &self,
         controls: [RollingControl; 2],
@@ -95,7 +95,7 @@ impl RollingProblem {
         Ok(ends)
     }
 
-    /// `Ok` if a moment lies between those that large spins of both signs cause.
+    /// Checks that a moment is between the moments of large spins of both signs.
     pub(in crate::rolling) fn check_moment(
         &self,
         controls: [RollingControl; 2],
@@ -125,7 +125,8 @@ impl RollingProblem {
         Ok(())
     }
 
-    /// Returns the integral of the limits times the distances from the origin and half a path, which bounds moments.
+    /// Returns the integral of the limits times the sum of the distance from the origin and half a path. It bounds
+    /// moments.
     fn moment_scale(&self) -> f64 {
         let (window, limits) = (self.pressed.window(), &self.pressed.limits.cells);
         let sum = reduce::sum(self.pressed.region.layout(), |cell| {
@@ -135,7 +136,7 @@ impl RollingProblem {
         sum * self.bodies.grid().cell_area()
     }
 
-    /// Returns the moment over the cell area that large spins of a sign approach.
+    /// Returns the limit of the moment over the cell area for large spins of a sign.
     fn moment_of_sliding(&self, prescribed: &Prescribed, sign: f64) -> Result<f64> {
         let turn = SlidingMotion {
             turn: sign,
@@ -148,13 +149,13 @@ impl RollingProblem {
             Some(sum) => sum,
             None => self.sum_across(prescribed, motion)?,
         };
-        // The moments about the middles of paths and about the centres of cells differ by this sum alone.
+        // Only this sum distinguishes the moments about the middles of paths from the moments about the cell centres.
         let [x, y] = self.halfway();
         let lever = if across == 1 { x } else { -y };
         Ok(sign * about_middles - lever * sum)
     }
 
-    /// Returns the sum of the tractions across the rolling direction, where no force is prescribed.
+    /// Returns the sum of the tractions across the rolling direction if no force is prescribed there.
     fn sum_across(&self, prescribed: &Prescribed, motion: SlidingMotion) -> Result<f64> {
         let across = self.axis_across();
         match self.resting_cell(prescribed, motion) {
@@ -166,7 +167,7 @@ impl RollingProblem {
         }
     }
 
-    /// Returns a motion shifted along the axes whose sums are prescribed, so that tractions along it have these sums.
+    /// Returns a motion shifted along the axes with prescribed sums, such that tractions along it have these sums.
     pub(in crate::rolling) fn shifted(
         &self,
         motion: SlidingMotion,
@@ -205,7 +206,7 @@ impl RollingProblem {
             }
         }
         let round_off = BALANCED * lever * total;
-        // The rounding misses a kink of the bound, where the middle of a path rests.
+        // The rounding smooths out a kink of the bound at which the middle of a path rests.
         let motion = SlidingMotion { turn, shift };
         let snapped = self.slowest_cell(motion).map(|(_, index)| {
             let moved = self.moved(motion, index);
@@ -224,8 +225,8 @@ impl RollingProblem {
         }
     }
 
-    /// Returns the cell that can carry traction and whose path moves least at its middle: its places in the window and in
-    /// the grid.
+    /// Returns the cell with the least motion of the middle of its path among the cells that can carry traction, as its
+    /// indices in the window and in the grid.
     pub(in crate::rolling) fn slowest_cell(&self, motion: SlidingMotion) -> Option<(usize, usize)> {
         let speed = |index: usize| {
             let [x, y] = self.moved(motion, index);
@@ -259,7 +260,7 @@ impl RollingProblem {
         sliding
     }
 
-    /// Returns the sums of the tractions at their limits, except in a cell of the window.
+    /// Returns the sums of the tractions at their limits over all cells of the window except `except`.
     pub(in crate::rolling) fn sums_except(&self, except: usize, motion: SlidingMotion) -> [f64; 2] {
         let limits = self.pressed.limits.cells.iter();
         let cells = self.pressed.window().indices().zip(limits).enumerate();
@@ -283,7 +284,7 @@ impl RollingProblem {
         [turn[0] + motion.shift[0], turn[1] + motion.shift[1]]
     }
 
-    /// Returns whether a motion by a turn of one counts as rest.
+    /// Returns whether a motion per unit rotation counts as rest.
     pub(in crate::rolling) fn is_at_rest(&self, size: f64) -> bool {
         let grid = self.bodies.grid();
         size <= AT_REST * grid.dx().min(grid.dy())
@@ -295,7 +296,7 @@ impl RollingProblem {
     }
 }
 
-/// Newton's step down a slope, along the axes whose sums are prescribed.
+/// Returns the Newton step down a gradient along the axes with prescribed sums.
 fn descent(sums: [Option<f64>; 2], [x, y]: [f64; 2], [xx, xy, yy]: [f64; 3]) -> [f64; 2] {
     match sums {
         [Some(_), Some(_)] => {

@@ -1,16 +1,16 @@
-//! Motions and loads that can be prescribed of rolling bodies.
+//! Prescribed motions and loads of rolling bodies.
 
 use crate::error::{Result, finite};
 
-/// What is prescribed along an axis.
+/// Prescribed quantity along an axis: the creepage or the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum RollingControl {
-    /// The creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
+    /// Creepage: motion of body 2 over body 1 per length rolled (dimensionless).
     Creepage(f64),
-    /// The tangential force on body 1 (a force); the creepage follows. The forces of both axes together must be less than
-    /// friction holds: without friction none is.
+    /// Tangential force on body 1 (a force); the creepage follows. The resultant of the forces along both axes must be
+    /// less than the friction capacity. Without friction no force is allowed.
     Force(f64),
 }
 
@@ -24,30 +24,30 @@ impl RollingControl {
     }
 }
 
-/// What is prescribed of the rotation about the normal.
+/// Prescribed rotation about the normal: the spin or the moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SpinControl {
-    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 for each length rolled (one over a length,
-    /// positive from x to y), about the origin of the grid.
+    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled (one over a length, positive
+    /// from x to y), about the origin of the grid.
     Spin(f64),
-    /// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y); the spin
+    /// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y). The spin
     /// follows.
     ///
-    /// It must lie between the moments that large spins of both signs cause next to the prescribed creepages and forces.
-    /// [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) states both. Next to no forces the greatest is
-    /// about the integral of $`\mu p`$ times the distance from the origin.
+    /// The moment must be between the moments that large spins of both signs cause under the prescribed creepages and
+    /// forces. [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) reports both limits. If no forces are
+    /// prescribed, the largest moment is about the integral of $`\mu p`$ times the distance from the origin.
     ///
-    /// The moment need not rise with the spin if no force is prescribed across the rolling direction: the spin moves the
-    /// middles of paths, and the moment is about the centres of cells. Some spins then cause a moment outside the range,
-    /// by less than a tenth of the range for contacts of five cells or more. Such moments are rejected, because they have
-    /// no unique spin. A contact of one or two cells can have the same moment at every large spin.
+    /// If no force is prescribed across the rolling direction, the moment need not increase with the spin, because the
+    /// spin moves the middles of the paths and the moment is about the cell centres. Some spins then cause a moment
+    /// outside the range, by less than a tenth of the range for contacts of five cells or more. Such moments are rejected
+    /// because their spin is not unique. A contact of one or two cells can have the same moment at every large spin.
     Moment(f64),
 }
 
 impl From<f64> for SpinControl {
-    /// A prescribed spin.
+    /// Prescribes a spin.
     fn from(spin: f64) -> Self {
         Self::Spin(spin)
     }

@@ -8,26 +8,26 @@ use crate::observer::unwatched;
 use crate::report::Iteration;
 use crate::rolling::{RollingControl, RollingSolver};
 
-/// A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
+/// Point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CreepForce {
-    /// The creepages $`\xi, \eta`$ (dimensionless).
+    /// Creepages $`\xi, \eta`$ (dimensionless).
     pub creepage: [f64; 2],
-    /// The spin (one over a length).
+    /// Spin (one over a length).
     pub spin: f64,
     /// Tangential force on body 1 along x and y.
     pub force: [f64; 2],
     /// Moment on body 1 about the origin of the grid (a force times a length).
     pub moment: f64,
-    /// Cells that stick over cells in contact.
+    /// Ratio of sticking cells to cells in contact.
     pub stick_ratio: f64,
 }
 
 impl RollingSolver {
-    /// The loads at each of these $`[\xi, \eta, \varphi]`$, each solved from the answer of the one before: a creep curve,
-    /// or the points of a creep surface, row by row. Neighbours in the order should be neighbours in the plane. The point
-    /// that was solved last stays prescribed.
+    /// Returns the loads at each of the given points $`[\xi, \eta, \varphi]`$. Each solve starts from the solution of the
+    /// previous point. The points form a creep curve or, row by row, a creep surface. Consecutive points should be close
+    /// to each other. The last solved point remains prescribed.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -39,7 +39,7 @@ impl RollingSolver {
     /// let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?).build()?;
     /// let curve = (0..=10).map(|step| [0.03 * f64::from(step), 0.0, 0.0]);
     /// let curve = problem.into_solver()?.creep_forces(curve)?;
-    /// // From nothing to sliding, each time by less.
+    /// // The force rises from zero to sliding with decreasing increments.
     /// let forces: Vec<f64> = curve.iter().map(|point| point.force[0]).collect();
     /// assert!(forces[0] == 0.0 && (forces[10] / 0.3 - 1.0).abs() < 1e-3);
     /// assert!(forces.windows(3).all(|f| f[2] - f[1] <= f[1] - f[0] + 1e-9));
@@ -47,8 +47,10 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// As [`set_control`](Self::set_control), for any of the points before the first is solved; as
-    /// [`solve_into`](Self::solve_into), at the first that fails; [`Error::Memory`](crate::Error::Memory).
+    /// - The errors of [`set_control`](Self::set_control) for any of the points. All points are checked before the first
+    ///   solve.
+    /// - The errors of [`solve_into`](Self::solve_into) for the first point that fails.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn creep_forces(
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,
@@ -56,10 +58,11 @@ impl RollingSolver {
         self.creep_forces_observed(points, unwatched)
     }
 
-    /// [`creep_forces`](Self::creep_forces) with an observer that sees every step of each solve and may cancel.
+    /// Returns [`creep_forces`](Self::creep_forces) with an observer that receives every iteration of each solve and may
+    /// cancel.
     ///
     /// # Errors
-    /// As [`creep_forces`](Self::creep_forces).
+    /// The errors of [`creep_forces`](Self::creep_forces).
     pub fn creep_forces_observed(
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,

@@ -1,4 +1,4 @@
-//! The approximate inverse of what a traction contributes to the slip.
+//! The approximate inverse of the operator of steady rolling.
 
 use crate::error::Result;
 use crate::half_space::ElasticPreconditioner;
@@ -7,12 +7,12 @@ use crate::numerics::cell_vector::slices;
 use crate::operator::{Operator, Scratch};
 use crate::rolling::WindowShift;
 
-/// The sum from the leading edge on, then the circulant inverse of C: the preconditioner.
+/// Preconditioner of steady rolling: the sum from the leading edge, followed by the circulant inverse of C.
 ///
-/// The sum assumes that the displacement vanishes ahead of the window. On a grid that repeats along y, and in rows of long
-/// cells, this displacement is large, and the slip does not depend on it. The inverse of C is therefore one for displacements
-/// that are known up to a uniform one. With the mean of C a prescribed force spread over the cells with a sum near zero, and
-/// the linear problem did not converge.
+/// The sum assumes that the displacement vanishes ahead of the window. On a grid that is periodic along y, and in rows of
+/// long cells, this displacement is large, and the slip does not depend on it. The inverse of C therefore acts on
+/// displacements up to a constant. With an inverse that includes the mean of C, a prescribed force was spread over the cells
+/// with a sum near zero, and the linear problem did not converge.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyPreconditioner {
     inverse: ElasticPreconditioner<2>,
@@ -25,7 +25,7 @@ impl SteadyPreconditioner {
     }
 }
 
-/// The scratch of the inverse, and the sums.
+/// Scratch of the inverse, and the sums.
 type Buffers = (Scratch, [Vec<f64>; 2]);
 
 impl Operator<2> for SteadyPreconditioner {

@@ -1,4 +1,4 @@
-//! Steady rolling: the problem, its solver and the solution.
+//! Steady rolling: the problem, the solver and the solution.
 
 pub(super) mod capacity;
 pub(super) mod control;

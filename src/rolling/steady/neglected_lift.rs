@@ -1,4 +1,4 @@
-//! The lift by tractions that a given pressure of bodies of different materials ignores.
+//! The lift by the tractions between bodies of different materials, which a given pressure ignores.
 
 use crate::bodies::component::Direction;
 use crate::error::Result;
@@ -14,7 +14,7 @@ pub(in crate::rolling) struct NeglectedLift {
     lift: Vec<f64>,
     pressing: ElasticOperator<1>,
     scratch: Scratch,
-    /// Normal displacement by the pressure.
+    /// Normal displacement by the pressure on the window.
     displacement: Vec<f64>,
 }
 
@@ -44,7 +44,8 @@ impl NeglectedLift {
             .apply([&pressed.pressure], displacement, &mut self.scratch);
     }
 
-    /// Returns the lift by tractions in this unit over the normal displacement.
+    /// Returns the residual of the contact by the lift relative to the normal displacement, for tractions in
+    /// this unit.
     pub(super) fn residual(
         &mut self,
         pressed: &PressureOnWindow,

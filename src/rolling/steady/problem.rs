@@ -1,4 +1,4 @@
-//! The scene of steady rolling, checked once.
+//! The problem of steady rolling and the checks of its input.
 
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
@@ -15,23 +15,23 @@ use crate::tangential::{
     TangentialModel, centre, contact_window, is_at_limit,
 };
 
-/// Bodies, normal contact, friction, and what is prescribed of their rolling.
+/// Bodies, normal contact, friction, and prescribed motion of a steady rolling contact.
 #[derive(Clone)]
 pub struct RollingProblem {
     pub(in crate::rolling) bodies: HalfSpace,
     pub(in crate::rolling) pressed: PressureOnWindow,
     pub(in crate::rolling) friction: Friction,
     pub(in crate::rolling) entry_rule: EntryRule,
-    /// Solves that correct the direction of slip.
+    /// Number of solves that correct the direction of slip.
     pub(in crate::rolling) slip_corrections: usize,
     pub(in crate::rolling) step: WindowShift,
-    /// Length of a step.
+    /// Length rolled per step.
     pub(in crate::rolling) length: f64,
-    /// Compliance of its own of each cell of the window.
+    /// Entry compliance of each cell of the window.
     pub(in crate::rolling) own: Vec<EntryCompliance>,
-    /// The most cells of the contact that lie one behind the other, a step apart.
+    /// Length of the longest chain of contact cells that are one step apart.
     pub(in crate::rolling) chain: usize,
-    /// What the pressure adds to the slip of each cell.
+    /// Contribution of the pressure to the slip of each cell.
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
     pub(in crate::rolling) controls: [RollingControl; 2],
     pub(in crate::rolling) spin: SpinControl,
@@ -61,8 +61,8 @@ pub struct RollingProblemBuilder<'a> {
 }
 
 impl RollingProblem {
-    /// Starts from what is required: bodies, a solved normal contact on them, friction. Without
-    /// options both creepages and the spin are zero.
+    /// Creates a builder from the required inputs: bodies, a solved normal contact on them, and friction. Without options
+    /// both creepages and the spin are zero.
     pub fn builder<'a>(
         bodies: &'a HalfSpace,
         normal: &'a NormalSolution,
@@ -82,10 +82,12 @@ impl RollingProblem {
         }
     }
 
-    /// Solves once, with buffers of its own.
+    /// Solves the problem once. Each call allocates its own buffers.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] with the report; as [`HalfSpace::operator`]; [`Error::Memory`].
+    /// - [`Error::NotConverged`] with the report.
+    /// - The errors of [`HalfSpace::operator`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn solve(&self) -> Result<RollingSolution> {
         let mut solver = RollingSolver::new(self.try_clone()?)?;
         let mut solution = solver.try_new_solution()?;
@@ -93,15 +95,17 @@ impl RollingProblem {
         Ok(solution)
     }
 
-    /// The reusable form: creepages, forces and spin may change between solves, each of which starts from the last answer.
+    /// Returns the reusable solver. Creepages, forces and spin can change between its solves, and each solve starts from
+    /// the last solution.
     ///
     /// # Errors
-    /// As [`HalfSpace::operator`]; [`Error::Memory`].
+    /// - The errors of [`HalfSpace::operator`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn into_solver(self) -> Result<RollingSolver> {
         RollingSolver::new(self)
     }
 
-    /// `Ok` if these can be prescribed.
+    /// Returns an error if these controls cannot be prescribed.
     pub(in crate::rolling) fn check(
         &self,
         controls: [RollingControl; 2],
@@ -116,7 +120,7 @@ impl RollingProblem {
         self.pressed.limits.check(force, area).map_err(of_rolling)?;
         let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
         let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
-        // A force that slides the whole contact leaves its creepage open.
+        // The creepage is undetermined if the force makes the whole contact slide.
         if controls.iter().any(is_force) && is_at_limit(size, limit) {
             return Err(of_rolling(Error::BeyondFrictionCapacity {
                 force: size,
@@ -130,7 +134,8 @@ impl RollingProblem {
         Ok(())
     }
 
-    /// How a cell of the grid moves over a step by a unit of creepage along x, along y and of spin, halfway.
+    /// Returns the displacements of a grid cell over a step by unit creepages along x and y and by a unit spin, at the
+    /// middle of the path.
     pub(in crate::rolling) fn motions(&self, index: usize) -> [[f64; 2]; 3] {
         let ([x, y], [ahead_x, ahead_y]) = (centre(self.bodies.grid(), index), self.halfway());
         let middle = [x + ahead_x, y + ahead_y];
@@ -138,13 +143,14 @@ impl RollingProblem {
         directions.map(|direction| direction.map(|part| self.length * part))
     }
 
-    /// Half the diagonal of the window, at which a spin moves the particles by about as much as a creepage.
+    /// Returns half the diagonal of the window. At this distance a spin moves the particles by about as much as a
+    /// creepage.
     pub(in crate::rolling) fn lever(&self) -> f64 {
         let (grid, [columns, rows]) = (self.bodies.grid(), self.pressed.window().size);
         0.5 * (columns as f64 * grid.dx()).hypot(rows as f64 * grid.dy())
     }
 
-    /// From where a particle is to the middle of its way.
+    /// Returns the vector from a particle to the middle of its path.
     pub(in crate::rolling) fn halfway(&self) -> [f64; 2] {
         let (edge, mut way) = (self.step.edge, [0.0; 2]);
         way[edge.axis().index()] = if edge.is_positive() { 0.5 } else { -0.5 } * self.length;
@@ -155,31 +161,31 @@ impl RollingProblem {
 impl RollingProblemBuilder<'_> {
     settings_methods!();
 
-    /// Where particles enter the contact (default [`LeadingEdge::PlusX`]).
+    /// Sets the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
     pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
         self.edge = edge;
         self
     }
 
-    /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+    /// Sets the number of cells that a particle passes per step (default 1). Longer steps cost less and are less accurate.
     pub fn step(mut self, cells: usize) -> Self {
         self.cells = cells;
         self
     }
 
-    /// Both creepages `[x, y]` (dimensionless, default zero).
+    /// Sets both creepages `[x, y]` (dimensionless, default zero).
     pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
         self.controls = creepage.map(RollingControl::Creepage);
         self
     }
 
-    /// What is prescribed along an axis (default: no creepage).
+    /// Sets the force or creepage along an axis (default: zero creepage).
     pub fn control(mut self, axis: Axis, control: RollingControl) -> Self {
         self.controls[axis.index()] = control;
         self
     }
 
-    /// The [spin](SpinControl::Spin) (one over a length, default zero), or what is prescribed in its place.
+    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero), or the moment that causes it.
     pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
         self.spin = spin.into();
         self
@@ -187,34 +193,40 @@ impl RollingProblemBuilder<'_> {
 
     /// Sets the number of corrections of the direction of slip (default 0).
     ///
-    /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first
-    /// order in the step. Two corrections give an order of 1.5 to 2, as measured on the page of the
-    /// [module](crate::rolling#slip-that-turns), at the cost of two more solves from the last tractions.
-    /// The slip of the solution remains the mean over the step, which corrected tractions do not oppose exactly.
+    /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in
+    /// the step. With two corrections the order is 1.5 to 2, as measured on the page of the
+    /// [module](crate::rolling#slip-that-turns), at the cost of two more solves, each from the last tractions. The slip of
+    /// the solution remains the mean over the step, to which corrected tractions are not exactly opposite.
     pub fn slip_corrections(mut self, corrections: usize) -> Self {
         self.slip_corrections = corrections;
         self
     }
 
-    /// How cells that enter the contact follow the motion (default [`EntryRule::SinceTouch`]).
+    /// Sets the entry law, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
     pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
         self.entry_rule = entry_rule;
         self
     }
 
-    /// Checks everything and cuts out the contact.
+    /// Checks all inputs and restricts the problem to the window of the contact.
     ///
     /// # Errors
-    /// [`Error::NotConverged`] if the normal contact is not; [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
-    /// [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] for one of other bodies; [`Error::EmptyContact`];
-    /// [`Error::NotFinite`] for creepages, forces, spin or moment, [`Error::NotPositive`] for a step of no cells,
-    /// [`Error::UnsupportedByModel`] for rolling along an axis on which the grid repeats, or spin on such a grid;
-    /// [`Error::UnsupportedForCoatings`] for operators of a user;
-    /// [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact;
-    /// [`Error::BeyondFrictionCapacity`] for forces that friction does not hold, or holds only by sliding, and
-    /// [`Error::BeyondFrictionMoment`] for such a moment, beside the forces prescribed;
-    /// [`Error::Tolerance`], [`Error::IterationLimit`], [`Error::Method`]; [`Error::Memory`]; [`Error::Ranks`] on bodies
-    /// that ranks share.
+    /// - [`Error::NotConverged`] if the normal contact has not converged.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
+    ///   if the normal contact belongs to different bodies.
+    /// - [`Error::EmptyContact`] if no cell carries pressure.
+    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
+    ///   step of zero cells.
+    /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a grid.
+    /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
+    /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
+    /// - [`Error::BeyondFrictionCapacity`] if the forces exceed the friction capacity or reach it, so that the contact
+    ///   slides.
+    /// - [`Error::BeyondFrictionMoment`] if the moment is outside the range that friction can carry under the prescribed
+    ///   forces.
+    /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for invalid settings.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if the bodies are distributed over ranks.
     pub fn build(self) -> Result<RollingProblem> {
         let (bodies, grid) = (self.bodies, self.bodies.grid());
         if bodies.is_shared() {
@@ -257,7 +269,7 @@ impl RollingProblemBuilder<'_> {
     }
 }
 
-/// `Ok` if bodies can roll so by steps of this length, whatever the pressure.
+/// Checks that the motion is valid for steps of this length, independent of the pressure.
 pub(in crate::rolling) fn check_motion(
     bodies: &HalfSpace,
     length: f64,
@@ -296,7 +308,7 @@ pub(in crate::rolling) fn check_motion(
     Ok(())
 }
 
-/// What the pressure of bodies of different materials adds to the slip of each cell.
+/// Returns the contribution of the pressure to the slip of each cell; zero for bodies of the same material.
 fn coupling_slip(
     bodies: &HalfSpace,
     pressed: &PressureOnWindow,
@@ -310,7 +322,7 @@ fn coupling_slip(
     Ok(drawn)
 }
 
-/// Writes the same with a drawing of the window.
+/// Writes this contribution with the existing coupling operator of the window.
 pub(in crate::rolling) fn draw(
     drawing: &mut CouplingDisplacement,
     pressed: &PressureOnWindow,

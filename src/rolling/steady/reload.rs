@@ -1,4 +1,4 @@
-//! New loads, and new pressures, of bodies that roll.
+//! New loads and new pressures of rolling bodies.
 
 use std::sync::Arc;
 
@@ -18,39 +18,39 @@ use crate::tangential::{
     contact_window,
 };
 
-/// Cells on each side of a wider window for the loads that follow.
+/// Additional cells on each side of a widened window, reserved for later loads.
 const ROOM: [usize; 2] = [2; 2];
 
-/// A normal solver, and its solutions.
+/// Normal solver with its solutions.
 #[derive(Clone)]
 pub(in crate::rolling) struct Press {
     solver: NormalSolver,
     normal: NormalSolution,
-    /// A solution that the rolling contact has not accepted yet.
+    /// Solution that the rolling problem has not accepted yet.
     candidate: NormalSolution,
 }
 
 impl RollingSolver {
-    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The law of
-    /// entering cells needs the gap ahead of the contact, which a field does not have: a field requires
+    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The entry law
+    /// requires the gap ahead of the contact. A field does not include a gap and therefore requires
     /// [`EntryRule::WholeStep`].
     ///
-    /// The next solve starts from the last tractions, scaled with the friction limit of each cell.
-    /// [`stiffness`](Self::stiffness) is about the last solution until then. A contact within the largest window so far
-    /// allocates nothing.
+    /// The next solve starts from the last tractions, scaled with the friction limit of each cell. Until that solve,
+    /// [`stiffness`](Self::stiffness) refers to the last solution. If the contact is within the largest window so far, no
+    /// memory is allocated.
     ///
     /// # Errors
-    /// - [`Error::UnsupportedByModel`] for a field, if the entry rule is on.
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
-    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
+    /// - [`Error::UnsupportedByModel`] for a field if the entry law is active.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
+    ///   if the solution belongs to different bodies.
     /// - [`Error::NotConverged`] if the normal contact has not converged.
     /// - [`Error::Sample`] if a pressure is negative or not finite.
-    /// - [`Error::EmptyContact`] if no cell carries pressure, as after a wheel has lifted off.
+    /// - [`Error::EmptyContact`] if no cell carries pressure, for example after a wheel has lifted off.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
     /// - [`Error::NotFinite`] if the friction limits overflow.
-    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if friction no longer holds the prescribed
-    ///   forces or moment. Change them first.
-    /// - [`Error::Memory`] if a wider window does not fit; other errors of [`HalfSpace::operator`].
+    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the prescribed forces or moment exceed
+    ///   the new capacity of friction. Set smaller loads first.
+    /// - [`Error::Memory`] if a wider window does not fit into memory; other errors of [`HalfSpace::operator`].
     ///
     /// The solver is unchanged after an error.
     ///
@@ -78,12 +78,12 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Sets the solver that finds the pressure of a new load, with its gap, hardness and settings.
+    /// Sets the solver that computes the pressure of a new load with its own gap, hardness and settings.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
-    ///   [`Error::MaterialMismatch`] if it belongs to other bodies.
-    /// - [`Error::Memory`] if its solutions do not fit.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
+    ///   if the solver belongs to different bodies.
+    /// - [`Error::Memory`] if its solutions do not fit into memory.
     pub fn set_normal_solver(&mut self, solver: NormalSolver) -> Result<()> {
         let [normal, candidate] = try_each(|_| solver.try_new_solution())?;
         check_bodies(&normal, &self.problem.bodies)?;
@@ -95,14 +95,14 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Sets the normal load of the next solve, and solves for its pressure from the last one. Needs a
-    /// [normal solver](Self::set_normal_solver). Once the window is as large as the largest contact, nothing is allocated.
+    /// Sets the normal load of the next solve and computes its pressure, starting from the last pressure. Requires a
+    /// [normal solver](Self::set_normal_solver). Once the window covers the largest contact, no memory is allocated.
     ///
     /// # Errors
     /// - [`Error::UnsupportedByModel`] without a normal solver.
     /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
     ///
-    /// The solver is unchanged after an error; the next pressure may be found from a different start.
+    /// The solver is unchanged after an error, but the next normal solve may start from a different pressure.
     pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
         let Some(mut press) = self.press.take() else {
             return Err(Error::UnsupportedByModel {
@@ -127,7 +127,7 @@ impl RollingSolver {
         outcome
     }
 
-    /// Returns the normal contact that [`set_load`](Self::set_load) has found; `None` before the first load.
+    /// Returns the normal contact computed by [`set_load`](Self::set_load); `None` before the first load.
     #[must_use]
     pub fn normal(&self) -> Option<&NormalSolution> {
         let press = self.press.as_deref()?;
@@ -135,13 +135,13 @@ impl RollingSolver {
         normal.report().is_converged().then_some(normal)
     }
 
-    /// Returns the largest tangential force that friction holds, the integral of the friction limit.
+    /// Returns the largest tangential force that friction can carry, the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
         self.problem.pressed.limits.sum * self.problem.bodies.grid().cell_area()
     }
 
-    /// Takes a pressure of the whole grid, whose contact lies in the window.
+    /// Sets a pressure on the whole grid whose contact is inside the window.
     fn press(
         &mut self,
         samples: &[f64],
@@ -169,8 +169,8 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Returns a solver on a window around this one and the part of the grid that a new contact reaches. It has the last
-    /// solution, and no pressure.
+    /// Returns a solver on a window that contains the current window and the part of the grid that a new contact reaches.
+    /// It contains the last solution and no pressure.
     fn widened(&self, reach: Window) -> Result<Self> {
         let problem = &self.problem;
         let (bodies, inner) = (&problem.bodies, problem.pressed.window());
@@ -207,7 +207,7 @@ impl RollingSolver {
 }
 
 impl Press {
-    /// Solves for the pressure of a load.
+    /// Solves for the pressure under a load.
     fn solve(&mut self, load: NormalControl) -> Result<()> {
         self.solver.set_load(load)?;
         self.solver.solve_into(&mut self.candidate)
@@ -215,12 +215,12 @@ impl Press {
 }
 
 impl RollingProblem {
-    /// How far and where to the bodies roll in a step.
+    /// Returns the direction and distance of rolling in a step.
     fn travel(&self) -> RollingShift {
         RollingShift::new(self.bodies.grid(), self.step.edge, self.step.cells)
     }
 
-    /// `Ok` if the entry rule, which needs a gap, is off.
+    /// Returns an error if the entry law is active, since it requires a gap.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
         if self.entry_rule == EntryRule::WholeStep {
             return Ok(());
@@ -233,7 +233,7 @@ impl RollingProblem {
         })
     }
 
-    /// Takes what follows from the pressure.
+    /// Updates the quantities that depend on the pressure.
     fn follow_pressure(
         &mut self,
         normal: Option<&NormalSolution>,

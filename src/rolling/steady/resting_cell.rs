@@ -1,4 +1,4 @@
-//! A cell whose path has its middle at rest while the contact slides as a whole.
+//! A cell whose path has its middle at rest when the contact slides as a whole.
 
 use crate::bodies::component::Direction;
 use crate::error::Result;
@@ -8,20 +8,21 @@ use crate::operator::Operator;
 use crate::rolling::RollingProblem;
 use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 
-/// Halvings of the interval of the stiffness that keeps a traction within its limit.
+/// Number of bisections for the stiffness that keeps a traction within its limit.
 const HALVINGS: usize = 100;
 
-/// The cell, and the motion by which its middle rests.
+/// Cell and sliding motion in which the middle of its path is at rest.
 #[derive(Debug)]
 pub(in crate::rolling) struct RestingCell {
     pub(in crate::rolling) cell: usize,
     pub(in crate::rolling) motion: SlidingMotion,
-    /// Its traction along the axes where the prescribed sum leaves only one.
+    /// Traction of the cell along the axes on which the prescribed sum determines it.
     traction: [Option<f64>; 2],
 }
 
 impl RollingProblem {
-    /// Returns the cell whose path has its middle at rest by a motion, if there is one that can carry traction.
+    /// Returns the cell whose path has its middle at rest under a motion; `None` if there is no such cell that can carry
+    /// traction.
     pub(in crate::rolling) fn resting_cell(
         &self,
         prescribed: &Prescribed,
@@ -100,8 +101,8 @@ impl RollingProblem {
     }
 }
 
-/// Returns the traction of a cell by which it slips against the traction, or not at all. `given` is its slip without
-/// traction, and `known` has the components that the sums prescribe.
+/// Returns the traction of a cell that sticks, or that slips against its traction. `given` is its slip without traction,
+/// and `known` has the components that the sums prescribe.
 fn stick_or_slip(
     compliance: Small<2>,
     given: [f64; 2],
@@ -111,13 +112,13 @@ fn stick_or_slip(
     let held = known.map(|part| part.unwrap_or(0.0));
     let is_free = known.map(|part| part.is_none());
     let size = held[0].hypot(held[1]);
-    // Squares of limits may leave the range of numbers.
+    // The squares of the limits can overflow or underflow, so the root of each factor is taken.
     let room = (limit - size).max(0.0).sqrt() * (limit + size).sqrt();
     let pushed = [0, 1].map(|axis| {
         let [x, y] = compliance.0[axis];
         -given[axis] - x * held[0] - y * held[1]
     });
-    // A resistance more holds the traction within its limit.
+    // An additional stiffness keeps the traction within its limit.
     let at = |resistance: f64| {
         let mut matrix = compliance;
         matrix.0[0][0] += resistance;

@@ -1,13 +1,14 @@
-//! The start of a solve whose forces slide the whole contact.
+//! The start of a solve whose forces make the whole contact slide.
 
 use crate::rolling::RollingSolver;
 use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 
-/// Slip of every cell, over the largest that tractions cause, from which the contact slides as a whole.
+/// Slip of every cell, relative to the largest slip that tractions cause, above which the contact slides as a whole.
 const SLIDES: f64 = 3.0;
 
 impl RollingSolver {
-    /// Starts from the tractions of a contact that slides as a whole, if spin and forces need such creepages.
+    /// Starts from the tractions of a contact that slides as a whole, if spin and forces require such large
+    /// creepages.
     ///
     /// Near the friction limit the force hardly changes with the creepage. From other tractions Newton's method then
     /// takes creepages that grow without limit.

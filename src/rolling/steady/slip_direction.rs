@@ -8,9 +8,9 @@
 //! s_\text{end} = s + \tfrac12 (s - s') + O(d^2) ,
 //! ```
 //!
-//! with the slip s' of the step before, at the place of the particle before. A correction solves the problem once more, with
-//! $`\tfrac12 (s - s')`$ of the last solution added to the slip of cells that slip in both steps. The added term is fixed in
-//! each solve, so that each is monotone and has its certificate.
+//! with the slip s' of the previous step at the previous position of the particle. A correction solves the problem again,
+//! with $`\tfrac12 (s - s')`$ of the last solution added to the slip of cells that slip in both steps. The added term is
+//! constant during a solve, so each solve is monotone and has its certificate.
 
 use crate::cgm::Settings;
 use crate::contact::{SolveContext, has_iterate, with_counts_of};
@@ -21,8 +21,8 @@ use crate::rolling::{RollingSolution, RollingSolver};
 use crate::tangential::is_at_limit;
 
 impl RollingSolver {
-    /// Solves at the present spin, and corrects the direction of slip as often as the problem states. The report of all
-    /// passes is in `passes`.
+    /// Solves at the current spin and applies the prescribed number of corrections to the direction of slip. Stores the
+    /// report of all passes in `passes`.
     pub(in crate::rolling) fn solve_at_spin(
         &mut self,
         settings: &Settings,
@@ -64,7 +64,7 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Takes half the change of the slip since the step before, in cells that slip in both steps.
+    /// Sets the correction to half the change of the slip since the previous step, in cells that slip in both steps.
     fn correct_direction(&mut self) {
         let (cells, step) = (self.limits.len(), self.problem.step);
         let slips = |traction: &[Vec<f64>; 2], cell: usize| {
@@ -72,7 +72,7 @@ impl RollingSolver {
             self.limits[cell] > 0.0 && is_at_limit(x.hypot(y), self.limits[cell])
         };
         for place in 0..cells {
-            // The order starts at the trailing edge, so that the cell before still has its last correction.
+            // The loop starts at the trailing edge, so that the upstream cell still has its last correction.
             let cell = if step.edge.is_positive() {
                 place
             } else {

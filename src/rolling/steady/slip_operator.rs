@@ -1,4 +1,4 @@
-//! What a traction that does not change contributes to the slip of a step.
+//! The contribution of steady tractions to the slip of a step.
 
 use crate::error::Result;
 use crate::half_space::ElasticOperator;
@@ -6,7 +6,7 @@ use crate::operator::{Operator, Scratch};
 use crate::report::EigenvalueBound;
 use crate::rolling::WindowShift;
 
-/// $`(1 - T)\,C`$ on a window that reaches a step ahead of the contact.
+/// The operator $`(1 - T)\,C`$ on a window that extends a step ahead of the contact.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyOperator {
     compliance: ElasticOperator<2>,
@@ -19,15 +19,15 @@ pub(in crate::rolling) struct SteadyOperator {
 }
 
 impl SteadyOperator {
-    /// For tractions in cells of which `chain` at most lie one behind the other, a step apart, and each slips by
-    /// `self_compliance` over a step by a traction of its own.
+    /// Creates the operator for chains of at most `chain` cells that are one step apart. A unit traction of a cell
+    /// makes that cell slip by `self_compliance` over a step.
     pub(in crate::rolling) fn new(
         compliance: ElasticOperator<2>,
         step: WindowShift,
         chain: usize,
         self_compliance: f64,
     ) -> Self {
-        // The difference over a step leaves nothing of a datum, and so of the mean.
+        // The difference over a step cancels a constant displacement, and with it the mean.
         let (bound, eigenvalue_bound) = compliance.bound_without_mean();
         Self {
             bound,
@@ -39,7 +39,7 @@ impl SteadyOperator {
         }
     }
 
-    /// Bounds the eigenvalues for tractions in cells of which `chain` at most lie one behind the other, a step apart.
+    /// Bounds the eigenvalues for chains of at most `chain` cells that are one step apart.
     pub(in crate::rolling) fn set_chain(&mut self, chain: usize) {
         self.lower_bound = least(chain) * self.bound;
     }
@@ -48,7 +48,7 @@ impl SteadyOperator {
 /// Returns the least eigenvalue of the symmetric part of `1 - T` on the given number of consecutive cells.
 fn least(chain: usize) -> f64 {
     let angle = std::f64::consts::PI / (chain as f64 + 1.0);
-    // 1 - cos, without cancellation.
+    // 1 - cos(angle) without cancellation.
     2.0 * (0.5 * angle).sin().powi(2)
 }
 
@@ -61,7 +61,7 @@ impl Operator<2> for SteadyOperator {
         self.compliance.scratch()
     }
 
-    /// In double precision alone: the difference over a step would leave few digits of single precision.
+    /// Uses double precision only, because the difference over a step would cancel most digits of single precision.
     fn apply(&self, x: [&[f64]; 2], mut out: [&mut [f64]; 2], scratch: &mut Scratch) {
         let displacement = out.each_mut().map(|part| &mut **part);
         self.compliance.apply(x, displacement, scratch);

@@ -1,4 +1,4 @@
-//! The answer to steady rolling.
+//! The solution of steady rolling.
 
 use crate::contact::map::ContactMap;
 use crate::error::Result;
@@ -26,10 +26,11 @@ pub struct RollingSolution {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
-    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement, if it needs a warning.
+    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement; `None` if it needs no
+    /// warning.
     neglected_lift: Option<usize>,
     boundary: Boundary,
-    /// From where a particle is after a step to the middle of its path.
+    /// Vector from the position of a particle after a step to the middle of its path.
     halfway: [f64; 2],
     report: Report,
 }
@@ -89,7 +90,7 @@ impl RollingSolution {
         })
     }
 
-    /// Takes tractions and the slip of a step of the cells of a window.
+    /// Sets the tractions and the slip over a step of the cells of a window.
     pub(in crate::rolling) fn of(
         &mut self,
         problem: &RollingProblem,
@@ -109,7 +110,7 @@ impl RollingSolution {
             }
             let (q, moved) = (traction(cell), slip(cell));
             let is_at_limit = is_at_limit(q[0].hypot(q[1]), pressed.limits.cells[cell]);
-            // A motion along the traction is residual of the solve.
+            // Motion along the traction is part of the residual of the solve.
             let slips = is_at_limit && q[0] * moved[0] + q[1] * moved[1] <= 0.0;
             for axis in 0..2 {
                 self.traction[axis].as_mut_slice()[index] = q[axis];
@@ -132,7 +133,7 @@ impl RollingSolution {
         self.report.clone_from(report);
     }
 
-    /// With a lift by the tractions that the pressure ignores, in millionths of the normal displacement.
+    /// Sets the lift by the tractions that the pressure ignores, in millionths of the normal displacement.
     pub(in crate::rolling) fn set_neglected_lift(&mut self, lift: Option<usize>) {
         self.neglected_lift = lift;
     }
@@ -141,52 +142,52 @@ impl RollingSolution {
         self.report.clone_from(report);
     }
 
-    /// The grid of all its fields.
+    /// Returns the grid of all fields.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.traction[0].grid()
     }
 
-    /// Traction q on body 1 along x and along y (pressures); zero outside the contact.
+    /// Returns the traction q on body 1 along x and y (pressures); zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
     }
 
-    /// Slip of the surface of body 1 over that of body 2 for each length rolled (dimensionless), over the step that
-    /// brought the particles here: against the traction in slip cells, zero elsewhere, also in those that move along
-    /// it by what a tolerance leaves.
+    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless), over the step
+    /// that brought the particles to their current positions. In slip cells it is opposite to the traction, up to the
+    /// tolerance. It is zero in all other cells, and in cells at their limit whose residual motion is along the traction.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// The zone of every cell, row-major with x fastest.
+    /// Returns the zone of every cell, row-major with x fastest.
     #[must_use]
     pub fn zones(&self) -> &[Zone] {
         &self.zones
     }
 
-    /// The creepages $`\xi, \eta`$, prescribed or caused by the force (dimensionless).
+    /// Returns the creepages $`\xi, \eta`$, prescribed or caused by the force (dimensionless).
     #[must_use]
     pub fn creepage(&self) -> [f64; 2] {
         self.creepage
     }
 
-    /// The spin, prescribed or caused by the moment (one over a length).
+    /// Returns the spin, prescribed or caused by the moment (one over a length).
     #[must_use]
     pub fn spin(&self) -> f64 {
         self.spin
     }
 
-    /// Tangential force that body 2 exerts on body 1, the integral of the traction.
+    /// Returns the tangential force that body 2 exerts on body 1, the integral of the traction.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         self.traction.each_ref().map(Field::integral)
     }
 
-    /// Moment about z, at the origin of the grid, of the tractions on body 1 at the centres of their cells (a force times a
-    /// length, positive from x to y).
+    /// Returns the moment about z, at the origin of the grid, of the tractions on body 1 at their cell centres (a force times
+    /// a length, positive from x to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         let grid = self.grid();
@@ -199,18 +200,19 @@ impl RollingSolution {
         reduce::sum(&grid.layout(), part) * grid.cell_area()
     }
 
-    /// Returns the work of creepages and spin for each length rolled (a force),
+    /// Returns the work of creepages and spin per length rolled (a force),
     ///
     /// ```math
     /// \xi F_x + \eta F_y + \varphi \, (M + h_x F_y - h_y F_x) ,
     /// ```
     ///
-    /// with the [moment](Self::moment) M and half a path h of a step, towards the leading edge. The spin moves a
-    /// particle as it moves the middle of the path. The part of h falls with the step.
+    /// with the [moment](Self::moment) M and the vector h of half a path per step towards the leading edge. The spin moves a
+    /// particle like the middle of its path. The contribution of h decreases with the step.
     ///
-    /// Between bodies of the same material all of the work is dissipated, at the trailing edge too. The work is more
-    /// accurate than the integral of the [dissipation](Self::dissipation), which is never greater. Between other bodies
-    /// the pressure does work as well, which is not included: they dissipate without any creepage force.
+    /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work
+    /// is more accurate than the integral of the [dissipation](Self::dissipation), which never exceeds it. Between bodies of
+    /// different materials the pressure also does work, which is not included. Such bodies dissipate energy even without a
+    /// creepage force.
     #[must_use]
     pub fn work(&self) -> f64 {
         let ([x, y], [xi, eta]) = (self.force(), self.creepage);
@@ -219,12 +221,12 @@ impl RollingSolution {
         xi * x + eta * y + self.spin * about_middles
     }
 
-    /// Energy that slip dissipates in each cell for each length rolled, $`-q \cdot s`$ (a pressure): what wear follows. It
-    /// is taken with the tractions at the end of a step, so that between bodies of the same material its integral is less
-    /// than the [work](Self::work) by a part that falls with the size of the cells.
+    /// Returns the energy that slip dissipates in each cell per length rolled, $`-q \cdot s`$ (a pressure). Wear laws use
+    /// this quantity. It is evaluated with the tractions at the end of a step. Between bodies of the same material its
+    /// integral is therefore less than the [work](Self::work); the difference decreases with the cell size.
     ///
     /// # Errors
-    /// [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn dissipation(&self) -> Result<Field> {
         let mut dissipation = Field::try_zeros(self.grid())?;
         for (q, s) in self.traction.iter().zip(&self.slip) {
@@ -236,7 +238,7 @@ impl RollingSolution {
         Ok(dissipation)
     }
 
-    /// Cells that stick over cells in contact; zero without contact.
+    /// Returns the ratio of sticking cells to cells in contact; zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let count = |zone: Zone| self.zones.iter().filter(|z| **z == zone).count();
@@ -244,8 +246,8 @@ impl RollingSolution {
         stick as f64 / (stick + slip).max(1) as f64
     }
 
-    /// Returns warnings that the contact may mislead, and [`Warning::NeglectedLift`] if tractions of dissimilar bodies change
-    /// the pressure by more than the tolerance; see [`Warning`].
+    /// Returns the warnings about the solution; see [`Warning`]. They include [`Warning::NeglectedLift`] if tractions of
+    /// dissimilar bodies change the pressure by more than the tolerance.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
@@ -255,7 +257,7 @@ impl RollingSolution {
         warnings
     }
 
-    /// How the solve ended, and its certified error.
+    /// Returns the report of the solve with its certified error.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report

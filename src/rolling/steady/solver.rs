@@ -30,14 +30,14 @@ use crate::tangential::{
 };
 use crate::warning::Warning;
 
-/// Solves at given spins after which the spin of a moment counts as not found.
+/// Maximum number of solves at given spins in the search for the spin of a moment.
 const SPINS: usize = 60;
-/// Their tolerance over that of the moment.
+/// Ratio of the tolerance of these solves to the tolerance of the moment.
 const SHARPER: f64 = 0.1;
-/// The least of such tolerances, where solves to the first leave too large an error in the moment.
+/// Smallest such ratio, used if the first ratio leaves too large an error of the moment.
 const SHARPEST: f64 = 2e-4;
 
-/// Solves for one creepage, force or spin after the other, each from the answer of the last. The normal load may change
+/// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
 /// between solves.
 ///
 /// ```
@@ -62,38 +62,38 @@ const SHARPEST: f64 = 2e-4;
 #[derive(Clone)]
 pub struct RollingSolver {
     pub(in crate::rolling) problem: RollingProblem,
-    /// Pressure and limits that are checked before the problem takes them.
+    /// Pressure and limits that are checked before the problem accepts them.
     pub(in crate::rolling) candidate: PressureOnWindow,
-    /// How the pressure of bodies of different materials displaces them, once it has changed.
+    /// Coupling operators for the tangential displacement by the pressure of bodies of different materials; `None` before the
+    /// first change of the pressure.
     pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
-    /// Finds the pressure of a load, if the caller has given it.
+    /// Normal solver for new loads, if the caller has set it.
     pub(in crate::rolling) press: Option<Box<Press>>,
     pub(in crate::rolling) operator: Arc<SteadyOperator>,
     pub(in crate::rolling) inverse: Arc<SteadyPreconditioner>,
     pub(in crate::rolling) workspace: Workspace<Disc, 2>,
-    /// What tractions and displacements are measured in: one, or a power of two where their squares would leave the range
-    /// of numbers.
+    /// Unit of tractions and displacements: one, or a power of two if their squares would overflow or underflow.
     pub(in crate::rolling) unit: f64,
     pub(in crate::rolling) limits: Vec<f64>,
     pub(in crate::rolling) traction: [Vec<f64>; 2],
-    /// What a solve asks of each cell.
+    /// Linear term of each cell in a solve.
     pub(in crate::rolling) linear: [Vec<f64>; 2],
-    /// The compliance B that cells that carry traction have of their own.
+    /// Entry compliance B of cells that carry traction.
     pub(in crate::rolling) own_mean: Vec<f64>,
     pub(in crate::rolling) own_deviator: Vec<[f64; 2]>,
-    /// The spin of the last solve, from which the search for that of a moment starts.
+    /// Spin of the last solve, at which the search for the spin of a moment starts.
     pub(in crate::rolling) spin: f64,
     pub(in crate::rolling) report: Report,
-    /// The report of the last solve at one spin.
+    /// Report of the last solve at one spin.
     pub(in crate::rolling) passes: Report,
-    /// Part of `linear` that corrects the direction of slip; of no cells without correction.
+    /// Part of `linear` that corrects the direction of slip; empty without corrections.
     pub(in crate::rolling) lag: [Vec<f64>; 2],
-    /// Whether there is a last answer.
+    /// Whether there is a last solution.
     pub(in crate::rolling) is_warm: bool,
     pub(in crate::rolling) trend: CreepTrend,
-    /// Knowledge about the start of the next solve.
+    /// Initial guess of the next solve.
     known: InitialGuess<2>,
-    /// Whether the pressure has changed since that answer.
+    /// Whether the pressure has changed since that solution.
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<RollingSensitivity>,
     /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
@@ -150,14 +150,14 @@ impl RollingSolver {
         Ok(solver)
     }
 
-    /// Takes the limits of the problem, and what follows from them.
+    /// Updates the limits from the problem, and the quantities that depend on them.
     pub(in crate::rolling) fn take_limits(&mut self) {
         let limits = &self.problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
         let ratio = self.unit / unit;
         let scaled = self.traction.iter_mut().chain(&mut self.trend.change);
         for traction in scaled.flatten() {
-            // Beside limits so much smaller the old tractions tell nothing.
+            // If the ratio of the units overflows, the old tractions are useless and set to zero.
             *traction = if ratio.is_finite() {
                 ratio * *traction
             } else {
@@ -168,7 +168,8 @@ impl RollingSolver {
         let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
             let before = ratio * self.limits[cell];
-            // Tractions that follow the pressure are near the next ones: 30.4 products become 19.4 in a wheel's time loop.
+            // Tractions scaled with the pressure are close to the next solution: 19.4 instead of 30.4 products in a wheel's
+            // time loop.
             if follows && before > 0.0 {
                 for traction in self.traction.iter_mut().chain(&mut self.trend.change) {
                     traction[cell] *= limit / unit / before;
@@ -189,11 +190,11 @@ impl RollingSolver {
         TangentialModel::Vector.check(settings)
     });
 
-    /// Changes what is prescribed of the next solve: along x and along y, and the spin or moment.
+    /// Sets the controls of the next solve: forces or creepages along x and y, and the spin or moment.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`];
-    /// all is then as it was.
+    /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`].
+    ///   All controls are then unchanged.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -205,12 +206,16 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Changes the friction of the next solve. [`stiffness`](Self::stiffness) is about the last answer, if there is one,
-    /// until that solve.
+    /// Sets the friction of the next solve. Until that solve, [`stiffness`](Self::stiffness) refers to the last solution, if
+    /// there is a solution.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`]; as [`set_control`](Self::set_control) for the present loads, [`Error::NotFinite`] also if
-    /// the limits overflow; [`Error::Memory`]; the friction is then as it was.
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - The errors of [`set_control`](Self::set_control) for the current loads.
+    /// - [`Error::NotFinite`] if the limits overflow.
+    /// - [`Error::Memory`] if memory runs out.
+    ///
+    /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         let problem = &mut self.problem;
         friction.check(problem.bodies.grid())?;
@@ -220,7 +225,7 @@ impl RollingSolver {
         self.take_candidate(|problem| problem.friction.try_clone_from(friction))
     }
 
-    /// Takes the candidate pressure and limits, if they allow the present loads and `work` succeeds.
+    /// Accepts the candidate pressure and limits if they allow the current loads and `work` succeeds.
     pub(in crate::rolling) fn take_candidate(
         &mut self,
         work: impl FnOnce(&mut RollingProblem) -> Result<()>,
@@ -237,8 +242,8 @@ impl RollingSolver {
         taken
     }
 
-    /// Forgets the last answer: the next solve starts as the first did, and [`stiffness`](Self::stiffness) is that of a
-    /// contact that sticks.
+    /// Discards the last solution. The next solve starts like the first solve, and [`stiffness`](Self::stiffness) refers to a
+    /// contact that sticks everywhere.
     pub fn reset(&mut self) {
         for value in self.traction.iter_mut().flatten() {
             *value = 0.0;
@@ -249,37 +254,40 @@ impl RollingSolver {
         self.take_limits();
     }
 
-    /// An empty solution of the right size for [`Self::solve_into`].
+    /// Returns an empty solution with the grid of the bodies for [`Self::solve_into`].
     #[must_use]
     pub fn new_solution(&self) -> RollingSolution {
         unwrap_or_abort(self.try_new_solution())
     }
 
-    /// [`Self::new_solution`] where memory may run out.
+    /// Returns [`Self::new_solution`], or an error if memory runs out.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_new_solution(&self) -> Result<RollingSolution> {
         RollingSolution::empty(self.problem.bodies.grid())
     }
 
-    /// Solves into `solution`, whose last content does not matter. The spin of a moment is found by several solves, each
-    /// to a tenth of the tolerance or less; their report adds up the work, and the limits hold for all of them together.
+    /// Solves into `solution` and overwrites its previous content. Several solves determine the spin of a prescribed moment,
+    /// each to a tenth of the tolerance or less. Their report sums the work, and the limits apply to all of them together.
     /// The load error of a moment is relative to half the range of the moments that spins cause.
     ///
     /// # Errors
-    /// [`Error::GridMismatch`], nothing changed; [`Error::NotConverged`] with the last feasible iterate in `solution`, also
-    /// where the spin of a moment near the limit is not found; [`Error::Memory`], which during the search for the spin of a
-    /// moment leaves the answer at another spin in `solution`.
+    /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
+    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, also if the spin of a moment near the limit is
+    ///   not found.
+    /// - [`Error::Memory`] if memory runs out. If this happens during the search for the spin of a moment, `solution`
+    ///   contains the result at a different spin.
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::solve_into`] with an observer that sees every step and may cancel. Once it has cancelled, the solve returns
-    /// [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the tolerance.
+    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. Once it has
+    /// cancelled, the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the
+    /// tolerance.
     ///
     /// # Errors
-    /// As [`Self::solve_into`].
+    /// The errors of [`Self::solve_into`].
     pub fn solve_observed(
         &mut self,
         solution: &mut RollingSolution,
@@ -314,7 +322,7 @@ impl RollingSolver {
         })
     }
 
-    /// Moves the last tractions on along their trend, if creepages and spin change as they did in the last solve.
+    /// Extrapolates the last tractions along their trend if creepages and spin change as in the last solve.
     fn extrapolate(&mut self) {
         let problem = &self.problem;
         let [x, y] = problem.controls.map(|control| match control {
@@ -336,7 +344,7 @@ impl RollingSolver {
         };
     }
 
-    /// Solves at the present spin for the directions of slip as last corrected.
+    /// Solves at the current spin with the current corrections of the slip directions.
     pub(in crate::rolling) fn solve_pass(
         &mut self,
         settings: &Settings,
@@ -380,7 +388,8 @@ impl RollingSolver {
         CellCompliance::new(&self.own_mean, &self.own_deviator)
     }
 
-    /// Slip that the traction of a cell opposes in the last answer: over the step, or at its end if directions are corrected.
+    /// Returns the slip that is opposite to the traction of a cell in the last solution: over the step, or at its end if
+    /// directions are corrected.
     pub(in crate::rolling) fn slip(&self, cell: usize) -> [f64; 2] {
         let product = self.workspace.product();
         let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));
@@ -389,7 +398,8 @@ impl RollingSolver {
         minus(slip, self.workspace.multiplier())
     }
 
-    /// Finds the spin of a moment by solves at given spins, from that of the last solve on; one that fails leaves it.
+    /// Finds the spin of a moment by solves at given spins, starting at the spin of the last solve. Restores this spin after
+    /// an error.
     fn solve_for_moment(
         &mut self,
         moment: f64,
@@ -432,7 +442,7 @@ impl RollingSolver {
             let missing = moment - solution.moment();
             let error = (missing / half_range).abs();
             self.report.load_error = self.report.load_error.max(error);
-            // Near round-off a sharper solve stalls although it is sharp enough.
+            // Near round-off a solve with a smaller tolerance can stall although it is accurate enough.
             let pass = &self.passes;
             let is_stopped = !matches!(pass.status, Status::Converged | Status::Stalled);
             let is_sound = outcome.is_ok() || !is_stopped && pass.is_within(tolerance);
@@ -456,7 +466,7 @@ impl RollingSolver {
             if let Some(spin) = search.next(self.spin, missing) {
                 self.spin = spin;
             } else if sharper > SHARPEST {
-                // The moments of the last spins differ by less than the error of the solves.
+                // The moments of the last two spins differ by less than the error of the solves.
                 sharper *= SHARPER;
                 search = start();
             } else {
@@ -466,7 +476,7 @@ impl RollingSolver {
         Err(Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// A spin at which the cells farthest from the origin are near their limits.
+    /// Returns a spin at which the cells farthest from the origin are near their limits.
     fn stride(&self) -> f64 {
         let problem = &self.problem;
         let motions = problem
@@ -478,7 +488,7 @@ impl RollingSolver {
         self.largest_slip() / farthest
     }
 
-    /// Returns about how far tractions at their limits displace a cell on its way through the contact.
+    /// Returns the approximate displacement of a cell along its path through the contact by tractions at their limits.
     pub(in crate::rolling) fn largest_slip(&self) -> f64 {
         let limit = self
             .limits
@@ -487,7 +497,7 @@ impl RollingSolver {
         self.problem.chain as f64 * self.operator.self_compliance() * self.unit * limit
     }
 
-    /// Writes what each cell is to follow, and returns what is prescribed of the sums.
+    /// Writes the linear term of each cell and returns the prescribed totals.
     fn compute_totals(&mut self) -> [Total; 2] {
         let problem = &self.problem;
         let given = problem.controls.map(|control| match control {
@@ -511,14 +521,14 @@ impl RollingSolver {
         })
     }
 
-    /// The report of the last solve.
+    /// Returns the report of the last solve.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
     }
 }
 
-/// What a cell slips over a step by a traction of its own.
+/// Returns the slip of a cell over a step by a unit traction of that cell.
 fn self_compliance(compliance: &impl Operator<2>, step: WindowShift) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =

@@ -1,31 +1,31 @@
 //! The search for the spin of a moment.
 
-/// A position of the search, and the moment that its spin lacks.
+/// Position of the search, and the deficit of the moment at its spin.
 #[derive(Debug, Clone, Copy)]
 struct SearchPoint {
     at: f64,
     missing: f64,
 }
 
-/// Inverse quadratic interpolation between bounds, or bisection where it is not safe (T. R. Chandrupatla, Advances in
-/// Engineering Software 28 (1997) 145, <https://doi.org/10.1016/S0965-9978(96)00051-8>).
+/// Search by inverse quadratic interpolation between bounds, or by bisection if interpolation is not safe (T. R. Chandrupatla,
+/// Advances in Engineering Software 28 (1997) 145, <https://doi.org/10.1016/S0965-9978(96)00051-8>).
 ///
-/// The moment need not rise with the spin. It is known for spins without limit: the search begins with one end of all
-/// spins, and the moment always crosses its target between two points. The positions are $`v = \varphi/(s + |\varphi|)`$, from
-/// minus one to one, with a spin s at which the contact slides in large part.
+/// The moment need not increase with the spin. Its limits for spins of plus and minus infinity are available. The search
+/// starts with one of these limits as a bound, and the moment always crosses its target between the bounds. The positions are
+/// $`v = \varphi/(s + |\varphi|)`$, from minus one to one, where s is a spin at which most of the contact slides.
 #[derive(Debug)]
 pub(in crate::rolling) struct SpinSearch {
     scale: f64,
-    /// The deficits of the moments at the two ends.
+    /// Deficits of the moments at the two ends.
     ends: [f64; 2],
     latest: Option<SearchPoint>,
-    /// The last point on the other side of the moment.
+    /// Last point at which the deficit has the opposite sign.
     opposite: SearchPoint,
     before: Option<SearchPoint>,
 }
 
 impl SpinSearch {
-    /// A search of which the spins at the ends lack so much of the moment, with different signs.
+    /// Creates a search from the deficits of the moment at both ends, which have different signs.
     pub(in crate::rolling) fn new(scale: f64, ends: [f64; 2]) -> Self {
         let [low, _] = ends;
         Self {
@@ -40,8 +40,8 @@ impl SpinSearch {
         }
     }
 
-    /// Returns the spin to try after one that lacks so much of the moment; `None` if spins between the bounds differ by
-    /// round-off alone.
+    /// Returns the next spin after a spin with the deficit `missing`; `None` if the spins between the bounds differ only by
+    /// round-off.
     pub(in crate::rolling) fn next(&mut self, spin: f64, missing: f64) -> Option<f64> {
         let point = SearchPoint {
             at: spin / (self.scale + spin.abs()),
@@ -79,7 +79,7 @@ impl SpinSearch {
         (low < at && at < high && next.is_finite()).then_some(next)
     }
 
-    /// Returns the part of the way to the opposite bound.
+    /// Returns the fraction of the interval to the opposite bound.
     fn part(&self, latest: SearchPoint) -> f64 {
         let [a, b] = [latest.at, self.opposite.at];
         let [fa, fb] = [latest.missing, self.opposite.missing];

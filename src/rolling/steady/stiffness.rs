@@ -1,7 +1,8 @@
-//! How forces and moment of rolling bodies follow creepages and spin, at fixed zones.
+//! Derivatives of forces and moment of rolling bodies with respect to creepages and spin, with fixed zones.
 //!
-//! With the projection P onto what cells may do, the turning stiffness K of cells that slip and the motion $`w_a`$ of a
-//! step by a unit of a creepage or of spin, the tractions that it adds solve $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
+//! Let P be the projection onto the admissible changes of the tractions, K the rotational stiffness of slipping cells, and
+//! $`w_a`$ the motion of a step by a unit of a creepage or of spin. The additional tractions solve
+//! $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
 
 use std::ops::ControlFlow;
 
@@ -21,7 +22,7 @@ use crate::tangential::centre;
 /// Relative residual of the tractions.
 const TOLERANCE: f64 = 1e-10;
 
-/// The linear problem of a step at fixed zones, and its unknowns.
+/// Linear problem of a step with fixed zones, and its unknowns.
 #[derive(Clone)]
 pub(in crate::rolling) struct RollingSensitivity {
     pub(in crate::rolling) linear: LinearWorkspace<<Disc as LinearisedSet<2>>::CellMotion, 2>,
@@ -31,18 +32,18 @@ pub(in crate::rolling) struct RollingSensitivity {
 }
 
 impl RollingSolver {
-    /// How forces and moment change with creepages and spin about the last answer,
+    /// Returns the derivatives of forces and moment with respect to creepages and spin at the last solution,
     ///
     /// ```math
     /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
     /// ```
     ///
-    /// by rows of the loads: forces, with the spin forces times lengths, in the row of the moment once more times a
-    /// length. Cells that stick follow, cells that slip turn with their slip and stay at their limits, whichever of motion
-    /// and load is prescribed. Before the first solve all cells stick: these are Kalker's coefficients, times
-    /// $`G a b`$ and lengths. The matrix is not symmetric; where the whole contact slides along one direction, a part of
-    /// it is zero. On 64 cells across a sphere the three columns take 90 to 140 products in double precision, two to
-    /// three times as many as a solve after one per cent more of the creepage.
+    /// with one row per load. The entries for spin have an additional factor of length, and so do the entries in the row of
+    /// the moment. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and remain at
+    /// their limits, whether the motion or the load is prescribed. Before the first solve all cells stick, and the entries
+    /// are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact slides in
+    /// one direction, a part of the matrix is zero. On 64 cells across a sphere the three columns take 90 to 140 products
+    /// in double precision. A solve after an increase of the creepage by one per cent takes a third to half as many.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -62,16 +63,17 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotConverged`] if the tractions are not found to a relative residual of 1e-10; [`Error::Memory`].
+    /// - [`Error::NotConverged`] if the tractions do not reach a relative residual of 1e-10.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
     }
 
-    /// [`stiffness`](Self::stiffness) with an observer that is asked before every product with the operator and may
-    /// cancel; the residual it sees is that of the linear problem under way.
+    /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and
+    /// may cancel. The observer receives the residual of the current linear problem.
     ///
     /// # Errors
-    /// As [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
@@ -82,7 +84,7 @@ impl RollingSolver {
         Ok(Small(found?).transposed().0)
     }
 
-    /// Takes the linear problem, or makes it.
+    /// Takes the existing linear problem, or creates it.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
         Ok(match self.follow.take() {
             Some(follow) => follow,
@@ -95,7 +97,7 @@ impl RollingSolver {
         })
     }
 
-    /// Forces and moment by a unit of each creepage and of spin.
+    /// Returns forces and moment per unit of each creepage and of spin.
     fn loads(
         &self,
         follow: &mut RollingSensitivity,
@@ -112,7 +114,7 @@ impl RollingSolver {
         Ok(loads)
     }
 
-    /// Holds each cell in the zone where it is.
+    /// Fixes each cell in its current zone.
     pub(in crate::rolling) fn hold_zones(&self, follow: &mut RollingSensitivity) -> Result<()> {
         let (traction, limits) = (slices(&self.traction), &self.limits);
         let alone = self.operator.self_compliance();
@@ -143,7 +145,7 @@ impl RollingSolver {
         Ok(self.loads_of(follow.linear.tractions()))
     }
 
-    /// Finds the tractions that answer displacements of the cells over a step at fixed zones.
+    /// Solves for the tractions that cause the given displacements of the cells over a step, with fixed zones.
     pub(in crate::rolling) fn respond(
         &self,
         moved: impl Fn(usize) -> [f64; 2] + Sync,
@@ -170,7 +172,7 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Forces and moment of tractions of the cells of the window.
+    /// Returns forces and moment of tractions of the cells of the window.
     pub(in crate::rolling) fn loads_of(&self, tractions: [&[f64]; 2]) -> [f64; 3] {
         let (grid, window) = (self.problem.bodies.grid(), self.problem.pressed.window());
         let loads: [f64; 3] = reduce::sum(&self.operator.layout(), |cell| {

@@ -1,23 +1,23 @@
-//! The trend of the tractions, by which the start of a solve is extrapolated.
+//! The trend of the tractions, from which the start of a solve is extrapolated.
 
 use crate::error::Result;
 use crate::memory::fallible::{try_each, zeros};
 use crate::numerics::cell_vector::dot;
 
-/// Most changes of the last solve by which a start is extrapolated.
+/// Largest extrapolation of a start, as a multiple of the last change.
 const FARTHEST: f64 = 1.5;
 
-/// The change of the tractions in the last solve, and the change of the motion that caused it.
+/// Change of the tractions in the last solve, and change of the motion that caused it.
 ///
-/// In a time loop, creepages and spin change in a step by about as much as in the step before. On 24 x 24 cells of a wheel
+/// In a time loop, creepages and spin change by about the same amount in consecutive steps. On 24 x 24 cells of a wheel
 /// with steps of 1 ms, the extrapolation saves a fifth of the products.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct CreepTrend {
-    /// During a solve the tractions at its start, without extrapolation.
+    /// Change of the tractions; during a solve the tractions at its start, before extrapolation.
     pub(in crate::rolling) change: [Vec<f64>; 2],
     /// Creepages, and spin times a length, of the last solve.
     motion: [f64; 3],
-    /// Their change in that solve; zero if the trend is unknown.
+    /// Change of this motion in that solve; zero if the trend is unknown.
     by: [f64; 3],
 }
 
@@ -30,7 +30,7 @@ impl CreepTrend {
         })
     }
 
-    /// Forgets the change.
+    /// Discards the trend.
     pub(in crate::rolling) fn forget(&mut self) {
         self.by = [0.0; 3];
     }
@@ -57,7 +57,7 @@ impl CreepTrend {
         is_extrapolated
     }
 
-    /// Takes the tractions that a solve has found.
+    /// Computes the change of the tractions from the tractions that a solve has found.
     pub(in crate::rolling) fn finish(&mut self, traction: &[Vec<f64>; 2]) {
         for (traction, change) in traction.iter().zip(&mut self.change) {
             for (traction, change) in traction.iter().zip(change) {

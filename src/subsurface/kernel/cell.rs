@@ -5,23 +5,23 @@ use super::integral::{Integral, Values, sign};
 use super::piece::{CellPart, Extent};
 use crate::numerics::gauss::QuadratureRule;
 
-/// A cell of half sides `a` and `b`.
+/// Cell of half sides `a` and `b`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cell {
     pub(super) a: f64,
     pub(super) b: f64,
-    /// What replaces a zero distance inside a logarithm.
+    /// Length that replaces a zero distance inside a logarithm.
     pub(super) unit: f64,
 }
 
-/// Points of a row that are integrated together, several to a vector register.
+/// Number of points of a row that are integrated together in vector registers.
 const LANES: usize = 4;
 
 impl Cell {
-    /// The integrals at a point with `z >= 0`.
+    /// Returns the integrals at a point with `z >= 0`.
     pub(super) fn at(&self, [x, y, z]: [f64; 3]) -> Values {
         let Self { a, b, unit } = *self;
-        // Working in one quadrant makes the parity exact.
+        // Computing in one quadrant makes the parity exact.
         let (x_abs, y_abs) = (x.abs(), y.abs());
         let mut values = if let Some(rule) = self.rule([x, y, z]) {
             far::integrals([a, b], rule, &[x_abs], [y_abs, z]).map(|[value]| value)
@@ -35,7 +35,7 @@ impl Cell {
         values
     }
 
-    /// The integrals at the points of a row, to the last bit those of [`at`](Self::at).
+    /// Computes the integrals at the points of a row, bitwise identical to the results of [`at`](Self::at).
     pub(super) fn along_row(
         &self,
         xs: &[f64],
@@ -51,7 +51,7 @@ impl Cell {
                 done += 1;
                 continue;
             };
-            // Points that share a rule; the block is filled up with copies of the first.
+            // These points share a quadrature rule; copies of the first point fill the rest of the block.
             let mut block = [x.abs(); LANES];
             let rest = xs[done..].iter().take(LANES);
             let count = rest

@@ -1,44 +1,45 @@
-//! Differences of the antiderivatives between the two ends of an edge of the cell, free of cancellation.
+//! Differences of the antiderivatives between the two ends of an edge of the cell, without cancellation.
 
 use super::piece::Extent;
 
-/// An edge parallel to y, seen from the point: at the distance `X` along x, from `Y_2` to `Y_1` along y. An edge
-/// parallel to x is one with the axes exchanged.
+/// Edge parallel to y relative to the point: at the distance `X` along x, from `Y_2` to `Y_1` along y. For an edge
+/// parallel to x the axes are exchanged.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
-    /// `X`.
+    /// Distance `X`.
     pub(super) offset: f64,
     pub(super) z: f64,
-    /// From `Y_2` to `Y_1 >= |Y_2|`.
+    /// Interval from `Y_2` to `Y_1 >= |Y_2|`.
     pub(super) extent: Extent,
-    /// The distances `r_1 >= r_2` of the ends.
+    /// Distances `r_1 >= r_2` of the ends.
     pub(super) distances: [f64; 2],
-    /// What replaces a zero distance inside a logarithm.
+    /// Length that replaces a zero distance inside a logarithm.
     pub(super) unit: f64,
 }
 
-/// The differences "at `(X, Y_1)` minus at `(X, Y_2)`" of an edge.
+/// Differences of functions between the ends of an edge: the value at `(X, Y_1)` minus the value at `(X, Y_2)`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Differences {
-    /// `asinh(Y/rho)` with `rho^2 = X^2 + z^2`.
+    /// Difference of `asinh(Y/rho)` with `rho^2 = X^2 + z^2`.
     pub(super) asinh: f64,
-    /// `arctan(XY/(rho^2 + zr))`.
+    /// Difference of `arctan(XY/(rho^2 + zr))`.
     pub(super) theta: f64,
-    /// `arctan(XY/(zr))`.
+    /// Difference of `arctan(XY/(zr))`.
     pub(super) solid_angle: f64,
-    /// `ln(r + z)`.
+    /// Difference of `ln(r + z)`.
     pub(super) logarithm: f64,
-    /// `r`.
+    /// Difference of `r`.
     pub(super) distance: f64,
-    /// `X/(r + z)`.
+    /// Difference of `X/(r + z)`.
     pub(super) ratio: f64,
-    /// `1/r` times `X`, and times z.
+    /// Differences of `X/r` and `z/r`.
     pub(super) inverse: [f64; 2],
-    /// `Y/(r rho^2)` times `X^2`, times `zX` and times `z^2`.
+    /// Differences of `Y/(r rho^2)` times `X^2`, times `zX` and times `z^2`.
     pub(super) cubes: [f64; 3],
 }
 
-/// A ratio of lengths, zero if both vanish: the mean of what is odd around an edge or a corner.
+/// Returns a ratio of lengths. If both vanish it returns zero, the mean of an odd function around an edge or a
+/// corner.
 fn ratio(numerator: f64, denominator: f64) -> f64 {
     if denominator == 0.0 {
         0.0
@@ -53,22 +54,23 @@ impl Edge {
         let ([y1, y2], [r1, r2]) = (self.extent.ends, self.distances);
         let rho = (x * x + z * z).sqrt();
         let (cosine, sine) = (ratio(x, rho), ratio(z, rho));
-        // Y_1^2 - Y_2^2, which is also r_1^2 - r_2^2.
+        // Y_1^2 - Y_2^2, which equals r_1^2 - r_2^2.
         let length = 2.0 * self.extent.half;
         let squares = 2.0 * self.extent.middle * length;
         let distance = ratio(squares, r1 + r2);
 
-        // Y_1 r_2 - Y_2 r_1, over rho^2 where it vanishes with it, and what remains of X^2, zX and z^2 over rho^2.
+        // Y_1 r_2 - Y_2 r_1 and the factors X^2, zX and z^2. If the first vanishes with rho, it is divided by
+        // rho^2, otherwise the factors are.
         let (lever, [xx, xz, zz]) = if y2 > 0.0 {
             (squares / (y1 * r2 + y2 * r1), [x * x, x * z, z * z])
         } else {
-            // On an edge of the surface the limit of X/rho is the same from both sides but for the sign.
+            // On an edge of the surface the limits of X/rho from both sides differ only in sign.
             let xx = if rho == 0.0 { 1.0 } else { cosine * cosine };
             (y1 * r2 - y2 * r1, [xx, cosine * sine, sine * sine])
         };
         let product = r1 * r2;
         let [sum1, sum2] = [r1 + z, r2 + z];
-        // Both arcs as angles between two directions, from sine and cosine over rho^2.
+        // Both arcs are angles between two directions, computed from sine and cosine over rho^2.
         let opening = cosine * cosine * y1 * y2;
         let radial = (rho + sine * r1) * (rho + sine * r2);
         Differences {
@@ -87,7 +89,7 @@ impl Edge {
         }
     }
 
-    /// The potential of a uniform line, `ln((r_1 + r_2 + l)/(r_1 + r_2 - l))` of an edge of length `l`.
+    /// Returns the potential of a uniform line, `ln((r_1 + r_2 + l)/(r_1 + r_2 - l))` for an edge of length `l`.
     fn asinh(&self, rho: f64) -> f64 {
         let length = 2.0 * self.extent.half;
         let ([y1, y2], [r1, r2]) = (self.extent.ends, self.distances);
@@ -97,7 +99,7 @@ impl Edge {
         if r2 == 0.0 {
             return (2.0 * length / self.unit).ln();
         }
-        // r_1 - Y_1 and r_2 + Y_2.
+        // The gaps are r_1 - Y_1 and r_2 + Y_2.
         let gap1 = rho * (rho / (r1 + y1));
         let gap2 = if y2 > 0.0 {
             r2 + y2

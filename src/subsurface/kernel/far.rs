@@ -1,15 +1,15 @@
-//! The integrals by Gauss-Legendre quadrature, for points far from the cell.
+//! The integrals by Gauss-Legendre quadrature for points far from the cell.
 
 use crate::numerics::gauss::{
     GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, QuadratureRule,
 };
 use crate::subsurface::kernel::integral::Integral;
 
-/// The integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`, `y >= 0`.
-/// Each point is evaluated as if it were alone.
+/// Returns the integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`,
+/// `y >= 0`. The result at a point does not depend on the other points.
 ///
-/// Below the cell what is odd in x cancels between two halves: of `x - a..x + a` there remains `a - x..a + x`, which is
-/// the same integral with x and a exchanged.
+/// Below the cell, odd contributions in x cancel between two halves. The part `a - x..a + x` of the interval
+/// `x - a..x + a` remains, which is the same integral with x and a exchanged.
 pub(super) fn integrals<const N: usize>(
     [a, b]: [f64; 2],
     rule: QuadratureRule,
@@ -34,7 +34,7 @@ pub(super) fn integrals<const N: usize>(
     sums
 }
 
-/// Sums over the nodes; `[x, a]` of each point and `[y, b]` are the centre and the half side of an interval.
+/// Returns sums over the nodes. `[x, a]` of each point and `[y, b]` are the centre and the half side of an interval.
 fn product_rule<const N: usize>(
     rule: QuadratureRule,
     [xs, a]: [&[f64; N]; 2],
@@ -52,8 +52,8 @@ fn product_rule<const N: usize>(
     sums
 }
 
-/// Adds `a` times a weight times the functions under the integrals: derivatives of `1/r`, `ln(r + z)` and `z ln(r +
-/// z) - r`, and products of three coordinates over `r^5/3`.
+/// Adds `a` times a weight times the functions under the integrals. These are derivatives of `1/r`, `ln(r + z)` and
+/// `z ln(r + z) - r`, and products of three coordinates over `r^5/3`.
 #[inline]
 fn add_integrands<const N: usize>(
     sums: &mut [[f64; N]; Integral::COUNT],
@@ -67,13 +67,13 @@ fn add_integrands<const N: usize>(
         let (x, weight) = (x + a * node, a * weight);
         let x2 = x * x;
         let r = ((x2 + y2) + z2).sqrt();
-        // i = 1/r and s = 1/(r + z) by one division, and t = r/(r + z).
+        // One division gives i = 1/r and s = 1/(r + z); t = r/(r + z).
         let sum = r + z;
         let quotient = 1.0 / (r * sum);
         let (i, s) = (sum * quotient, r * quotient);
         let (i2, t) = (i * i, r * s);
 
-        // The weight goes into one factor of each product.
+        // The weight is included in one factor of each product.
         let wi3 = weight * i * i2;
         let three = 3.0 * wi3 * i2;
         let wis = weight * quotient;
@@ -103,9 +103,10 @@ fn add_integrands<const N: usize>(
     }
 }
 
-/// Distances in longer sides, and the cheapest rule whose error stays below the rounding beyond them. Deep below the
-/// cell the shear stress under a traction along it is of the second order in the ratio of side and depth, and asks most
-/// of the rule. Nearer than the last, the closed form cancels no more than a digit.
+/// Quadrature rules with their minimum distances in longer sides. At larger distances the error of the rule is below
+/// round-off. The hardest case is the shear stress under a tangential traction deep below the cell, which is of second
+/// order in the ratio of side to depth. At distances below the smallest, the closed form loses at most one digit by
+/// cancellation.
 const RULES: [(f64, QuadratureRule); 7] = [
     (3000.0, &GAUSS_3),
     (150.0, &GAUSS_4),
@@ -116,8 +117,8 @@ const RULES: [(f64, QuadratureRule); 7] = [
     (1.5, &GAUSS_16),
 ];
 
-/// The cheapest rule that suffices for a rectangle of half sides a and b at a point; none near it. What is not a number
-/// is left to the quadrature too, which passes it on.
+/// Returns the cheapest sufficient rule for a rectangle of half sides a and b at a point; `None` if the point is near.
+/// NaN is also handled by the quadrature, which propagates it.
 pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<QuadratureRule> {
     let distance = ((x * x + y * y) + z * z).sqrt() / (2.0 * a.max(b));
     let suffices = |&&(reach, _): &&(f64, QuadratureRule)| distance >= reach || distance.is_nan();

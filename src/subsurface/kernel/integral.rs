@@ -1,9 +1,9 @@
-//! The integrals from which all components are composed.
+//! The integrals that compose all components.
 
-/// One of the potentials `V`, `L` and `W` of the [module](super) over the loaded rectangle, or a derivative of it, or a
-/// component of the tensor `T`.
+/// One of the potentials `V`, `L` and `W` of the [module](super) over the loaded rectangle, a derivative of a
+/// potential, or a component of the tensor `T`.
 ///
-/// The first five are lengths, the others numbers.
+/// The first five are lengths, the others are dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Integral {
     V,
@@ -28,13 +28,13 @@ pub(crate) enum Integral {
 }
 
 impl Integral {
-    /// How many there are.
+    /// Number of integrals.
     pub(crate) const COUNT: usize = 19;
 
-    /// How many are lengths: the first ones.
+    /// Number of integrals that are lengths; they come first.
     pub(crate) const LENGTHS: usize = 5;
 
-    /// All of them, each at its own index.
+    /// All integrals, each at its own index.
     pub(crate) const ALL: [Self; Self::COUNT] = [
         Self::V,
         Self::Lx,
@@ -57,17 +57,17 @@ impl Integral {
         Self::Tzzz,
     ];
 
-    /// Its place in an array of all.
+    /// Returns the index of the integral in an array of all integrals.
     pub(crate) const fn index(self) -> usize {
         self as usize
     }
 
-    /// Whether it is a length.
+    /// Returns whether the integral is a length.
     pub(crate) fn is_length(self) -> bool {
         self.index() < Self::LENGTHS
     }
 
-    /// Whether it is odd in x and odd in y; otherwise it is even.
+    /// Returns whether the integral is odd in x and odd in y; otherwise it is even.
     pub(crate) const fn is_odd(self) -> [bool; 2] {
         match self {
             Self::V | Self::Wxx | Self::Lxx | Self::Txxz | Self::Tyyz | Self::Tzzz => {
@@ -80,10 +80,11 @@ impl Integral {
     }
 }
 
-/// One number for each integral.
+/// Value of each integral.
 pub(super) type Values = [f64; Integral::COUNT];
 
-/// The sign of an integral relative to the quadrant of positive x and y; zero where it vanishes by parity.
+/// Returns the sign of an integral relative to the quadrant of positive x and y, or zero if the integral vanishes by
+/// parity.
 pub(super) fn sign(integral: Integral, [x, y]: [f64; 2]) -> f64 {
     let [odd_x, odd_y] = integral.is_odd();
     let along = |is_odd: bool, x: f64| match x {

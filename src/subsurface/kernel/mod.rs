@@ -1,20 +1,20 @@
 //! Displacements and stresses below a uniformly loaded rectangle on an elastic half-space.
 //!
 //! The rectangle `|x| < a`, `|y| < b` of the surface `z = 0` carries a uniform traction; the body is `z >= 0`. The
-//! pressure `p` pushes along `+z`, the tractions `qx` and `qy` act on the body along `+x` and `+y`. Stresses are
-//! tensile positive, so under the load `szz = -p`, `sxz = -qx`, `syz = -qy`. Displacements vanish at infinity.
+//! pressure `p` acts along `+z`, and the tractions `qx` and `qy` act on the body along `+x` and `+y`. Stresses are
+//! positive in tension, so under the load `szz = -p`, `sxz = -qx`, `syz = -qy`. Displacements vanish at infinity.
 //!
 //! # Formulas
 //!
 //! With `X = x - xi`, `Y = y - eta` and `r^2 = X^2 + Y^2 + z^2`, Boussinesq's and Cerruti's solutions follow from
-//! three harmonic potentials, each the derivative of the next along z, integrated over the rectangle:
+//! three harmonic potentials, integrated over the rectangle. Each potential is the z derivative of the next:
 //!
 //! ```math
 //! V = \iint \frac{1}{r}, \qquad L = \iint \ln(r + z), \qquad W = \iint [z \ln(r + z) - r], \qquad
 //! V = L_z, \quad L = W_z.
 //! ```
 //!
-//! A pressure of unit size causes, with the shear modulus `G` and Poisson's ratio `nu`, the displacements
+//! With the shear modulus `G` and Poisson's ratio `nu`, a unit pressure causes the displacements
 //!
 //! ```math
 //! 4 \pi G\,u_x = -(1 - 2\nu) L_x - z V_x, \quad
@@ -30,8 +30,9 @@
 //! 4 \pi G\,u_z = (1 - 2\nu) L_x - z V_x.
 //! ```
 //!
-//! Hooke's law gives the stresses. Deep below the cell they are smaller than the derivatives of the potentials they
-//! consist of, so those that remain in an incompressible body are integrated as one, with `X_3 = z`:
+//! Hooke's law then gives the stresses. Deep below the cell the stresses are smaller than the derivatives of the
+//! potentials that compose them. The combinations that remain in an incompressible body are therefore integrated as
+//! one function, with `X_3 = z`:
 //!
 //! ```math
 //! T_{ijk} = \iint \frac{3 X_i X_j X_k}{r^5}, \qquad \tfrac13 T_{iik} = -V_k.
@@ -53,11 +54,12 @@
 //! W_{xxx} + W_{xyy} = -V_x;
 //! ```
 //!
-//! a traction along y acts like one along x with the axes exchanged. There remain the 19 functions of [`Integral`],
-//! which depend on the cell and the point but not on `nu`; [`Weights`] makes the components of them.
+//! A traction along y acts like a traction along x with the axes exchanged. The result is composed of the 19 functions
+//! of [`Integral`], which depend on the cell and the point but not on `nu`. [`Weights`] contains the factors of the
+//! components.
 //!
-//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, now `r` their
-//! distances, and `rho_X^2 = X^2 + z^2`, `rho_Y^2 = Y^2 + z^2`,
+//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, their distances `r`,
+//! `rho_X^2 = X^2 + z^2` and `rho_Y^2 = Y^2 + z^2`,
 //!
 //! ```math
 //! V_x = \sum s \operatorname{asinh} \frac{Y}{\rho_X}, \quad
@@ -86,23 +88,24 @@
 //! T_{zzz} = -V_z + \sum s \frac{z X Y}{r} \left[\frac{1}{\rho_X^2} + \frac{1}{\rho_Y^2}\right],
 //! ```
 //!
-//! and those with x and y exchanged. Near the cell they are evaluated as differences between the two ends of an edge,
-//! in closed form, so that nothing cancels beside an edge, on its extension or at small depth; far from the cell by
-//! Gauss-Legendre quadrature of the integrands; a slender cell in pieces.
+//! and the same functions with x and y exchanged. Near the cell they are evaluated in closed form, as differences
+//! between the two ends of an edge. This form has no cancellation next to an edge, on its extension or at small depth.
+//! Far from the cell the integrands are integrated by Gauss-Legendre quadrature. A slender cell is divided into
+//! pieces.
 //!
 //! # On the surface
 //!
-//! `z = 0` means the limit from inside the body. Where the limits from the two sides of an edge differ, the value is
-//! their mean, and at a corner the mean over the four quadrants. Where a stress is logarithmically infinite, the zero
-//! distance to the edge or corner inside the logarithm is replaced by the longer half side of the cell, which leaves a
-//! finite part. In a sum over equal cells with equal tractions these logarithms cancel, as they should.
+//! `z = 0` is the limit from inside the body. If the limits from the two sides of an edge differ, the value is their
+//! mean; at a corner it is the mean over the four quadrants. If a stress is logarithmically infinite, the longer half
+//! side of the cell replaces the zero distance to the edge or corner inside the logarithm, which leaves a finite part.
+//! In a sum over equal cells with equal tractions these logarithms cancel, as required.
 //!
 //! # Accuracy
 //!
-//! Relative to the largest displacement, or the largest stress, at the point under the load in question, errors are
-//! about 1e-15, and 1e-14 at worst, at any place and depth. Slender cells are worse where that stress itself is
-//! small: beside the middle of a long edge, where the pressure on an endless strip would cause none on the surface.
-//! There the error is about 1e-16 times the ratio of the sides.
+//! Errors are relative to the largest displacement, or the largest stress, at the point under the load considered.
+//! They are about 1e-15, and at most 1e-14, at any position and depth. The errors of slender cells are larger where
+//! this stress is small: next to the middle of a long edge, where the pressure on an infinite strip would cause no
+//! stress on the surface. There the error is about 1e-16 times the ratio of the sides.
 //!
 //! # Sources
 //!

@@ -5,9 +5,9 @@ use super::integral::{Integral, Values};
 use super::piece::CellPart;
 use std::f64::consts::PI;
 
-/// The four edges of a rectangle, as differences between their ends.
+/// The four edges of a rectangle, with the differences between their ends.
 struct Outline {
-    /// The places of the edges parallel to y.
+    /// Positions of the edges parallel to y.
     xs: [f64; 2],
     ys: [f64; 2],
     along_y: [Differences; 2],
@@ -18,7 +18,7 @@ impl Outline {
     fn new(piece: &CellPart) -> Self {
         let CellPart { x, y, z, unit } = *piece;
         let (xs, ys) = (x.ends, y.ends);
-        // Its form keeps the exchange of the axes exact.
+        // The order of this sum keeps the exchange of the axes exact.
         let distances = xs.map(|x| ys.map(|y| ((x * x + y * y) + z * z).sqrt()));
         let along_y = [0, 1].map(|i| Edge {
             offset: xs[i],
@@ -42,7 +42,7 @@ impl Outline {
         }
     }
 
-    /// The double difference of a function, by its differences along the edges parallel to y.
+    /// Returns the double difference of a function from its differences along the edges parallel to y.
     fn over_x(&self, of: impl Fn(&Differences) -> f64) -> f64 {
         of(&self.along_y[0]) - of(&self.along_y[1])
     }
@@ -51,7 +51,7 @@ impl Outline {
         of(&self.along_x[0]) - of(&self.along_x[1])
     }
 
-    /// The double difference of `X` times a function.
+    /// Returns the double difference of `X` times a function.
     fn times_x(&self, of: impl Fn(&Differences) -> f64) -> f64 {
         self.xs[0] * of(&self.along_y[0]) - self.xs[1] * of(&self.along_y[1])
     }
@@ -60,8 +60,8 @@ impl Outline {
         self.ys[0] * of(&self.along_x[0]) - self.ys[1] * of(&self.along_x[1])
     }
 
-    /// The solid angle of the piece. Beside the piece it is of order z, and only one of the two orders of differences
-    /// is a sum of angles of that order.
+    /// Returns the solid angle of the piece. Next to the piece the solid angle is of order z. Only one of the two
+    /// orders of differences is then a sum of angles of this order.
     fn solid_angle(&self, z: f64) -> f64 {
         if z == 0.0 {
             let share = |[_, end]: [f64; 2]| match end {
@@ -78,7 +78,7 @@ impl Outline {
     }
 }
 
-/// All integrals over a piece whose centre lies in the quadrant `x >= 0`, `y >= 0`.
+/// Returns all integrals over a piece whose centre is in the quadrant `x >= 0`, `y >= 0`.
 pub(super) fn integrals(piece: &CellPart) -> Values {
     let z = piece.z;
     let outline = Outline::new(piece);
@@ -91,7 +91,7 @@ pub(super) fn integrals(piece: &CellPart) -> Values {
     let lxy = outline.over_x(|edge| edge.logarithm);
     let logarithms_x = outline.times_x(|edge| edge.logarithm);
     let logarithms_y = outline.times_y(|edge| edge.logarithm);
-    // z V_xx and so on.
+    // These are z V_xx and so on.
     let [xxx, zvxx, zvxz] = [0, 1, 2].map(|k| -outline.over_x(|edge| edge.cubes[k]));
     let [yyy, zvyy, zvyz] = [0, 1, 2].map(|k| -outline.over_y(|edge| edge.cubes[k]));
 

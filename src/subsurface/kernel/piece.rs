@@ -1,20 +1,21 @@
-//! A rectangle near the point: closed form, after division if it is slender.
+//! A rectangle near the point: closed form, after subdivision if the rectangle is slender.
 
 use super::integral::{Integral, Values, sign};
 use super::{far, near};
 use crate::numerics::gauss::QuadratureRule;
 
-/// The extent of a rectangle along one axis, as seen from the point.
+/// Extent of a rectangle along one axis, relative to the point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
-    /// The upper and the lower end. Neighbours share them to the last bit.
+    /// Upper and lower end. The common ends of neighbours are bitwise identical.
     pub(super) ends: [f64; 2],
     pub(super) middle: f64,
     pub(super) half: f64,
 }
 
 impl Extent {
-    /// Of half length `half` around `middle`. Both are kept: differences of the ends would lose digits far away.
+    /// Creates an interval of half length `half` around `middle`. Both are stored, because differences of the
+    /// ends would lose accuracy far away.
     pub(super) fn new(middle: f64, half: f64) -> Self {
         let ends = [middle + half, middle - half];
         Self { ends, middle, half }
@@ -26,13 +27,15 @@ impl Extent {
         Self { ends, middle, half }
     }
 
-    /// Its halves. Only an interval near the point is divided, so differences of the ends keep their digits.
+    /// Returns the halves of the interval. Only intervals near the point are divided, so differences of the ends
+    /// are accurate.
     fn halves(&self) -> [Self; 2] {
         let [end, start] = self.ends;
         [[end, self.middle], [self.middle, start]].map(Self::between)
     }
 
-    /// The interval, or its mirror image, around a middle that is not negative; the sign of the middle.
+    /// Returns the interval or its mirror image, with a non-negative middle, and the sign of the original
+    /// middle.
     fn mirrored(&self) -> (Self, f64) {
         if self.middle >= 0.0 {
             return (*self, 1.0);
@@ -47,17 +50,18 @@ impl Extent {
     }
 }
 
-/// A part of the cell as seen from the point.
+/// Part of the cell relative to the point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellPart {
     pub(super) x: Extent,
     pub(super) y: Extent,
     pub(super) z: f64,
-    /// What replaces a zero distance inside a logarithm.
+    /// Length that replaces a zero distance inside a logarithm.
     pub(super) unit: f64,
 }
 
-/// The greatest ratio of sides for the closed form. It cancels in units of the shorter side.
+/// Largest ratio of sides for which the closed form is used. The cancellation error is relative to the shorter
+/// side.
 const SLENDEREST: f64 = 2.0;
 
 impl CellPart {
@@ -65,7 +69,7 @@ impl CellPart {
         let Some(halves) = self.halves() else {
             return self.whole();
         };
-        // A list in place of recursion: very slender cells are divided some hundred times.
+        // A list replaces recursion, because very slender cells are divided about a hundred times.
         let (mut values, mut pending) = ([0.0; Integral::COUNT], halves.to_vec());
         while let Some(piece) = pending.pop() {
             if let Some(halves) = piece.halves() {
@@ -79,7 +83,7 @@ impl CellPart {
         values
     }
 
-    /// Its halves, if it is slender and near the point.
+    /// Returns the halves of the piece; `None` if it is compact or far from the point.
     fn halves(&self) -> Option<[Self; 2]> {
         let Self { x, y, .. } = self;
         if self.rule().is_some() {
@@ -93,7 +97,8 @@ impl CellPart {
         }
     }
 
-    /// The integrals at once: by quadrature far away, by the closed form near a compact piece.
+    /// Returns the integrals without subdivision: by quadrature if the piece is far away, otherwise in closed
+    /// form.
     fn whole(&self) -> Values {
         let ((x, sign_x), (y, sign_y)) = (self.x.mirrored(), self.y.mirrored());
         let mut values = match self.rule() {
@@ -109,7 +114,7 @@ impl CellPart {
         values
     }
 
-    /// The rule of quadrature that suffices at this distance; `None` near the point.
+    /// Returns the quadrature rule that suffices at this distance; `None` near the point.
     fn rule(&self) -> Option<QuadratureRule> {
         let Self { x, y, z, .. } = self;
         far::rule([x.half, y.half], [x.middle, y.middle, *z])

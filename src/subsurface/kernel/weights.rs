@@ -1,31 +1,31 @@
-//! The components of displacement and stress composed of the integrals.
+//! The components of displacement and stress as weighted sums of the integrals.
 
 use super::integral::Integral;
 use std::f64::consts::PI;
 
-/// A unit traction on the cell.
+/// Unit traction on the cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Load {
-    /// A pressure.
+    /// Pressure.
     P,
-    /// A traction along x.
+    /// Traction along x.
     Qx,
-    /// A traction along y.
+    /// Traction along y.
     Qy,
 }
 
 impl Load {
-    /// All of them.
+    /// All tractions.
     pub(crate) const ALL: [Self; 3] = [Self::P, Self::Qx, Self::Qy];
 
-    /// Along which axis it turns the parity of a component.
+    /// Returns the axes along which the traction changes the parity of a component.
     pub(crate) fn turns(self) -> [bool; 2] {
         [self == Self::Qx, self == Self::Qy]
     }
 }
 
-/// A component of displacement, times the shear modulus and per unit traction (a length), or of stress, per unit
-/// traction.
+/// Component of displacement, times the shear modulus and per unit traction (a length), or component of stress, per
+/// unit traction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Component {
     Ux,
@@ -40,10 +40,10 @@ pub(crate) enum Component {
 }
 
 impl Component {
-    /// How many there are.
+    /// Number of components.
     pub(crate) const COUNT: usize = 9;
 
-    /// All of them, displacements first.
+    /// All components, displacements first.
     pub(crate) const ALL: [Self; Self::COUNT] = [
         Self::Ux,
         Self::Uy,
@@ -56,18 +56,19 @@ impl Component {
         Self::Syz,
     ];
 
-    /// Whether it is a displacement.
+    /// Returns whether the component is a displacement.
     pub(crate) fn is_displacement(self) -> bool {
         matches!(self, Self::Ux | Self::Uy | Self::Uz)
     }
 
-    /// Whether it has a z once, and so the other sign in a body that z points out of.
+    /// Returns whether the component has exactly one index z, and so the opposite sign in a body from which z points
+    /// away.
     pub(crate) fn is_odd_in_z(self) -> bool {
         matches!(self, Self::Uz | Self::Sxz | Self::Syz)
     }
 
-    /// Whether it is odd in x and odd in y under a pressure; otherwise it is even. A traction along an axis turns the
-    /// parity along it.
+    /// Returns whether the component is odd in x and odd in y under a pressure; otherwise it is even. A traction
+    /// along an axis changes the parity along this axis.
     pub(crate) fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Uz | Self::Sxx | Self::Syy | Self::Szz => [false, false],
@@ -78,10 +79,10 @@ impl Component {
     }
 }
 
-/// The weights of the integrals in all components: a table that depends on `nu` and `z` only.
+/// Weights of the integrals in all components. The table depends only on `nu` and `z`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Weights {
-    /// By load, component and integral.
+    /// Weights by load, component and integral.
     table: [[[f64; Integral::COUNT]; Component::COUNT]; 3],
 }
 
@@ -93,7 +94,7 @@ enum EdgeAxis {
 }
 
 impl Weights {
-    /// The weights at the depth `z` for Poisson's ratio `nu`.
+    /// Computes the weights at the depth `z` for Poisson's ratio `nu`.
     pub(crate) fn new(nu: f64, z: f64) -> Self {
         let table = [[[0.0; Integral::COUNT]; Component::COUNT]; 3];
         let mut weights = Self { table };
@@ -103,7 +104,7 @@ impl Weights {
         weights
     }
 
-    /// The weights of one component, by [`Integral::index`].
+    /// Returns the weights of one component, by [`Integral::index`].
     pub(crate) fn of(&self, load: Load, component: Component) -> &[f64; Integral::COUNT] {
         &self.table[load as usize][component as usize]
     }
@@ -144,7 +145,8 @@ impl Weights {
         self.add(load, Component::Syz, &[(-1.0, Txyz)]);
     }
 
-    /// The traction along x with the axes exchanged, `L_yy` and `W_yy` replaced by the others.
+    /// Sets the weights for a traction along y: those for a traction along x with the axes exchanged, with `L_yy` and
+    /// `W_yy` expressed by the other integrals.
     fn set_traction_y(&mut self, nu: f64, z: f64) {
         use Integral::{Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy};
         let e = 1.0 - 2.0 * nu;
@@ -167,7 +169,7 @@ impl Weights {
         self.add(load, Component::Syz, &[(-1.0, Tyyz)]);
     }
 
-    /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, a third of the trace of `T`.
+    /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, one third of the trace of `T`.
     fn add_trace(&mut self, load: Load, component: Component, factor: f64, axis: EdgeAxis) {
         use Integral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
         let trace = match axis {
@@ -182,7 +184,7 @@ impl Weights {
         );
     }
 
-    /// Displacements carry the factor `1/(4 pi)`, stresses `1/(2 pi)`.
+    /// Adds weights with the factor `1/(4 pi)` for displacements and `1/(2 pi)` for stresses.
     fn add(&mut self, load: Load, component: Component, parts: &[(f64, Integral)]) {
         let divisor = if component.is_displacement() {
             4.0 * PI

@@ -14,7 +14,7 @@ use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weig
 use crate::subsurface::strip::Strips;
 use radial::Radial;
 
-/// A component under a traction.
+/// Component of the response to one traction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StressEntry {
     pub(super) load: Load,
@@ -35,28 +35,29 @@ impl StressEntry {
         Component::COUNT * self.load as usize + self.component as usize
     }
 
-    /// Whether it is odd in x and odd in y.
+    /// Returns whether the component is odd in x and odd in y.
     pub(super) fn is_odd(self) -> [bool; 2] {
         let (odd, turns) = (self.component.is_odd(), self.load.turns());
         [odd[0] != turns[0], odd[1] != turns[1]]
     }
 }
 
-/// The components under each traction: one number each.
+/// Values of all components under each traction.
 type Entries = [f64; StressEntry::COUNT];
-/// Those under one traction.
+/// Values of all components under one traction.
 type TractionColumn = [f64; Component::COUNT];
 
-/// A depth below a coated body.
+/// Kernels at a depth below the surface of a coated body.
 ///
-/// In the outermost layer the effect of a cell is that on a half-space of the layer's constants, in closed form, and a rest
-/// that what lies below adds, smooth on the scale of 2h - z. Further down all of it is smooth on the scale of the depth. What
-/// is smooth are Hankel integrals of the [responses at the depth](SubsurfaceResponse), tabulated in the distance and integrated over the
-/// cell by Gauss rules, as for the surface.
+/// In the outermost layer the effect of a cell is the sum of two parts. The first is the closed form for a half-space with
+/// the constants of the layer. The second is a correction for everything below, which is smooth on the scale of 2h - z.
+/// Below this layer the entire effect is smooth on the scale of the depth. The smooth parts are Hankel integrals of the
+/// [responses at the depth](SubsurfaceResponse), tabulated as functions of the distance and integrated over the cell by Gauss rules, as
+/// for the surface.
 pub(super) struct Layered<'a> {
     waves: LayerWaves<'a>,
     depth: f64,
-    /// Shear modulus and Poisson's ratio of the outermost layer, for a depth in it.
+    /// Shear modulus and Poisson's ratio of the outermost layer, if the depth is in it.
     near: Option<[f64; 2]>,
     radial: Radial,
 }
@@ -88,7 +89,7 @@ impl<'a> Layered<'a> {
         self.waves.poisson_ratio_at(self.depth)
     }
 
-    /// The symbols of a wave vector, not zero, or their imaginary parts.
+    /// Returns the symbols, or their imaginary parts, for a nonzero wave vector.
     pub(super) fn symbols(&self, [x, y]: [f64; 2]) -> Entries {
         let k = x.hypot(y);
         let below = self.waves.at_depth(k, self.depth);
@@ -100,7 +101,7 @@ impl<'a> Layered<'a> {
         )
     }
 
-    /// The coefficients at the distances of a quarter of the torus that are sampled here, row by row.
+    /// Returns the coefficients at the local distances of a quarter of the torus, row by row.
     pub(super) fn samples(
         &self,
         grid: Grid,
@@ -153,7 +154,7 @@ impl<'a> Layered<'a> {
         Ok(values)
     }
 
-    /// What is smooth of the response to waves of k.
+    /// Returns the smooth part of the response to waves with wave number k.
     fn rest(&self, k: f64) -> SubsurfaceResponse {
         let whole = self.waves.at_depth(k, self.depth);
         match self.near {
@@ -166,12 +167,12 @@ impl<'a> Layered<'a> {
     }
 }
 
-/// k times the displacements of a half-space, normal, along and across.
+/// Returns k times the normal displacement and the displacements along and across the wave vector of a half-space.
 fn of_half_space([modulus, nu]: [f64; 2]) -> [f64; 3] {
     [1.0 - nu, 1.0 - nu, 1.0].map(|factor| factor / modulus)
 }
 
-/// Adds the components in a half-space, which are sums of the integrals.
+/// Adds the components in a homogeneous half-space, which are sums of the integrals.
 fn add_homogeneous(
     weights: &Weights,
     modulus: f64,
@@ -195,7 +196,7 @@ fn add_homogeneous(
     }
 }
 
-/// Under a wave of pressure, in the direction of a unit vector.
+/// Returns the components under a wave of pressure in the direction of a unit vector.
 fn pressed(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColumn {
     let [normal, along, p, q, stress_along, stress_across] = below.by_pressure;
     let (xx, yy, xy) = (x * x, y * y, x * y);
@@ -212,7 +213,7 @@ fn pressed(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColu
     ]
 }
 
-/// Under a wave of traction along x.
+/// Returns the components under a wave of traction along x.
 fn sheared(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColumn {
     let [normal, along, p, q, stress_along, stress_across] = below.by_traction;
     let [across, passed, shear] = below.across;
@@ -230,7 +231,7 @@ fn sheared(below: &SubsurfaceResponse, k: f64, [x, y]: [f64; 2]) -> TractionColu
     ]
 }
 
-/// The components with x and y exchanged.
+/// Returns the components with x and y exchanged.
 fn exchanged([ux, uy, uz, xx, yy, zz, xy, xz, yz]: TractionColumn) -> TractionColumn {
     [uy, ux, uz, yy, xx, zz, xy, yz, xz]
 }

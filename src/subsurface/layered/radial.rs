@@ -1,4 +1,4 @@
-//! The smooth part of the components below a cell, by functions of the distance.
+//! The smooth part of the components below a cell, from functions of the distance.
 
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -12,30 +12,30 @@ use crate::influence::periodic_images::{FAR, pieces};
 use crate::influence::slowest;
 use crate::subsurface::layered::{Entries, StressEntry, TractionColumn, exchanged, joined};
 
-/// Functions of a distance, on the surface or along a line.
+/// Number of functions of the distance, both for points on the surface and for lines.
 const FUNCTIONS: usize = 15;
-/// Those that belong to displacements come first.
+/// Number of functions for displacements, which come first.
 const DISPLACEMENTS: usize = 5;
-/// The order of the Bessel function of each.
+/// Order of the Bessel function of each function.
 const ORDERS: [usize; FUNCTIONS] = [0, 1, 1, 0, 2, 0, 1, 0, 2, 1, 0, 2, 1, 1, 3];
-/// How many of those along a line are even in the distance, the first three of them displacements; and then two of the
-/// odd ones.
+/// Number of functions for lines that are even in the distance. The first three of them, and the first two odd functions,
+/// are displacements.
 const EVEN: usize = 8;
 
-/// k times the scale where nothing is left.
+/// Product of wave number and scale above which the response is negligible.
 const GONE: f64 = 40.0;
 
-/// The functions on a piece, by the coefficients of each Chebyshev polynomial.
+/// Chebyshev coefficients of the functions on a piece, by polynomial.
 type RadialPiece = Box<[[f64; FUNCTIONS]; TERMS]>;
 
-/// Tables of Hankel integrals of a response that is gone at 40 over the scale, and their sums over cells.
+/// Tables of Hankel integrals of a response that is negligible for k above 40 over the scale, and their sums over cells.
 pub(super) struct Radial {
     scale: f64,
-    /// Wave number below which nothing happens.
+    /// End of the first interval of wave numbers, on which the response hardly varies.
     least: f64,
     points: [OnceLock<RadialPiece>; PIECES],
     lines: [OnceLock<RadialPiece>; PIECES],
-    /// k times the displacements that waves without end cause, normal, along and across.
+    /// Limits of k times the displacements for infinitely long waves: normal, along and across.
     pole: [f64; 3],
 }
 
@@ -50,7 +50,7 @@ impl Radial {
         }
     }
 
-    /// The components over a cell of half sides `[a, b]`, at a distance from its centre.
+    /// Returns the components under a loaded cell of half sides `[a, b]` at an offset from its centre.
     pub(super) fn over_cell(
         &self,
         response: &impl Fn(f64) -> SubsurfaceResponse,
@@ -60,7 +60,7 @@ impl Radial {
         let distance = x.hypot(y);
         let rules = [a, b].map(|side| rule(side, distance, self.scale));
         let [Some(along_x), Some(along_y)] = rules else {
-            // Of the side that is too long, or of the longer one.
+            // Halves the side that is too long, or the longer side if both are.
             let halves_x = rules[1].is_some() || (rules[0].is_none() && a >= b);
             let (half, step) = if halves_x {
                 ([0.5 * a, b], [0.5 * a, 0.0])
@@ -86,8 +86,8 @@ impl Radial {
         sum
     }
 
-    /// The same over a cell and all its images along y, at `0 <= y <= period/2` from the nearest one, with the datum of the
-    /// displacements: [as](crate::influence::periodic_images) of the surface.
+    /// Returns the components under a cell and all its images along y, at `0 <= y <= period/2` from the nearest of them.
+    /// Displacements are relative to the datum, [as](crate::influence::periodic_images) on the surface.
     pub(super) fn over_rows(
         &self,
         response: &impl Fn(f64) -> SubsurfaceResponse,
@@ -99,7 +99,7 @@ impl Radial {
         let mut sum = self
             .over_strip(response, a, x, datum)
             .map(|value| share * value);
-        // A cell as long as the period is a strip, and far away all are.
+        // A cell as long as the period is a strip, and far away every row of images acts like a strip.
         if share >= 1.0 || x >= a + FAR * period {
             return sum;
         }
@@ -109,7 +109,7 @@ impl Radial {
                 *sum += piece.weight * value;
             }
         }
-        // Here, and half a period away, the images of one side are those of the other.
+        // At these y the images on both sides are symmetric, so odd components vanish.
         if y == 0.0 || 2.0 * y >= period {
             for (n, sum) in sum.iter_mut().enumerate() {
                 if StressEntry::of(n).is_odd()[1] {
@@ -120,7 +120,8 @@ impl Radial {
         sum
     }
 
-    /// The same over a strip of half width `a` along y, infinitely long, with the datum of the displacements.
+    /// Returns the components under an infinitely long strip of half width `a` along y, with displacements relative to the
+    /// datum.
     fn over_strip(
         &self,
         response: &impl Fn(f64) -> SubsurfaceResponse,
@@ -301,7 +302,7 @@ impl Radial {
     }
 }
 
-/// The functions under the Hankel integrals, of k times the displacements and of the stresses.
+/// Returns the functions under the Hankel integrals: k times the displacements, and the stresses.
 fn harmonics(below: &SubsurfaceResponse) -> [f64; FUNCTIONS] {
     let [normal, along, p, q, stress_along, stress_across] = below.by_pressure;
     let [normal_q, along_q, p_q, q_q, l, t] = below.by_traction;
@@ -325,7 +326,7 @@ fn harmonics(below: &SubsurfaceResponse) -> [f64; FUNCTIONS] {
     ]
 }
 
-/// Under a force that presses, at a distance, by the [functions](harmonics).
+/// Returns the components under a normal point force at an offset, from the [functions](harmonics).
 fn pressed(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     let turned = (x * x - y * y) * of[8];
     [
@@ -341,7 +342,7 @@ fn pressed(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     ]
 }
 
-/// Under a force along x.
+/// Returns the components under a point force along x.
 fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     let (square, product) = (x * x - y * y, 2.0 * x * y);
     let cubes = [x * (x * x - 3.0 * y * y), y * (3.0 * x * x - y * y)].map(|cube| cube * of[14]);
@@ -358,7 +359,7 @@ fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     ]
 }
 
-/// All functions at a distance; a piece is made at the first use.
+/// Returns all functions at a distance. The table of a piece is created at its first use.
 fn sample(
     table: &[OnceLock<RadialPiece>; PIECES],
     scale: f64,

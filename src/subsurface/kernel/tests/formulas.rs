@@ -1,10 +1,10 @@
-//! The closed forms against quadrature, the equations of elasticity and the point force.
+//! Closed forms compared with quadrature, the equations of elasticity and the point force.
 
 use super::{Numbers, at, error};
 use crate::subsurface::kernel::{Integral, LoadedRectangle};
 use std::f64::consts::PI;
 
-/// Nodes and weights of the Gauss-Legendre rule of `n` points by Newton's method.
+/// Returns nodes and weights of the Gauss-Legendre rule with `n` points, by Newton's method.
 fn gauss(n: u32) -> Vec<[f64; 2]> {
     let legendre = |x: f64| {
         let (mut last, mut value) = (1.0, x);
@@ -26,7 +26,7 @@ fn gauss(n: u32) -> Vec<[f64; 2]> {
     (0..n).map(node).collect()
 }
 
-/// The functions under the integrals, as the derivatives come out.
+/// Returns the functions under the integrals, as obtained by differentiation.
 fn integrands([x, y, z]: [f64; 3]) -> [f64; Integral::COUNT] {
     let r = (x * x + y * y + z * z).sqrt();
     let s = r + z;
@@ -55,7 +55,7 @@ fn integrands([x, y, z]: [f64; 3]) -> [f64; Integral::COUNT] {
     Integral::ALL.map(of)
 }
 
-/// Each integrand is a derivative of one whose formula is simpler.
+/// Checks that each integrand is the derivative of a function with a simpler formula.
 #[test]
 fn integrands_are_derivatives() {
     let mut numbers = Numbers::new();
@@ -133,7 +133,7 @@ fn integrals_by_quadrature() {
     }
 }
 
-/// Derivatives along x, y and z of all components, of the sixth order.
+/// Returns sixth-order differences along x, y and z of all components.
 fn gradients(cell: &LoadedRectangle, point: [f64; 3], step: f64, nu: f64) -> [[[f64; 9]; 3]; 3] {
     [0, 1, 2].map(|axis| {
         let at = |k: f64| {
@@ -168,7 +168,7 @@ fn equilibrium_and_the_law_of_hooke() {
                 for force in forces.map(|[i, j, k]| along_x[i] + along_y[j] + along_z[k]) {
                     assert!(force.abs() < 1e-9, "{force:e} {sides:?} {point:?}");
                 }
-                // With G = 1: sij = ui,j + uj,i, and on the diagonal 2 nu/(1 - 2 nu) times the dilatation.
+                // With G = 1, sij = ui,j + uj,i, plus 2 nu/(1 - 2 nu) times the dilatation on the diagonal.
                 let dilatation = along_x[0] + along_y[1] + along_z[2];
                 let mean = 2.0 * nu / (1.0 - 2.0 * nu) * dilatation;
                 let expected = [
@@ -188,7 +188,8 @@ fn equilibrium_and_the_law_of_hooke() {
     }
 }
 
-/// The displacements (G = 1) and stresses of a unit force on the surface, by Boussinesq and Cerruti.
+/// Returns the displacements (G = 1) and stresses of a unit force on the surface, after Boussinesq and
+/// Cerruti.
 fn point_force([x, y, z]: [f64; 3], nu: f64) -> [[f64; 9]; 2] {
     let r = (x * x + y * y + z * z).sqrt();
     let (s, e) = (r + z, 1.0 - 2.0 * nu);
@@ -204,7 +205,7 @@ fn point_force([x, y, z]: [f64; 3], nu: f64) -> [[f64; 9]; 2] {
         0.0,
         0.0,
     ];
-    // 1/(r s^2) and the factor of the products of three coordinates.
+    // These are 1/(r s^2) and the factor of the products of three coordinates.
     let (one, three) = (1.0 / (r * s2), 1.0 / (r3 * s2) + 2.0 / (r * r * s2 * s));
     let tangential = [
         (1.0 / r + x * x / r3 + e * (1.0 / s - x * x * one)) / (4.0 * PI),
@@ -217,7 +218,7 @@ fn point_force([x, y, z]: [f64; 3], nu: f64) -> [[f64; 9]; 2] {
         0.0,
         0.0,
     ];
-    // What remains for nu = 1/2.
+    // These terms remain for nu = 1/2.
     let pairs = [x * x, y * y, z * z, x * y, x * z, y * z];
     let add = |mut of: [f64; 9], along: f64| {
         for (stress, pair) in of[3..].iter_mut().zip(pairs) {
@@ -248,7 +249,7 @@ fn far_away_a_point_force() {
     }
 }
 
-/// Distances of tiny and huge cells neither underflow nor overflow.
+/// Checks that distances of tiny and huge cells neither underflow nor overflow.
 #[test]
 fn any_unit_of_length() {
     let point = [0.3, -1.2, 0.7];

@@ -1,11 +1,11 @@
-//! Formulas against quadrature and the equations of elasticity; limits, symmetries and rows.
+//! Formulas compared with quadrature and the equations of elasticity; limits, symmetries and rows.
 
 mod formulas;
 mod surface_and_symmetry;
 
 use super::{Component, Load, LoadedRectangle, Weights};
 
-/// All components at a point under unit `p`, `qx` and `qy`, with `G = 1`.
+/// Returns all components at a point under unit `p`, `qx` and `qy`, with `G = 1`.
 fn at(cell: &LoadedRectangle, point: [f64; 3], nu: f64) -> [[f64; Component::COUNT]; 3] {
     let (integrals, weights) = (cell.integrals(point), Weights::new(nu, point[2]));
     Load::ALL.map(|load| {
@@ -16,7 +16,7 @@ fn at(cell: &LoadedRectangle, point: [f64; 3], nu: f64) -> [[f64; Component::COU
     })
 }
 
-/// The largest error, relative to the largest displacement or the largest stress.
+/// Returns the largest error, relative to the largest displacement or the largest stress.
 fn error(found: &[f64; 9], expected: &[f64; 9]) -> f64 {
     let mut worst: f64 = 0.0;
     for range in [0..3, 3..9] {
@@ -35,7 +35,7 @@ fn error(found: &[f64; 9], expected: &[f64; 9]) -> f64 {
     worst
 }
 
-/// A fixed sequence of numbers between 0 and 1.
+/// Deterministic sequence of numbers between 0 and 1.
 struct Numbers(u64);
 
 impl Numbers {

@@ -1,4 +1,4 @@
-//! Limits on the surface, exact symmetries, and rows of points.
+//! Limits on the surface, exact symmetries and rows of points.
 #![expect(clippy::float_cmp, reason = "these symmetries are exact")]
 
 use super::{Numbers, at, error};
@@ -6,7 +6,7 @@ use crate::subsurface::kernel::{Integral, LoadedRectangle};
 
 const SIDES: [[f64; 2]; 5] = [[0.5, 0.5], [0.5, 0.8], [3.0, 0.5], [1e-3, 1.0], [1e3, 1.0]];
 
-/// Points inside, beside, on the lines of the edges and far away.
+/// Returns points inside the cell, next to it, on the lines of its edges and far away.
 fn places(sides: [f64; 2]) -> Vec<[f64; 2]> {
     let of = |side: f64| [0.0, 0.3, 1.0, 1.0 + 1e-9, 1.4, 5.0, 17.0, 400.0, 1e5].map(|k| k * side);
     let [xs, ys] = sides.map(of);
@@ -39,7 +39,7 @@ fn parity_is_exact() {
     }
 }
 
-/// A traction along y acts like one along x with the axes exchanged.
+/// Checks that a traction along y acts like a traction along x with the axes exchanged.
 #[test]
 fn axes_can_be_exchanged() {
     let exchanged = [1, 0, 2, 4, 3, 5, 6, 8, 7];
@@ -105,7 +105,8 @@ fn the_surface_is_the_limit_from_inside() {
     }
 }
 
-/// On an edge: the mean of both sides, less the logarithm of the distance in units of the longer half side.
+/// Checks that the value on an edge is the mean of both sides minus the logarithm of the distance in units of
+/// the longer half side.
 #[test]
 fn edges_of_the_surface_have_the_finite_part() {
     let (a, b) = (0.75, 0.5);
@@ -125,7 +126,7 @@ fn edges_of_the_surface_have_the_finite_part() {
             mean
         })
     };
-    // The ends stay exact.
+    // The ends remain exact.
     let [step, finer] = [24, 34].map(|n| 0.5_f64.powi(n));
     let edges = points(0.0).map(|[[x, y], _]| cell.integrals([x, y, 0.0]));
     for ((edge, coarse), fine) in edges.iter().zip(means(step)).zip(means(finer)) {
@@ -142,7 +143,7 @@ fn edges_of_the_surface_have_the_finite_part() {
     }
 }
 
-/// Equal tractions on neighbours leave no trace of the common edge and corner.
+/// Checks that a common edge and corner of neighbours with equal tractions have no effect.
 #[test]
 fn four_cells_are_one() {
     for [a, b] in SIDES {
