@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Fails on an import that does not point to a lower layer, on a sum over cells outside the one place for sums, and on a
-library file that is too long. Tests itself first; with --self-test it does nothing else."""
+"""Fails if an import does not point to a lower layer, if a sum over cells is outside parallel/reduce.rs, or if a library
+file is too long. The script first tests itself; with --self-test it stops after this test."""
 
 import pathlib
 import re
 import sys
 
-# The folders and files directly in src, lowest layer first. A folder uses folders of lower layers only, so that no two
-# depend on each other. CONTRIBUTING describes each.
+# Folders and files directly in src, lowest layer first. A folder uses folders of lower layers only, so that no two folders
+# depend on each other. CONTRIBUTING.md describes each folder.
 LAYERS = [
     "support",
     "report",
@@ -28,10 +28,10 @@ LAYERS = [
     "edges",
     "guide lib",
 ]
-# A folder that may use these items of another alone: a tangential problem reads a normal solution, not its solver.
+# A folder that may use only these items of the other folder: a tangential problem reads a normal solution, not its solver.
 ITEMS = {("tangential", "normal"): {"NormalSolution"}}
 
-# Sums over cells have one place, which fixes their order: parallel/reduce.rs. These folders have no sum of their own.
+# All sums over cells are in parallel/reduce.rs, which fixes their order. These folders must not contain such sums.
 WITHOUT_SUMS = ("cgm", "contact", "normal", "tangential", "coupled", "history", "rolling")
 SUM = re.compile(r"parallel\s*::\s*(?:\{[^}]*\b)?fold\b|\.\s*sum\s*::\s*<\s*f(?:32|64)\s*>")
 
@@ -42,7 +42,7 @@ PATH = re.compile(r"\b(?:crate|stickslip)\s*::\s*(\{|\w+)(?:\s*::\s*(\{[^;]*?\}|
 
 
 def code(source):
-    """The source without comments; a string stays where it is a path, as serde's attributes have it."""
+    """Returns the source without comments. Strings are kept only if they are paths, as in attributes of serde."""
 
     def kept(match):
         text = match.group(1) or ""
@@ -56,7 +56,7 @@ def without_tests(source):
 
 
 def exports(lib):
-    """The folder of each item that the root of the crate exports."""
+    """Returns the folder of each item that the root of the crate exports."""
     found = {}
     for folder, rest in re.findall(r"pub use (\w+)::([^;]+);", code(lib)):
         for name in re.findall(r"(\w+)\s*(?=[,}]|$)", rest):
@@ -65,7 +65,7 @@ def exports(lib):
 
 
 def uses(source, exported):
-    """The folders that code uses, each with the items and the line."""
+    """Yields the folders that the code uses, each with the items and the line."""
     text = code(source)
     for match in PATH.finditer(text):
         first, rest = match.groups()
@@ -81,7 +81,7 @@ def uses(source, exported):
 
 
 def faults_of(path, source, exported, height):
-    """The faults of a file: `path` is relative to src."""
+    """Yields the faults of a file; `path` is relative to src."""
     own = pathlib.PurePosixPath(path).parts[0].removesuffix(".rs")
     if len(source.splitlines()) > LONGEST_FILE:
         yield f"{path}: more than {LONGEST_FILE} lines"
@@ -103,7 +103,7 @@ def faults_of(path, source, exported, height):
             yield f"{path}:{text.count(chr(10), 0, match.start()) + 1}: a sum outside parallel/reduce.rs"
 
 
-# A file, its source, and the number of its faults where a stands below b and b below c.
+# A file, its source, and its number of faults if layer a is below b and b is below c.
 SNIPPETS = [
     ("a.rs", "use crate::b::C;", 1),
     ("a/x.rs", "use crate::a::y::Z;", 0),

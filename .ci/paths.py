@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Fails on a dead relative link or picture in a README, and on a dead path of the repository in a document or a comment.
-With a folder: writes the example of the crate's README there as src/main.rs."""
+With a folder as argument, writes the example of the crate's README to src/main.rs in this folder."""
 
 import fnmatch
 import pathlib
@@ -13,7 +13,7 @@ LINK = re.compile(r'\]\(([^)\s]+)\)|(?:src|href)="([^"]+)"')
 FENCE = re.compile(r"^( *)```.*?^\1```", re.M | re.S)
 SPAN = re.compile(r"(`+)(.+?)\1")
 WORD = re.compile(r"(?<![\w./:-])[\w.*-]*[\w*-](?:/[\w.*-]*[\w*-])*/?")
-# A word of a code span with such an ending is a path, whatever it begins with.
+# A word of a code span with such a suffix is a path, regardless of its first part.
 SOURCE = (".rs", ".py", ".toml", ".md")
 HASH = re.compile(r'(?:^|\s)#+[! ](?P<line>[^\n]*)|"""(?P<block>.*?)"""', re.S)
 SLASHES = re.compile(r"//[/!]?(?P<line>[^\n]*)|/\*(?P<block>.*?)\*/", re.S)
@@ -22,18 +22,18 @@ COMMENTS = {
     **dict.fromkeys((".py", ".toml", ".yml", ".sh", ".csv", "CMakeLists.txt", ""), HASH),
     ".f90": re.compile(r"!(?P<line>[^\n]*)(?P<block>)"),
 }
-# The changelog describes the past. The notices and licences are texts of other projects.
+# The changelog describes earlier versions. The notices and licences are texts of other projects.
 EXEMPT = ("CHANGELOG.md", "THIRD_PARTY.md", "LICENSE")
-# A file of the reader's own program.
+# A file in the program of the reader.
 ELSEWHERE = ("src/main.rs",)
 
 
 class Tree:
-    """The tracked files and their folders."""
+    """The tracked files of the repository and their folders."""
 
     def __init__(self) -> None:
         listed = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-        # A file that was deleted but not staged cannot be a target.
+        # A file that is deleted but not staged cannot be a target.
         self.files = [file for file in listed.splitlines() if (ROOT / file).exists()]
         paths = [pathlib.PurePosixPath(file) for file in self.files]
         self.places = {place.as_posix() for path in paths for place in (path, *path.parents)}
@@ -46,8 +46,8 @@ class Tree:
         return bool(fnmatch.filter(self.names, name))
 
     def dead_links(self, file: str) -> list[str]:
-        """Links and pictures that are not files or folders of the repository. On PyPI, which knows no repository, all
-        relative ones."""
+        """Returns links and pictures that are not files or folders of the repository. For a README on PyPI, which has no
+        repository, returns all relative links."""
         text = FENCE.sub("", (ROOT / file).read_text())
         links = [(first or second).split("#")[0] for first, second in LINK.findall(text)]
         relative = [link for link in links if link and not link.startswith(("http:", "https:", "mailto:"))]
@@ -57,7 +57,7 @@ class Tree:
         return [link for link in relative if not self.has((folder / link).resolve().relative_to(ROOT).as_posix())]
 
     def dead_paths(self, file: str) -> list[str]:
-        """Words that look like paths and name nothing below the root, src/, the folder of the file or one above it."""
+        """Returns words that look like paths but do not exist below the root, src/, the folder of the file or its parents."""
         folders = {parent.as_posix() for parent in pathlib.PurePosixPath(file).parents} | {"src"}
         starts = [f"{folder}/" if folder != "." else "" for folder in folders]
         dead = []
@@ -82,7 +82,7 @@ def kind(file: str) -> str:
 
 
 def words(file: str, text: str) -> list[tuple[str, bool]]:
-    """Words that may be paths, each with whether a code span has it: those in the spans of a document, all in comments."""
+    """Returns words that might be paths and whether each is in a code span. Of a document it reads only the code spans."""
     if kind(file) == ".md":
         text = FENCE.sub("", text)
     else:

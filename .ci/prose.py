@@ -3,23 +3,23 @@
 
     prose.py [options] PATH...
 
-Reads the comments of `*.rs` files (`//`, `///`, `//!`, trailing `//` too) and the prose of `*.md` files.
-Code blocks, inline code, formulas, link targets, headings of tables and URLs are blanked first, so that only
-English is searched. Patterns see whole sentences, also where these run over several lines, and report the line
-on which the hit begins.
+Reads the comments of `*.rs` files (`//`, `///`, `//!` and trailing `//`) and the prose of `*.md` files.
+Code blocks, inline code, formulas, link targets, table headings and URLs are blanked first, so that only
+English is searched. Patterns match whole sentences, also over several lines, and report the line
+on which the hit starts.
 
-Output, one line a hit:   file:line: pattern: text      then a table of counts (`--summary`: the table alone).
+Output, one line per hit:   file:line: pattern: text      then a table of counts (`--summary`: only the table).
 
     --summary          counts only
-    --only A,B         these patterns only         --skip A,B      all but these
-    --level N          1: precision about 0.9, fit to fail a build   2 (default): about 0.85, for review
-                       3: also the weak ones (that of, may, hold ...), for reading by eye
+    --only A,B         only these patterns         --skip A,B      all patterns except these
+    --level N          1: precision about 0.9, suitable for failing a build   2 (default): about 0.85, for review
+                       3: also weak patterns (that of, may, hold ...), for manual review
     --strings          also the texts of #[error("...")] in *.rs files
     --names            also declarations (struct, enum, trait, type) of the coined names listed in NAMES
-    --baseline FILE    fail only if a pattern has more hits than FILE says (written by --record FILE)
-    --list             the patterns, with what to write instead
+    --baseline FILE    fail only if a pattern has more hits than FILE states (written by --record FILE)
+    --list             print the patterns and the recommended replacements
 
-Standard library only. Exit status: 0 without hits (or within the baseline), 1 with, 2 for wrong usage.
+Needs only the standard library. Exit status: 0 without hits (or within the baseline), 1 with hits, 2 for wrong usage.
 """
 
 import argparse
@@ -29,8 +29,8 @@ import re
 import sys
 from collections import Counter
 
-# name, level, regular expression, what to write instead. A pattern that starts with ^ is tied to the start of a
-# sentence. Expressions are case-sensitive unless they begin with (?i).
+# Name, level, regular expression, replacement. A pattern that starts with ^ matches only at the start of a
+# sentence. Expressions are case-sensitive unless they start with (?i).
 PATTERNS = []
 
 
@@ -38,7 +38,7 @@ def pattern(name, level, expression, advice):
     PATTERNS.append((name, level, re.compile(expression), advice))
 
 
-# --- sentences that are no sentences, or begin with something else than their subject -------------------------------
+# --- fragments, and sentences that do not start with their subject ---------------------------------------------------
 pattern("what-subject", 1, r"^(What|Whatever|Whoever|Who)\b(?![^.?!]*\?)",
         "begin with a noun: 'What a solve has come to' -> 'Result of a solve'")
 pattern("that-of-start", 1, r"^(That|Those)\s+(of|which|who|that|there|by|with|in|on|at|under|where|alone|between)\b",
@@ -57,7 +57,7 @@ pattern("where-start", 3, r"^Where\b(?![^.?!]*\?)", "'If' or 'When' unless it is
 pattern("where-if", 3, r"(?<=[a-z,;)] )where (it|there|that|this|they|these|those|one|none|nothing|no|a|an|any|all|both|each|only|some|what)\b",
         "'if' or 'when' unless it is a place")
 
-# --- free relatives and pronouns in place of nouns ------------------------------------------------------------------
+# --- free relatives and pronouns instead of nouns --------------------------------------------------------------------
 pattern("prep-what", 1, r"\b(of|from|with|by|than|to|for|in|on|into|as|beside|beyond|behind|below|before|after|under|over|and|or|like|about|at|but|less|minus|times|against|between) what\b(?! (follows|if)\b)(?![^.?!]*\?)",
         "name the thing: 'what is left of the residual' -> 'the remaining residual'")
 pattern("verb-what", 2, r"\b(is|are|was|says|gives|has|have|holds|takes|makes|finds|keeps|sets|does|adds|names|knows|leaves|returns|writes|puts|judges|shows|tells|see|sees) what\b(?! (if|to)\b)(?![^.?!]*\?)",
@@ -69,7 +69,7 @@ pattern("that-of", 3, r"\b(that|those) of\b", "repeat the noun, or use a possess
 pattern("prep-who", 1, r"\b(to|by|of|with|for|from|than) (who|whoever)\b|\b(nobody|anyone|everybody|everyone|somebody|whoever)\b",
         "name the agent: caller, user, thread, rank")
 
-# --- verbs that treat things as people ------------------------------------------------------------------------------
+# --- verbs that personify things -------------------------------------------------------------------------------------
 pattern("tell", 1, r"\b(tells|told)\b|\b(may|can|will|would|could|must|not|which|that|to|and|cells|reports?|warnings?|they|columns|names|digits|numbers|bounds?) tell\b",
         "'shows', 'reports', 'determines', 'returns', 'is given'")
 pattern("know", 1, r"\b(knows|knew)\b|\b(is|are|not|be|was) known (of|to|by|beside|with|at|beforehand|before|yet|in)\b|\bknow (nothing|no|of|how|which|what|their|its|theirs|the)\b",
@@ -108,7 +108,7 @@ pattern("deal-out", 1, r"\b(deals?|dealt|dealing)( \w+){0,4} out\b|\bdealt\b", "
 pattern("lend", 2, r"\b(lends?|lent|lending|borrows?|borrowed)\b(?=[^.]*\b(buffers?|memory|pieces?|gap|field|pools?|state)\b)",
         "'by reference', 'checked out of the pool'")
 
-# --- words and set phrases of older English --------------------------------------------------------------------------
+# --- dated words and set phrases --------------------------------------------------------------------------------------
 pattern("archaic", 1, r"\b(henceforth|thence|whence|thereof|therein|whereof|wherein|hitherto|whilst|amidst|seldom|aught|naught|forthwith|thereupon|lest|for ever|to and fro|again and again|over and over|now and then|at the least|at the most|on the mean|some times over|by and by|all the same|as it were|right round|to no purpose)\b",
         "modern word: 'rarely', 'repeatedly', 'back and forth', 'on average', 'forever'")
 pattern("beside", 1, r"\bbeside\b", "'next to', 'compared with', 'in addition to', 'outside', 'together with'")
@@ -156,11 +156,11 @@ pattern("may", 3, r"\bmay\b", "'can' for ability, 'might' for possibility; 'may'
 pattern("double-prep-which", 3, r", (of|by|from|with|in|on|to|at|for|under|over|through|behind|beside) (which|whom|whose)\b",
         "split the sentence")
 
-LONG = 42  # words of a sentence that is reported as long
+LONG = 42  # largest number of words in a sentence that is not reported as long
 LONG_NAME, LONG_ADVICE = "long-sentence", f"more than {LONG} words: split it"
 CLAUSES_NAME, CLAUSES_ADVICE = "clause-chain", "four or more clauses joined by ; : and commas: split it"
 
-# Coined names, for --names: identifier -> the word of the field.
+# Coined names, for --names: identifier -> standard term.
 NAMES = {
     "Own": "LocalCompliance", "OwnCompliance": "EntryCompliance", "Seen": "PassOutcome", "Passage": "ParticleShift",
     "Travel": "RollingShift", "Demand": "TangentialTarget", "CoupledDemand": "CoupledTarget", "Known": "StartKind",
@@ -199,7 +199,7 @@ BLANKS = [
 
 
 def blanked(text):
-    """The text with everything that is no English replaced by placeholders, and the place of each character before."""
+    """Returns the text with all code, formulas and links replaced by placeholders, and the original position of each character."""
     places = range(len(text))
     for expression, placeholder in BLANKS:
         pieces, moved, last = [], [], 0
@@ -221,7 +221,7 @@ def blanked(text):
 
 
 def paragraphs(lines):
-    """Paragraphs, list items and table cells of numbered lines, as lists of (line, text); code blocks left out."""
+    """Yields paragraphs, list items and table cells of numbered lines as lists of (line, text), without code blocks."""
     found, fence = [], False
     for number, line in lines:
         text = line.strip()
@@ -255,7 +255,7 @@ ABBREVIATION = re.compile(r"(?:\b(?:e\.g|i\.e|Fig|Figs|Eq|cf|vs|etc|St|Dr|al|app
 
 
 def sentences(paragraph):
-    """Sentences of a paragraph, each with a function from a place in it to a line."""
+    """Yields the sentences of a paragraph, each with a function that maps a position in it to a line."""
     starts, position = [], 0
     for number, text in paragraph:
         starts.append((position, number))
@@ -284,7 +284,7 @@ def sentences(paragraph):
 
 
 def comments(text):
-    """Runs of comment lines of Rust source as lists of (line, text), and whether they document an item."""
+    """Yields runs of comment lines of Rust source as lists of (line, text), and whether they document an item."""
     runs, current, kind, last = [], None, None, -1
     for number, line in enumerate(text.split("\n"), 1):
         match = RUST_LINE.match(line)

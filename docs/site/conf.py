@@ -1,4 +1,4 @@
-"""Settings of Sphinx. `docs/site/build` copies this folder, has pages.py write the other pages beside it, and runs it."""
+"""Settings of Sphinx. `docs/site/build` copies this folder, runs pages.py to add the other pages, and then runs Sphinx."""
 
 import importlib.metadata
 
@@ -9,27 +9,27 @@ author = copyright = "the stickslip developers"
 version = release = importlib.metadata.version("stickslip")
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax", "sphinx_copybutton"]
 myst_enable_extensions = ["dollarmath"]
-exclude_patterns = ["introduction.md", "static"]  # the former is included by the first page
+exclude_patterns = ["introduction.md", "static"]  # the first page includes introduction.md
 myst_heading_anchors = 3
 html_theme = "furo"
 html_title = f"stickslip {version}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_show_sphinx = False
-# Formulas are set by KaTeX as MathML, from the site itself: no page needs the network.
+# KaTeX renders formulas as MathML. The site contains KaTeX, so no page needs the network.
 mathjax_path = "katex/katex.min.js"
 html_js_files = ["formulas.js"]
 pygments_style, pygments_dark_style = "friendly", "monokai"
 autodoc_member_order = "groupwise"
 autodoc_default_options = {"members": True, "imported-members": True}
 napoleon_google_docstring = False
-napoleon_use_rtype = napoleon_use_param = False  # types are words, not references
+napoleon_use_rtype = napoleon_use_param = False  # types are plain text, not references
 nitpicky = True
-nitpick_ignore_regex = [("py:class", r"Axes|(collections|xarray)\..*")]  # of other packages
+nitpick_ignore_regex = [("py:class", r"Axes|(collections|xarray)\..*")]  # types of other packages
 
 
 def found_by_its_end(app, env, node, contnode):
-    """Names in docstrings are written as a user imports them; the page may be that of another module."""
+    """Resolves names as a user imports them, even if the page of a different module documents them."""
     if node.get("refdomain") != "py":
         return None
     domain = env.domains["py"]
@@ -41,8 +41,8 @@ def found_by_its_end(app, env, node, contnode):
 
 
 def as_meant(app, what, name, thing, options, lines):
-    """Docstrings as they are read without Sphinx: magnitudes, as |F|, are no substitutions, and what stands before a colon in
-    the first line of an attribute is not its type."""
+    """Adapts docstrings written for reading without Sphinx. A magnitude such as |F| is not a substitution, and the text before
+    a colon in the first line of an attribute is not its type."""
     lines[:] = [line if "``" in line else line.replace("|", r"\|") for line in lines]
     if what in {"attribute", "property"}:
         lines[:0] = ["..", ""]

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails where a page of a folder links to a page, picture or place within it that is not there. Other sites are not asked.
+"""Fails if a page of a folder links to a page, picture or anchor in the folder that does not exist. Does not check links to
+other sites.
 links.py FOLDER"""
 
 import html.parser
@@ -9,7 +10,7 @@ import urllib.parse
 
 
 class Page(html.parser.HTMLParser):
-    """What a page links to, and the places in it that can be linked to."""
+    """The links of a page and its anchors."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -41,7 +42,7 @@ def main() -> None:
             if not target.exists() or target in pages and place not in pages[target].places:
                 dead.append(f"{file.relative_to(folder)}: {link}")
     print(f"{len(pages)} pages, {tried} links within them, {len(dead)} dead", *dead, sep="\n")
-    # A folder without links is not a site: Sphinx has written elsewhere, or not at all.
+    # A folder without links is not a site: Sphinx wrote no output, or wrote it to a different folder.
     sys.exit(bool(dead) or not tried)
 
 

@@ -1,5 +1,5 @@
-"""The pages of the site that are made of what stands elsewhere: READMEs, the guide and the module pages of the crate, the
-C header, and the examples in Python, which are executed."""
+"""Creates the pages of the site from other sources: READMEs, the guide and the module docs of the crate, the C header, and
+the Python examples, which are executed."""
 
 import contextlib
 import importlib
@@ -14,10 +14,10 @@ import stickslip
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CRATE = "https://docs.rs/stickslip/latest/stickslip"
-# The address of the project, or None as long as Cargo.toml states none: files outside the site then have no link.
+# The address of the project, or None if Cargo.toml does not state it; files outside the site then have no link.
 REPOSITORY = next(iter(re.findall(r'^repository = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.M)), None)
 
-# Page: its file, and where a part of the file is meant its first heading and that after it.
+# Each page with its file and, if only a part is included, its first heading and the heading after it.
 INCLUDED = {
     "introduction": ("README.md", "# stickslip", "## Two commands"),
     "python": ("bindings/python/README.md",),
@@ -48,9 +48,9 @@ TITLES = {
     "python": "Python",
     "c": "C, C++ and Fortran",
     "gallery": "Gallery",
-    "measurements": "How it was measured",
-    "comparison": "Speed, and other codes",
-    "faq": "Why is my answer wrong?",
+    "measurements": "Measurements",
+    "comparison": "Speed, and comparison with other codes",
+    "faq": "Results that look wrong",
     "errata": "Errata of the paper",
     "theory/solver": "Solver and certificate",
     "theory/influence": "Influence coefficients",
@@ -71,15 +71,15 @@ TITLES = {
 TUTORIALS = ("press", "shear", "rough", "dissimilar", "subsurface", "wear")
 PAGE_OF = {files[0]: page for page, files in INCLUDED.items() if len(files) == 1}
 IMAGE = re.compile(r'(?:!\[(?P<text>[^\]]*)\]\((?P<file>[^)]*)\)|<img src="(?P<source>[^"]*)"[^>]*alt="(?P<alt>[^"]*)">)')
-# A link whose words may be code, and whose target may have brackets of its own: `[`sum`](crate::surface::sum())`.
+# A link whose text can be code, and whose target can contain parentheses: `[`sum`](crate::surface::sum())`.
 LINK = re.compile(r"(?<!!)\[(?P<words>`[^`]*`|[^\]\[]+)\]\((?P<target>[^()\s]*(?:\(\))?[^()\s]*)\)")
 DEFINITION = re.compile(r"^(?P<name>\[[^\]]+\]): (?P<target>crate\S*)$", re.M)
-# A name of an item alone: [`History`].
+# The name of an item without a target: [`History`].
 NAME = re.compile(r"(?<!\])\[`(?P<name>[\w:]+(?:\(\))?)`\](?![(\[:])")
 
 
 def write(folder: pathlib.Path) -> None:
-    """Writes all pages into the folder, beside those that are there."""
+    """Writes all pages into the folder, in addition to the existing pages."""
     for page, (file, *part) in INCLUDED.items():
         put(folder / f"{page}.md", included(folder, page, file, *part))
     for name in TUTORIALS:
@@ -104,7 +104,7 @@ def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: s
     if page in TITLES:
         text = re.sub(r"\A# .*\n", "", text)
     parts = re.split(r"(^ *```.*?^ *```$)", text, flags=re.M | re.S)
-    # Headings of the first level stand below the title.
+    # If there are headings of the first level, all headings move one level down, below the title.
     below = page in TITLES and any(re.search(r"^# ", part, re.M) for part in parts[::2])
     parts[::2] = [prose(folder, page, file, re.sub(r"^#", "##", part, flags=re.M) if below else part) for part in parts[::2]]
     parts[1::2] = [code(part) for part in parts[1::2]]
@@ -113,7 +113,7 @@ def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: s
 
 
 def code(block: str) -> str:
-    """A block as it is shown: Rust without its hidden lines, formulas as formulas."""
+    """Returns a code block for display: Rust without its hidden lines, formulas as math blocks."""
     head, *lines = block.splitlines()
     language = head.strip().removeprefix("```")
     if language == "math":
@@ -133,7 +133,7 @@ def prose(folder: pathlib.Path, page: str, file: str, text: str) -> str:
 
 
 def picture(folder: pathlib.Path, page: str, file: str, match: re.Match) -> str:
-    """A picture of the repository, copied beside the pages."""
+    """Copies a picture of the repository to the pages and returns its Markdown."""
     source = (ROOT / file).parent / (match["file"] or match["source"])
     copy = folder / "pictures" / source.name
     copy.parent.mkdir(exist_ok=True)
@@ -163,12 +163,12 @@ def link(page: str, file: str, match: re.Match) -> str:
 
 
 def in_repository(words: str, inside: object) -> str:
-    """A link to a file of the repository, or the words alone where the project has no address."""
+    """Returns a link to a file of the repository, or only its text if the project has no address."""
     return f"[{words}]({REPOSITORY}/blob/HEAD/{inside})" if REPOSITORY else words
 
 
 def of_crate(page: str, target: str) -> str:
-    """The page of a link between items of the crate: one of the site, that of a module, or what a search finds."""
+    """Returns the target of a link between items of the crate: a page of the site, the page of a module, or a search."""
     path, _, place = re.sub(r"^(fn|mod|struct)@", "", target).removesuffix("()").partition("#")
     names = [name for name in path.split("::") if name not in {"crate", "self", "super"}]
     inside = "/".join(names)
@@ -183,7 +183,7 @@ def of_crate(page: str, target: str) -> str:
 
 
 def cells(source: str) -> list[tuple[str, str, str]]:
-    """Heading, prose and code of each cell of an example: `# %% Heading`, then comment lines as prose, then code."""
+    """Returns heading, prose and code of each cell of an example: `# %% Heading`, then comment lines as prose, then code."""
     found = []
     for part in re.split(r"^# %% ", source, flags=re.M)[1:]:
         heading, _, rest = part.partition("\n")
@@ -194,7 +194,7 @@ def cells(source: str) -> list[tuple[str, str, str]]:
 
 
 def tutorial(folder: pathlib.Path, name: str) -> str:
-    """An example, executed cell by cell: a failed assertion fails the site."""
+    """Returns the page of an example, executed cell by cell. A failed assertion fails the build of the site."""
     file = ROOT / "bindings" / "python" / "examples" / f"{name}.py"
     source = file.read_text()
     title, _, _ = source.partition("\n")
@@ -203,7 +203,7 @@ def tutorial(folder: pathlib.Path, name: str) -> str:
     pictures = folder / "tutorials" / "pictures"
     pictures.mkdir(parents=True, exist_ok=True)
     inside = file.relative_to(ROOT)
-    parts = [f"# {title}\n", f"The code of this page is {in_repository(f'`{name}.py`', inside)}.\n"]
+    parts = [f"# {title}\n", f"The code of this page is in {in_repository(f'`{name}.py`', inside)}.\n"]
     for heading, words, lines in cells(source):
         before, printed = set(pictures.iterdir()), io.StringIO()
         with contextlib.chdir(pictures), contextlib.redirect_stdout(printed):
@@ -216,18 +216,18 @@ def tutorial(folder: pathlib.Path, name: str) -> str:
 
 
 def api() -> list[tuple[str, str]]:
-    """A page for each public module, and their list. A name stands on one page, that of a submodule if any."""
+    """Returns a page for each public module, and their list. Each name is on one page, of a submodule if there is one."""
     submodules = [name for _, name, _ in pkgutil.walk_packages(stickslip.__path__, "stickslip.") if "._" not in name]
     pages, documented = [], set()
     for name in [*submodules, "stickslip"]:
         module = importlib.import_module(name)
         members = set(getattr(module, "__all__", ())) or {member for member in vars(module) if member[0] != "_"}
-        # Functions of the readers and writers have the same names in each module.
+        # Readers and writers have functions of the same name in each module.
         excluded = members & documented if name.count(".") < 2 else set()
         pages.append((name.removeprefix("stickslip."), page_of_module(name, excluded)))
         documented |= members
     names = "\n".join(name for name, _ in [pages[-1], *pages[:-1]])
-    text = "The same texts are shown by `help(...)` of each name."
+    text = "`help(...)` of each name prints the same text."
     return [*pages, ("index", f"# Python reference\n\n{text}\n\n```{{toctree}}\n:maxdepth: 1\n\n{names}\n```\n")]
 
 
@@ -237,7 +237,7 @@ def page_of_module(name: str, excluded: set[str]) -> str:
 
 
 def c_reference() -> str:
-    """Functions and types of the header, each with the comment above it."""
+    """Returns the functions and types of the header, each with the comment above it."""
     header = (ROOT / "bindings" / "c" / "include" / "stickslip.h").read_text()
     comment = re.match(r"/\*(.*?)\*/", header, re.S)[1]
     rules = "\n".join(line.removeprefix(" *").removeprefix(" ") for line in comment.splitlines())
@@ -260,5 +260,5 @@ def entry(words: str, name: str, lines: str) -> str:
 
 
 def said(comment: str) -> str:
-    """The words of a comment; what would be markup is not."""
+    """Returns the text of a comment with escaped markup characters."""
     return re.sub(r"([*_|<\[\]])", r"\\\1", re.sub(r"^// ?", "", comment, flags=re.M))

@@ -1,23 +1,23 @@
-//! Guide: how to use the crate, and the corrections to the paper's formulas.
+//! Guide to the use of the crate, and corrections to the paper's formulas.
 //!
 //! | page | contents |
 //! |---|---|
-//! | [`first_steps`] | from an empty folder to a stick zone, and to a number that can be trusted |
-//! | [`troubleshooting`] | symptoms, where to look, remedies: grid, load history, units, signs, tolerance |
-//! | [`rough_surfaces`] | a surface, generated or measured, pressed and sheared |
+//! | [`first_steps`] | from an empty folder to a stick zone and a verified result |
+//! | [`troubleshooting`] | results that look wrong: symptoms, causes and remedies (grid, load history, units, signs, tolerance) |
+//! | [`rough_surfaces`] | generated or measured surfaces, pressed and sheared |
 //! | [`fretting_and_wear`] | cyclic loads, wear, cycle jumps |
-//! | [`load_steps`] | contacts that grow while they are sheared: the entry rule, steps of a given error |
-//! | [`rolling`] | creepage, spin, steady rolling: what it costs, how exact it is, which tool for which question |
-//! | [`coatings`] | layers on a body: what they change, which grids they take |
+//! | [`load_steps`] | contacts that grow while they are sheared: the entry rule, load steps with a prescribed error |
+//! | [`rolling`] | creepage, spin and steady rolling: cost, accuracy and the choice of a model |
+//! | [`coatings`] | layers on a body: their effect and the grids that support them |
 //! | [`dissimilar_bodies`] | bodies of different materials: when their coupling matters, and in which steps to load them |
-//! | [`subsurface_stress`] | stress below the surface, bulk stress, series for a fatigue criterion; what a half-space can say |
-//! | [`studies`] | thousands of surfaces on one machine or over a cluster: shards, restart, merge |
-//! | [`distributed`] | one surface on several processes or machines: memory, bytes and times measured, and what they come to on a cluster, calculated |
+//! | [`subsurface_stress`] | stress below the surface, bulk stress, stress histories for fatigue criteria; limits of the half-space model |
+//! | [`studies`] | thousands of surfaces on one machine or a cluster: shards, restart, merge |
+//! | [`distributed`] | one contact on several processes or machines: measured memory, communication and time, calculated times on a cluster |
 //! | [`embedding`] | contacts in a simulator: ownership, threads, allocation, states, errors |
-//! | [`hard_cases`] | difficult scenes, each checked, and the results of random scenes |
-//! | [`errata`] | the formulas of Wang et al. (2021) that are misprinted, and how each correction was checked |
+//! | [`hard_cases`] | difficult cases, each checked, and the results of random cases |
+//! | [`errata`] | misprinted formulas of Wang et al. (2021), and the check of each correction |
 //!
-//! The module contains no code except the examples, which run as tests.
+//! The module contains no code except for the examples, which run as tests.
 
 #[doc = include_str!("first_steps.md")]
 pub mod first_steps {}

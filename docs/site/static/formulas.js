@@ -1,4 +1,4 @@
-// Sets the formulas that Sphinx leaves as \(...\) and \[...\].
+// Renders the formulas that Sphinx leaves as \(...\) and \[...\].
 document.addEventListener("DOMContentLoaded", () => {
   document.querySelectorAll(".math").forEach((place) => {
     const source = place.textContent.trim().replace(/^\\[([]|\\[)\]]$/g, "");
