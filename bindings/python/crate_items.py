@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes tests/crate_items.txt, the public items of the crate and the methods of its types as rustdoc lists them: run
-`cargo doc --no-deps -p stickslip --features dense,x3p` first. With --check it fails if the list has changed."""
+"""Writes tests/crate_items.txt, the public items of the crate and the methods of its types as listed by rustdoc. Run
+`cargo doc --no-deps -p stickslip --features dense,x3p` first. With --check, the script fails if the list has changed."""
 
 import html.parser
 import os
@@ -12,7 +12,7 @@ LIST = HERE / "tests" / "crate_items.txt"
 
 
 class Items(html.parser.HTMLParser):
-    """The texts of the links to items, each with its kind and its page."""
+    """Collects the texts of the links to items, each with its kind and its page."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class Items(html.parser.HTMLParser):
 
 
 class Methods(html.parser.HTMLParser):
-    """The names of the methods that a type has of its own, not of a trait."""
+    """Collects the names of the inherent methods of a type, without methods of traits."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes python/stickslip/_stickslip.pyi: the type hints that the module carries with the feature `stubs`, and its
-docstrings. Needs maturin (`pip install maturin`), and compiles the crate for development."""
+"""Writes python/stickslip/_stickslip.pyi with the docstrings of the module and the type hints that it contains with the
+feature `stubs`. Needs maturin (`pip install maturin`), and compiles the crate in the development profile."""
 
 import ast
 import pathlib
@@ -13,7 +13,7 @@ HEADER = "# Written by stubs.py from the hints of the module.\n"
 
 
 def readable(text: str) -> str:
-    """Hints as people write them, and docstrings as they are."""
+    """Returns the stubs with readable type hints and unchanged docstrings."""
     parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
     parts[::2] = [hints(part) for part in parts[::2]]
     imports = (
@@ -26,7 +26,7 @@ def readable(text: str) -> str:
 
 
 def names(text: str) -> str:
-    """``__all__``, which the module has: some versions of maturin write it, others leave it out."""
+    """Returns the text of ``__all__``, or an empty text if it exists: only some versions of maturin write it."""
     nodes = ast.parse(text).body
     targets = [node.target for node in nodes if isinstance(node, ast.AnnAssign)]
     of_values = [target.id for target in targets if isinstance(target, ast.Name)]

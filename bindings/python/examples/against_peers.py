@@ -1,8 +1,8 @@
-"""The same gaps, pressed by this package, by Tamaas and by ContactMechanics: answers and times in a table.
+"""Comparison of this package with Tamaas and ContactMechanics for identical gaps: solutions and times in a table.
 
-Needs `pip install tamaas ContactMechanics`; what is missing is left out. The number of cells along a side may be given.
-Each code is asked for its own tolerance of 1e-8, so that times tell of orders of magnitude only: `benches/README.md`
-compares them at the same measured error.
+Needs `pip install tamaas ContactMechanics`; a missing package is skipped. The number of cells along a side may be given.
+Each code uses its own definition of the tolerance of 1e-8, so times are comparable only in order of magnitude;
+`benches/README.md` compares them at the same measured error.
 """
 
 import sys
@@ -12,7 +12,7 @@ import numpy as np
 
 import stickslip as ss
 
-FORCE = 0.05  # of a contact modulus of one and a square of side one
+FORCE = 0.05  # for a contact modulus of one and a square of side one
 
 
 def own(gap, cells):

@@ -1,8 +1,9 @@
-"""A steel ball is pressed on steel: force against approach, and the pressure against Hertz."""
+"""A steel ball pressed on steel: force versus approach, and comparison of the pressure with Hertz."""
 
 # %% Bodies and gap
-# A ball of radius 3.5 mm touches a flat of the same steel, on 128 x 128 cells of a square of side 0.4 mm. Any consistent set
-# of units serves; these are metres, newtons and pascals. The gap is what lies between the surfaces before they are loaded.
+# A ball of radius 3.5 mm touches a flat of the same steel, on 128 x 128 cells of a square of side 0.4 mm. Any consistent
+# system of units can be used, here metres, newtons and pascals. The gap is the distance between the surfaces before
+# loading.
 
 import numpy as np
 
@@ -15,9 +16,10 @@ steel = ss.Material(213e9, 0.29)
 bodies = ss.HalfSpace(grid, (steel, steel))
 solver = ss.NormalSolver(bodies, ss.surface.sphere(grid, RADIUS), force=0.0)
 
-# %% Force against approach
-# A solver keeps what it has set up and starts from its last answer. Each solution says how it ended: the certified error
-# bounds that of the pressure in the energy norm. It is not the error of the cells, which the comparison with Hertz shows.
+# %% Force versus approach
+# A solver keeps its buffers and starts from its last solution. The report of each solution contains a certified bound on
+# the error of the pressure in the energy norm. It does not include the discretisation error, which the comparison with
+# Hertz shows.
 
 print("force, N   approach, um   Hertz, um   max. pressure, GPa   certified error")
 for force in np.linspace(20.0, 100.0, 5):
@@ -30,8 +32,8 @@ for force in np.linspace(20.0, 100.0, 5):
     assert abs(contact.approach / hertz.approach - 1.0) < 1e-3
 
 # %% Pressure cell by cell
-# The pressure is a read-only array of shape (ny, nx), x fastest. Summed over the cells it differs from Hertz by 1e-3 or so,
-# which is the error of cells of uniform pressure: it falls with finer cells, not with a tighter tolerance.
+# The pressure is a read-only array of shape (ny, nx), x fastest. Summed over the cells, it differs from Hertz by about
+# 1e-3. This is the error of cells of uniform pressure, which decreases with finer cells but not with a tighter tolerance.
 
 x, y = np.meshgrid(grid.x, grid.y)
 exact = hertz.pressure(np.hypot(x, y))
@@ -39,8 +41,9 @@ difference = np.abs(contact.pressure - exact).sum() / exact.sum()
 print(f"pressure under {force:.0f} N: differs from Hertz by {difference:.1e}, summed over the cells")
 assert difference < 3e-3
 
-# %% Pictures
-# Pictures need matplotlib, `pip install "stickslip[plot]"`. Scales and units of the axes are given, as the package has none.
+# %% Plots
+# Plots need matplotlib, `pip install "stickslip[plot]"`. Scales and units of the axes are given, since the package does
+# not prescribe any.
 
 try:
     from stickslip import plot

@@ -1,7 +1,7 @@
-"""A pressed ball is dragged up to sliding, then to and fro: stick zone, hysteresis, and the closed forms."""
+"""A pressed ball is dragged up to sliding, then back and forth: stick zone, hysteresis, and closed-form solutions."""
 
 # %% A pressed ball
-# The traction is found under a pressure that is given: that of a normal contact.
+# The traction is computed for a given pressure, here the pressure of a normal contact.
 
 import numpy as np
 
@@ -16,9 +16,10 @@ ball = ss.surface.sphere(grid, RADIUS)
 hertz = ss.analytical.HertzSphere(bodies.pair, RADIUS, FORCE)
 normal = ss.NormalProblem(bodies, ball, force=FORCE).solve()
 
-# %% Dragged once
-# A tangential force below the friction limit mu P makes a ring slip around a zone that sticks. Cattaneo and Mindlin found
-# the radius of the zone and the shift of the bodies; the stick ratio is the part of the contact that sticks.
+# %% Monotonic tangential load
+# A tangential force below the friction limit mu P causes slip in a ring around the stick zone. Cattaneo and Mindlin
+# derived the radius of the stick zone and the shift of the bodies. The stick ratio is the fraction of the contact area
+# that sticks.
 
 print("force, N   shift, um   exact, um   stick ratio   exact")
 solver = ss.TangentialProblem(bodies, normal, FRICTION, force_x=0.0).solver()
@@ -32,20 +33,21 @@ for force in (10.0, 20.0, 30.0, 40.0):
     assert abs(tangential.shift[0] / exact.shift - 1.0) < 2e-3
 
 # %% Beyond sliding
-# A force that friction cannot hold is refused before any work, with both numbers. A shift may be as large as you like: then
-# the contact slides.
+# A force beyond the friction capacity raises an exception before any work, with both numbers. A shift of any size is
+# allowed; for a large shift the contact slides.
 
 try:
     solver.solve(force_x=60.0)
 except ss.BeyondFrictionCapacity as beyond:
     print(f"{beyond.force:.0f} N are more than the {beyond.limit:.0f} N that friction holds")
 
-# %% To and fro
-# A problem is loaded once, from rest. Loads that turn need a history, which remembers what slipped. A cycle adds up what
-# its steps dissipate; Mindlin and Deresiewicz know the energy.
+# %% Reciprocating load
+# A problem is loaded once, from rest. Loads with reversals need a history, which stores the slip of earlier steps. A
+# cycle sums the dissipated energy of its steps, which Mindlin and Deresiewicz give in closed form.
 
-# What slipped on the way is remembered: a loop of force over shift. A step of 10 N after a reversal makes a ring slip that
-# is 3.5 % of the contact radius wide, here more than two cells; a narrower one would be rough, of which a warning tells.
+# The memory of slip causes a loop of force versus shift. After a reversal, a step of 10 N causes slip in a ring whose
+# width is 3.5 % of the contact radius, here more than two cells. A narrower ring would be poorly resolved and cause a
+# warning.
 history = ss.History(bodies, ball, FRICTION)
 history.step(normal_force=FORCE)
 cycle = ss.history.Cycle(history)
@@ -61,8 +63,8 @@ print(
 assert abs(cycle.energy.dissipated_energy / exact.energy_per_cycle - 1.0) < 1e-3
 assert np.isclose(cycle.points[0].force[0], cycle.points[-1].force[0], atol=1e-9)
 
-# %% Pictures
-# Zones at the last force, the traction there, and the loop of force over shift.
+# %% Plots
+# The plots show the zones and the traction at the last force, and the loop of force versus shift.
 
 try:
     from stickslip import plot

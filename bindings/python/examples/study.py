@@ -1,11 +1,11 @@
-"""The study of the crate's example of this name, by engines of Python: the same table, byte for byte.
+"""The study of the Rust example of the same name, run with Python engines. The table is identical byte for byte.
 
-    python study.py --seeds 1-25 --out study.csv                      # a process for each core
-    python study.py --engine dask --out study.csv                     # Dask, here or by --scheduler tcp://host:8786
-    python study.py --shard 3/16 --out part-3.csv                     # a part: of a Slurm array, or of HyperQueue
+    python study.py --seeds 1-25 --out study.csv                      # one process per core
+    python study.py --engine dask --out study.csv                     # Dask, local or with --scheduler tcp://host:8786
+    python study.py --shard 3/16 --out part-3.csv                     # one part, for a Slurm array or HyperQueue
 
-A table that is there is continued. `study --merge` of the crate joins parts, whichever program wrote them. Needs tqdm for
-a bar, and dask[distributed] for Dask.
+An existing table is continued. `study --merge` of the crate joins parts written by either program. The progress bar needs
+tqdm, and Dask needs dask[distributed].
 """
 
 import argparse
@@ -29,12 +29,12 @@ COLUMNS = KEY + NORMAL + TANGENTIAL + [f"{solve}_{name}" for solve in ("normal",
 
 
 def number(value):
-    """The shortest digits that read back as the same number, as Rust writes them."""
+    """Returns the shortest decimal representation of a number, in the notation of Rust."""
     return re.sub(r"e([-+])0*", lambda sign: "e" + sign[1].strip("+"), repr(float(value)))
 
 
 def report(solution_or_error):
-    """The columns of a report; of no solve, why there is none."""
+    """Returns the columns of a report, or the reason why there was no solve."""
     if isinstance(solution_or_error, str):
         return [solution_or_error] + [""] * (len(REPORT) - 1)
     found = solution_or_error.report
@@ -44,7 +44,8 @@ def report(solution_or_error):
 
 
 def solve(plan, press, frictions):
-    """The rows of one pressure, by their keys: one surface, pressed once, sheared under each friction."""
+    """Returns the rows of one pressure with their keys: one surface, pressed once and sheared with each friction
+    coefficient."""
     ss.set_num_threads(1)
     hurst, pressure, seed = press
     grid = ss.Grid.square(plan["cells"], 1.0)
@@ -85,13 +86,13 @@ def solve(plan, press, frictions):
 
 
 def seeds(text):
-    """Numbers and ranges such as 1-20,25."""
+    """Parses numbers and ranges such as 1-20,25."""
     ranges = [part.partition("-") for part in text.split(",")]
     return [seed for first, _, last in ranges for seed in range(int(first), int(last or first) + 1)]
 
 
 def command(plan):
-    """The first line of a table, which repeats the study."""
+    """Returns the first line of a table, a command that repeats the study."""
     runs, joined = [], lambda name: ",".join(map(number, plan[name]))
     for seed in plan["seeds"]:
         runs.append([runs.pop()[0], seed] if runs and runs[-1][1] + 1 == seed else [seed, seed])
@@ -105,11 +106,11 @@ def command(plan):
 
 
 class Table:
-    """A file to which one process appends whole rows."""
+    """File to which a single process appends complete rows."""
 
     def __init__(self, path, plan):
         self.file = open(path, "a+b", buffering=0)
-        with contextlib.suppress(ImportError):  # of Unix
+        with contextlib.suppress(ImportError):  # available on Unix only
             import fcntl
 
             try:
@@ -121,7 +122,7 @@ class Table:
         self.length = text.rfind(b"\n") + 1 if len(text) >= len(head) or not head.startswith(text) else 0
         if self.length and not text.startswith(head):
             sys.exit(f"{path} is not a table of this study")
-        self.file.truncate(self.length)  # half a line of a program that was killed
+        self.file.truncate(self.length)  # removes the incomplete line of a killed program
         self.rows = set()
         for line, row in enumerate(text[: self.length].split(b"\n")[2:-1], 3):
             words = row.split(b",")
@@ -136,7 +137,7 @@ class Table:
         return tuple(word.encode() for word in key) in self.rows
 
     def write(self, lines):
-        """All of it or nothing, where the disk is full."""
+        """Writes all lines, or none if the disk is full."""
         try:
             written = self.file.write(lines)
             if written != len(lines):
@@ -149,7 +150,7 @@ class Table:
 
 
 def results(jobs, engine, workers, scheduler):
-    """What the jobs return, as they are finished."""
+    """Yields the results of the jobs as they finish."""
     if engine == "dask":
         from dask.distributed import Client, as_completed
 
@@ -186,10 +187,10 @@ def main():
     plan = vars(options.parse_args())
     part, parts = map(int, plan["shard"].split("/"))
 
-    # Cases count first frictions, then pressures, Hurst exponents and seeds.
+    # In the numbering of cases the friction varies fastest, then the pressure, the Hurst exponent and the seed.
     presses = [(hurst, pressure, seed) for seed, hurst, pressure in
                itertools.product(plan["seeds"], plan["hursts"], plan["pressures"])]  # fmt: skip
-    # Shards as those of the crate: every pressure in each of them.
+    # Shards are the same as in the crate: each shard contains every pressure.
     period = math.lcm(len(plan["hursts"]) * len(plan["pressures"]), parts)
     keys, jobs, table = {}, [], Table(plan["out"], plan)
     for index, press in enumerate(presses):

@@ -1,7 +1,8 @@
-"""Stresses below a dragged ball: von Mises on planes, the deepest point by its depth, a volume for ParaView."""
+"""Stresses below a dragged ball: von Mises stress on planes, the depth of the largest shear stress, a volume for
+ParaView."""
 
 # %% Surface tractions
-# A pressed and dragged ball, as in the tutorials before. Units are mm, N and MPa.
+# The contact is a pressed and dragged ball, as in the previous tutorials. Units are mm, N and MPa.
 
 import pathlib
 import tempfile
@@ -18,11 +19,11 @@ tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
 hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
 
 # %% Planes
-# Stresses on planes at chosen depths, by transforms. Under the pressure alone the largest shear stress lies on the axis at
-# 0.48 contact radii; friction moves it towards the surface.
+# Stresses on planes at chosen depths are computed by fast Fourier transforms. Under the pressure alone, the largest shear
+# stress is on the axis at a depth of 0.48 contact radii; friction moves it towards the surface.
 
-# From a side of a cell below the surface on: at the surface itself the stress at the edge of a sheared contact converges as
-# the root of the cells, of which a warning tells.
+# All depths are larger than one cell side. At the surface itself, the stress at the edge of a sheared contact converges
+# only with the square root of the cell size, which causes a warning.
 depths = np.linspace(0.05, 1.5, 30) * hertz.contact_radius
 planes = ss.subsurface.Planes(bodies, depths)
 pressed, dragged = planes.solve_all("one", contact), planes.solve_all("one", (contact, tangential))
@@ -37,7 +38,7 @@ assert abs(deepest.depth / hertz.contact_radius - 0.48) < 0.1
 assert abs(deepest.max_shear.max() / hertz.max_pressure - 0.31) < 0.01
 
 # %% Points
-# The same stress tensor at any points, as sums over the cells; stress is positive in tension.
+# The stress tensor at arbitrary points is computed by sums over the cells; stress is positive in tension.
 
 below = ss.subsurface.at_points(bodies, "one", contact, [(0.0, 0.0, depth) for depth in depths])
 largest = int(below.max_shear.argmax())
@@ -45,15 +46,15 @@ print(f"largest shear stress on the axis at the depth {depths[largest]:.3f} mm: 
 assert abs(below.max_shear.max() / deepest.max_shear.max() - 1.0) < 0.01
 
 # %% A volume for other programs
-# ParaView and other programs of VTK read all planes as one image.
+# ParaView and other programs based on VTK read all planes as one image.
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "stress.vti"
     planes.write_vti(file, "one", (contact, tangential))
     print(f"volume for ParaView: {file.stat().st_size} bytes")
 
-# %% Pictures
-# Sections through the planes at y = 0: von Mises stress and stress along x.
+# %% Plots
+# The sections through the planes at y = 0 show the von Mises stress and the stress along x.
 
 try:
     from stickslip import plot

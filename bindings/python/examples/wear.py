@@ -1,7 +1,8 @@
-"""Fretting wear of a ball by the energy that each cell dissipates, with jumps over cycles; the state is saved."""
+"""Fretting wear of a ball by the energy dissipated in each cell, with jumps over cycles and a saved state."""
 
 # %% A fretting loop
-# The ball is held under 100 N and its partner is moved by a micrometre to and fro. What each cell dissipates wears it.
+# The ball is pressed with 100 N, and the counterbody is moved back and forth by a micrometre. The wear of each cell is
+# proportional to its dissipated energy.
 
 import pathlib
 import tempfile
@@ -16,15 +17,16 @@ steel = ss.Material(213e9, 0.29)
 bodies = ss.HalfSpace(grid, (steel, steel))
 gap = ss.surface.sphere(grid, 3.5e-3)
 history = ss.History(bodies, gap, 0.5, tolerance=1e-6)
-# A step that presses and shears at once would leave shear in the cells that touch on the way, and the loop off its centre.
+# A step that presses and shears simultaneously would leave shear in cells that touch during the step, and the loop would
+# not be centred.
 history.step(normal_force=FORCE)
 path = LoadPath.triangle((1e-6, 0.0), 8)
-# After each jump as many cycles as it takes until one stands for those that follow.
+# After each jump, cycles are repeated until one represents the following cycles.
 loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift), until_steady=0.05)
 
 # %% Jumps over cycles
-# One cycle stands for those that follow as long as the gap changes little. The jump is as long as the largest depth allows,
-# and no longer than the worn gap stays stable.
+# A cycle represents the following cycles as long as the gap changes little. The length of a jump is limited by the
+# largest depth and by the stability of the worn gap.
 
 done, jumps, worn_volume = 0.0, 0, 0.0
 while done < CYCLES:
@@ -47,22 +49,23 @@ print(f"{done:.0f} cycles in {jumps} jumps: {worn_volume * 1e18:.2f} um^3 worn, 
 assert worn_volume > 0.0 and cycle.regime == ss.history.Regime.PARTIAL_SLIP
 
 # %% Saved and restored
-# A history is saved with all that the next step depends on. The restored one continues to the last bit.
+# A history is saved with all data that the next step depends on. The restored history continues with bitwise identical
+# results.
 
 with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "worn"
     history.save(file)
     restored = ss.History.load(bodies, file)
 step, again = history.step(normal_force=FORCE), restored.step(normal_force=FORCE)
-assert step.approach == again.approach  # to the last bit
+assert step.approach == again.approach  # bitwise identical
 print(f"approach {approach * 1e6:.3f} um before, {step.approach * 1e6:.3f} um after")
-# The pressure grows towards a peak without bound at the edge of the cells that stick, PopovLimitingShape: the finer the
-# grid, the higher its largest value, which is therefore no result. Volume and approach change by less than 0.5 % on 48 to
-# 128 cells.
+# At the edge of the stick zone, the pressure grows without bound, as in PopovLimitingShape. Its largest value therefore
+# increases with finer grids and is not a meaningful result. Volume and approach change by less than 0.5 % on 48 to 128
+# cells.
 assert step.approach > approach
 
-# %% Pictures
-# The loop of force and shift of the last cycle.
+# %% Plots
+# The plot shows the loop of force and shift of the last cycle.
 
 try:
     from stickslip import plot

@@ -1,6 +1,7 @@
-//! Arguments of which several kinds are taken, and which are read once their grid is known.
+//! Arguments that accept several kinds of objects and are read once their grid is determined.
 
-/// Declares such an argument, of one of these classes, an array or anything else that NumPy makes an array of.
+/// Declares an argument that accepts an object of one of these classes, an array, or anything else that NumPy converts to
+/// an array.
 macro_rules! argument {
     ($(#[$doc:meta])* $name:ident: $($class:ty)|+ $(; $builtin:literal)?) => {
         $(#[$doc])*

@@ -1,4 +1,4 @@
-//! Fields as NumPy arrays of shape (ny, nx): read-only views of what a frozen object holds, or copies.
+//! Fields as NumPy arrays of shape (ny, nx): read-only views of the data of a frozen object, or copies.
 
 use std::convert::Infallible;
 use std::marker::PhantomData;
@@ -11,7 +11,7 @@ use pyo3::pyclass::boolean_struct::True;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
 
-/// What arrays hold.
+/// Element type of an array.
 pub(crate) trait Entry: Element {
     #[cfg(feature = "stubs")]
     const HINT: PyStaticExpr;
@@ -34,7 +34,7 @@ entries!(
     u64 = "uint64"
 );
 
-/// An array on its way to Python.
+/// Array that is returned to Python.
 pub(crate) struct Array<'py, E = f64>(pub(crate) Bound<'py, PyAny>, PhantomData<E>);
 
 impl<'py, E: Entry> Array<'py, E> {
@@ -42,7 +42,7 @@ impl<'py, E: Entry> Array<'py, E> {
         Self(array.into_any(), PhantomData)
     }
 
-    /// A new one of one dimension.
+    /// Creates a one-dimensional array.
     pub(crate) fn new(py: Python<'py>, entries: impl IntoIterator<Item = E>) -> Self {
         let entries: Vec<_> = entries.into_iter().collect();
         Self::of(entries.into_pyarray(py))
@@ -63,8 +63,8 @@ impl<'py, E: Entry> IntoPyObject<'py> for Array<'py, E> {
     }
 }
 
-/// A read-only array over memory that a frozen object holds, and never changes or frees while it lives. The array holds
-/// the object.
+/// Returns a read-only array over memory of a frozen object, which neither changes nor frees it during its lifetime. The
+/// array keeps the object alive.
 fn view_of<'py, T, E: Entry, D: Dimension>(
     owner: &Bound<'py, T>,
     samples: ArrayView<'_, E, D>,
@@ -78,15 +78,16 @@ where
     )]
     // SAFETY: the callers take `samples` from a shared reference to the contents of `owner`, by a function that can
     // return nothing shorter-lived (`for<'a> Fn(&'a T) -> &'a _`). A frozen class hands out shared references only, its
-    // fields have no interior mutability, and the array keeps `owner` alive. Nobody writes: the array is made read-only
-    // here, and NumPy allows that to be undone only where the base is a writable buffer, which `owner` is not.
+    // fields have no interior mutability, and the array keeps `owner` alive. The memory is never written: the array is
+    // made read-only here, and NumPy allows that flag to be reset only if the base is a writable buffer, which `owner` is
+    // not.
     let array = unsafe { PyArray::borrow_from_array(&samples, owner.clone().into_any()) };
     let read_only = array.readwrite().make_nonwriteable();
     drop(read_only);
     Array::of(array)
 }
 
-/// A field of a frozen object, without a copy.
+/// Returns a view of a field of a frozen object, without a copy.
 pub(crate) fn view<'py, T>(
     owner: &Bound<'py, T>,
     field: impl for<'a> Fn(&'a T) -> &'a stickslip::Field,
@@ -103,7 +104,7 @@ where
     }
 }
 
-/// Numbers of a frozen object, without a copy.
+/// Returns a view of a slice of numbers of a frozen object, without a copy.
 pub(crate) fn view_slice<'py, T, E: Entry>(
     owner: &Bound<'py, T>,
     numbers: impl for<'a> Fn(&'a T) -> &'a [E],
@@ -114,13 +115,13 @@ where
     view_of(owner, ArrayView::from(numbers(owner.get())))
 }
 
-/// A copy of a field.
+/// Copies a field into a new array.
 pub(crate) fn copy<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
     let array = PyArray1::from_slice(py, field.as_slice());
     shaped(&array, field.grid())
 }
 
-/// Bytes per cell, as an array of the grid.
+/// Returns one byte per cell as an array of shape (ny, nx).
 pub(crate) fn bytes(
     py: Python<'_>,
     grid: stickslip::Grid,
@@ -130,14 +131,14 @@ pub(crate) fn bytes(
     shaped(&array, grid)
 }
 
-/// Which cells carry pressure: those of the contact, as the crate counts its area.
+/// Returns the mask of the cells that carry pressure. The crate counts the same cells in the contact area.
 pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py, bool> {
     let touching = pressure.as_slice().iter().map(|&pressure| pressure > 0.0);
     let array = touching.collect::<Vec<_>>().into_pyarray(py);
     shaped(&array, pressure.grid())
 }
 
-/// Labels per cell, as an array of the grid.
+/// Returns one label per cell as an array of shape (ny, nx).
 pub(crate) fn labels<'py>(
     py: Python<'py>,
     grid: stickslip::Grid,
@@ -151,7 +152,7 @@ fn shaped<'py, E: Entry>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) 
     shaped.map_or_else(|_| Array::of(flat.clone()), Array::of)
 }
 
-/// The zones of cells as numbers: 0 separated, 1 stick, 2 slip.
+/// Returns the zones of the cells as numbers: 0 separated, 1 stick, 2 slip.
 pub(crate) fn zones<'py>(
     py: Python<'py>,
     grid: stickslip::Grid,

@@ -1,4 +1,4 @@
-//! What lies beyond the edge of the grid.
+//! Boundary conditions at the edge of the grid.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -10,32 +10,34 @@ use crate::digits::short;
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// What lies beyond the edge of the grid.
+/// Boundary condition at the edge of the grid.
 ///
-/// Wherever one is taken, ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)`` are too. On a grid that
-/// repeats along x and y the approach is measured from the mean gap, and the shift from the mean plane of the surface.
+/// Every argument of this type also accepts ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)``. On a
+/// grid that is periodic along x and y, the approach is measured from the mean gap and the shift from the mean plane of
+/// the surface.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Boundary(pub(crate) stickslip::Boundary);
 
 #[pymethods]
 impl Boundary {
-    /// Unloaded half-space.
+    /// Unloaded half-space outside the grid.
     #[classattr]
     const NON_PERIODIC: Self = Self(stickslip::Boundary::NonPeriodic);
 
-    /// The grid repeats along x and y.
+    /// Grid that is periodic along x and y.
     #[classattr]
     const PERIODIC: Self = Self(stickslip::Boundary::Periodic);
 
-    /// The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x from a line
-    /// load at which it moves nothing (a length), at least the length of the grid; approach and shift are relative to it.
+    /// Returns the boundary of a grid that is periodic along y only, for cylinders, rollers and line contacts. The datum
+    /// (a length, at least the length of the grid) is the distance along x from a line load at which that load causes no
+    /// displacement. Approach and shift are relative to it.
     #[staticmethod]
     fn periodic_along_y(datum: Real) -> Self {
         Self(stickslip::Boundary::PeriodicAlongY { datum: datum.0 })
     }
 
-    /// Its name.
+    /// Name of the boundary condition.
     #[getter]
     fn name(&self) -> &'static str {
         match self.0 {
@@ -46,7 +48,7 @@ impl Boundary {
         }
     }
 
-    /// The datum (a length) of a grid that repeats along y alone; else ``None``.
+    /// The datum (a length) of a grid that is periodic along y only; otherwise ``None``.
     #[getter]
     fn datum(&self) -> Option<f64> {
         match self.0 {
@@ -69,7 +71,7 @@ impl Boundary {
 
 picklable!(Boundary: stickslip::Boundary);
 
-/// What is taken for a boundary.
+/// Argument that is converted to a boundary.
 pub(crate) struct Surroundings(pub(crate) stickslip::Boundary);
 
 impl FromPyObject<'_, '_> for Surroundings {

@@ -1,4 +1,4 @@
-//! The engine: constrained minima of quadratic forms, with any operator.
+//! Solvers for constrained minima of quadratic forms with any linear operator.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ use crate::report::Report;
 use crate::settings::{Settings, chosen};
 use crate::work::{solve, watch};
 
-/// As many numbers as there are unknowns, from as many or from one for all.
+/// Returns one number per unknown, from an array of this length or from a single number.
 fn for_each(given: &Bound<'_, PyAny>, cells: usize) -> PyResult<Vec<f64>> {
     match given.extract::<Real>() {
         Ok(Real(value)) => Ok(vec![value; cells]),
@@ -30,7 +30,7 @@ fn for_each(given: &Bound<'_, PyAny>, cells: usize) -> PyResult<Vec<f64>> {
     }
 }
 
-/// Lower and upper bounds of so many unknowns; zero and infinite by default.
+/// Returns lower and upper bounds of the unknowns; zero and infinity by default.
 pub(crate) fn bounds(
     lower: Option<Bound<'_, PyAny>>,
     upper: Option<Bound<'_, PyAny>>,
@@ -43,11 +43,11 @@ pub(crate) fn bounds(
     Ok([bound(lower, 0.0)?, bound(upper, f64::INFINITY)?])
 }
 
-/// A constrained minimum.
+/// Constrained minimum of a quadratic form.
 #[pyclass(frozen, module = "stickslip.cgm")]
 pub(crate) struct Minimum(Found);
 
-/// What a minimum is made of.
+/// Serialised content of a minimum.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Found {
     x: Vec<f64>,
@@ -57,19 +57,19 @@ pub(crate) struct Found {
 
 #[pymethods]
 impl Minimum {
-    /// The unknowns, a read-only view.
+    /// The unknowns, as a read-only view.
     #[getter]
     fn x<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view_slice(slf, |minimum| &minimum.0.x)
     }
 
-    /// The multiplier of the total; zero without one.
+    /// Multiplier of the prescribed total; zero without a total.
     #[getter]
     fn multiplier(&self) -> f64 {
         self.0.multiplier
     }
 
-    /// How the solve ended.
+    /// Report of the solve.
     #[getter]
     fn report(&self) -> Report {
         Report::of(&self.0.report)
@@ -89,29 +89,30 @@ picklable!(Minimum: Found);
 /// Parameters
 /// ----------
 /// operator : LinearOperator or callable
-///     The symmetric operator C; a callable is given an array of the unknowns and returns their product.
+///     The symmetric operator C; a callable receives an array of the unknowns and returns its product with C.
 /// linear : array_like
-///     The linear term, as many numbers as there are unknowns.
+///     The linear term, one number per unknown.
 /// lower, upper : float or array_like, optional
-///     Bounds of the unknowns; 0 and infinity by default.
+///     Bounds of the unknowns; zero and infinity by default.
 /// total : float, optional
 ///     Sum of the unknowns; free by default.
 /// spring : (far_end, compliance), optional
-///     Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
+///     Replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
 /// diagonal : float or array_like, optional
-///     Numbers that are not negative, added to the diagonal of C; none by default.
+///     Non-negative numbers that are added to the diagonal of C; none by default.
 /// preconditioner : LinearOperator, optional
 ///     An approximation of the inverse of C without ``diagonal``; none by default.
 /// lower_bound : float, default 0
-///     A lower bound of the smallest eigenvalue of a callable, by which the error is certified.
+///     A lower bound on the smallest eigenvalue of the operator, if it is a callable. The error bound is computed from
+///     it.
 /// start : array_like, optional
-///     Where the iteration starts; zero by default.
+///     Initial iterate; zero by default.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 /// progress : callable or bool, optional
-///     As of :meth:`NormalProblem.solve`.
+///     See :meth:`NormalProblem.solve`.
 ///
 /// Returns
 /// -------
@@ -182,7 +183,7 @@ pub(crate) fn minimise<'py>(
         None => vec![0.0; cells],
         Some(start) => numbers(&start, cells)?.as_slice()?.to_vec(),
     };
-    // A function of Python is called in the thread that called this one.
+    // A Python function must be called on the thread that called this function.
     let size = if is_function { 0 } else { cells };
     let preconditioner = preconditioner.map(|given| Shared(Arc::clone(&given.product)));
     let outcome = solve(py, size, progress, |observer| {

@@ -1,4 +1,4 @@
-//! Choices by name: a string or a member of an enumeration of ``stickslip``, which are strings too.
+//! Options selected by name: a string or a member of an enumeration of ``stickslip``, whose members are also strings.
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -7,17 +7,17 @@ use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::conversion::kind_of;
 
-/// An enumeration of the crate whose variants have names.
+/// Enumeration of the crate whose variants have names.
 pub(crate) trait Named: Copy + PartialEq + 'static {
     const ENUMERATION: &'static str;
-    /// The module in which users find it.
+    /// Python module that exports the enumeration.
     const MODULE: &'static str;
     const ALL: &'static [(&'static str, Self)];
     #[cfg(feature = "stubs")]
     const HINT: PyStaticExpr;
 }
 
-/// One of its variants.
+/// Variant of such an enumeration.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Choice<T>(pub(crate) T);
 

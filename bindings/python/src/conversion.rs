@@ -1,4 +1,4 @@
-//! Arguments of a given form, refused by what is due there.
+//! Arguments of a prescribed form; the error message states the expected form.
 
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
@@ -9,8 +9,8 @@ use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
 use crate::real::is_real;
 
-/// Declares the class of such an argument: what it holds, what it is by the name of the argument, and what to do instead
-/// where that helps.
+/// Declares the class of such an argument: its content, the expected form (starting with the name of the argument) and,
+/// if helpful, an alternative.
 macro_rules! due {
     ($($(#[$doc:meta])* $name:ident($type:ty): $due:literal $(, $instead:literal)?;)+) => {$(
         $(#[$doc])*
@@ -35,55 +35,55 @@ macro_rules! due {
 }
 
 due! {
-    /// A force along both axes.
+    /// Force along both axes.
     Force([f64; 2]): "force is a pair (x, y)", "for a force along one axis give force_x= or force_y=";
     /// Creepages along both axes.
     Creepages([f64; 2]): "creepage is a pair (x, y)", "a creepage along x alone is (creepage, 0.0)";
-    /// A shift along both axes.
+    /// Shift along both axes.
     Shift([f64; 2]): "shift is a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
     /// Springs along both axes.
     Springs(([f64; 2], f64)): "spring is ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
-    /// A spring along one axis.
+    /// Spring along one axis.
     Spring((f64, f64)): "spring_x and spring_y are pairs (position, stiffness)";
-    /// A spring of a minimum.
+    /// Spring of a minimum.
     FarEnd((f64, f64)): "spring is a pair (far_end, compliance)";
-    /// Springs by their stiffness alone.
+    /// Springs given by their stiffnesses only.
     Stiffnesses([f64; 2]): "springs is a pair of stiffnesses (x, y)";
-    /// The amplitude of a load to and fro.
+    /// Amplitude of a reciprocating load.
     Amplitude([f64; 2]): "amplitude is a pair (x, y)", "to and fro along x it is (amplitude, 0.0)";
-    /// The amplitudes of an ellipse.
+    /// Amplitudes of an elliptical load path.
     EllipseAmplitudes([f64; 2]): "amplitudes is a pair (x, y)";
-    /// The values of a load path.
+    /// Values of a load path.
     PathSteps(Vec<[f64; 2]>): "steps is a sequence of pairs (x, y)";
-    /// The forces of a load path along one axis.
+    /// Forces of a load path along one axis.
     ForcePath(Vec<f64>): "path is a sequence of forces";
     /// Wavelengths along both axes.
     Wavelengths([f64; 2]): "wavelengths is a pair (x, y)";
     /// Curvatures of a paraboloid.
     Curvatures([f64; 3]): "curvatures is (k_xx, k_xy, k_yy)";
-    /// A strain of the plane.
+    /// In-plane strain.
     Strain([[f64; 2]; 2]): "strain is [[xx, xy], [yx, yy]]";
     /// Bulk stresses of both bodies.
     BulkStress([f64; 2]): "stress is a pair (body_1, body_2)", "for a bulk stress of body 1 it is (stress, 0.0)";
-    /// The columns of a part of a grid.
+    /// Columns of a part of a grid.
     Columns((usize, usize)): "columns is a pair (first, end) of whole numbers";
-    /// The rows of a part of a grid.
+    /// Rows of a part of a grid.
     Rows((usize, usize)): "rows is a pair (first, end) of whole numbers";
     /// Depths below the surface.
     Depths(Vec<f64>): "depths is a sequence of numbers", "a single depth is [depth]";
-    /// Sides of a cell.
+    /// Side lengths of a cell.
     CellSides([f64; 2]): "cell is a pair (dx, dy)";
-    /// Sides of a grid.
+    /// Side lengths of a grid.
     GridSides([f64; 2]): "size is a pair (x, y)";
 }
 
-/// The name of the argument, before the verb of what is due.
+/// Returns the name of the argument, which precedes the verb in the description of the expected form.
 fn named_in(due: &str) -> &str {
     let verb = due.find(" is ").or_else(|| due.find(" are "));
     verb.map_or(due, |verb| &due[..verb])
 }
 
-/// The entries of a tuple or a list; `None` of what is neither.
+/// Returns the entries of a tuple or a list; `None` for other objects.
 pub(crate) fn entries<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyTuple>> {
     match object.cast::<PyList>() {
         Ok(list) => Some(list.to_tuple()),
@@ -91,13 +91,13 @@ pub(crate) fn entries<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyTu
     }
 }
 
-/// What is due, of which a pair may be a tuple, a list or an array.
+/// Converts an object to the expected type. A pair can be a tuple, a list or an array.
 fn as_due<'py, T>(object: &Bound<'py, PyAny>) -> PyResult<T>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
     object.extract().or_else(|error: PyErr| {
-        // PyO3 takes entries of several types from a tuple alone.
+        // PyO3 extracts entries of different types from a tuple only.
         let listed = if object.hasattr("__array__")? {
             object.call_method0("tolist")?
         } else {
@@ -107,7 +107,8 @@ where
     })
 }
 
-/// Declares the class of rows of three numbers: what they are by the name of the argument, and what a single row is.
+/// Declares the class of a sequence of triples of numbers, with the expected form (starting with the name of the
+/// argument) and the form of a single triple.
 macro_rules! triples {
     ($($(#[$doc:meta])* $name:ident: $due:literal, $single:literal;)+) => {$(
         $(#[$doc])*
@@ -150,7 +151,7 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
     Ok(rows.map(|row| [row[0], row[1], row[2]]).collect())
 }
 
-/// The exception that says what is due, or which number of the right form is out of range.
+/// Returns the exception that states the expected form, or that names the number out of range if the form is right.
 fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -> PyErr {
     if error.is_instance_of::<PyOverflowError>(object.py()) {
         let number = overflowing::<f64>(object).or_else(|| overflowing::<usize>(object));
@@ -170,7 +171,7 @@ fn refused(object: &Bound<'_, PyAny>, error: &PyErr, due: &str, instead: &str) -
     PyTypeError::new_err(format!("{due}, got {kind}{length}{instead}"))
 }
 
-/// The first number of a sequence that does not fit a type.
+/// Returns the first number of a sequence that does not fit into the type.
 fn overflowing<'py, T>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>>
 where
     T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
@@ -181,7 +182,7 @@ where
     })
 }
 
-/// What an object is, in words.
+/// Returns the name of the type of an object.
 pub(crate) fn kind_of(object: &Bound<'_, PyAny>) -> String {
     let name = object.get_type().name();
     name.map_or_else(|_| "another object".into(), |name| name.to_string())

@@ -1,19 +1,20 @@
-//! Numbers as Python writes them: in `repr` with six significant digits, in the form of its format `g`; in messages whole.
+//! Numbers in the notation of Python: in `repr` with six significant digits, as by its format `g`; in messages with all
+//! digits.
 
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;
 
-/// A number.
+/// Formats a number with six significant digits.
 pub(crate) fn short(value: f64) -> String {
     rounded(value, 6)
 }
 
-/// A bound or a residual, of which the order matters.
+/// Formats a bound or a residual, whose order of magnitude matters.
 pub(crate) fn rough(value: f64) -> String {
     rounded(value, 2)
 }
 
-/// A number with so many significant digits.
+/// Formats a number with the given number of significant digits.
 fn rounded(value: f64, digits: i32) -> String {
     if value == 0.0 {
         return "0".into();
@@ -31,19 +32,19 @@ fn rounded(value: f64, digits: i32) -> String {
     }
 }
 
-/// Numbers as a tuple.
+/// Formats numbers as a tuple.
 pub(crate) fn tuple(values: &[f64]) -> String {
     let values: Vec<_> = values.iter().map(|&value| short(value)).collect();
     format!("({})", values.join(", "))
 }
 
-/// So many of what is called by this name in the singular.
+/// Formats a count with its noun, given in the singular.
 pub(crate) fn counted(count: usize, name: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {name}{plural}")
 }
 
-/// Without the zeros at the end of the decimals.
+/// Removes the zeros at the end of the decimals.
 fn trimmed(digits: &str) -> &str {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.')
@@ -52,20 +53,20 @@ fn trimmed(digits: &str) -> &str {
     }
 }
 
-/// A number as Python writes it.
+/// Formats a number as Python does.
 pub(crate) fn as_python(py: Python<'_>, value: f64) -> PyResult<String> {
     Ok(PyFloat::new(py, value).repr()?.to_string())
 }
 
-/// Returns a sentence of the crate with its numbers as Python writes them. The crate writes floating-point numbers with a
-/// point or an exponent.
+/// Returns a sentence of the crate with its numbers in Python notation. The crate writes floating-point numbers with a
+/// decimal point or an exponent.
 pub(crate) fn in_python(py: Python<'_>, sentence: &str) -> PyResult<String> {
     let mut parts = parts(sentence);
     for part in &mut parts {
         let is_number = part.ends_with(|last: char| last.is_ascii_digit());
         let is_floating = is_number && part.contains(['.', 'e']);
         if is_floating || part == "NaN" {
-            // Other words that look like numbers stay as they are.
+            // Other words that look like numbers remain unchanged.
             if let Ok(value) = part.parse() {
                 *part = as_python(py, value)?;
             }
@@ -74,7 +75,7 @@ pub(crate) fn in_python(py: Python<'_>, sentence: &str) -> PyResult<String> {
     Ok(parts.concat())
 }
 
-/// A sentence in parts: numbers, words and what is between them.
+/// Splits a sentence into numbers, words and the text between them.
 fn parts(sentence: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut rest = sentence;
@@ -94,7 +95,7 @@ fn parts(sentence: &str) -> Vec<String> {
     parts
 }
 
-/// The length of the number that a text begins with; zero without one.
+/// Returns the length of the number at the start of a text; zero if the text does not start with a number.
 fn number(text: &str) -> usize {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let signed = |text: &str| {

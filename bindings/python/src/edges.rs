@@ -1,4 +1,4 @@
-//! The edges of contacts and stick zones inside the cells.
+//! Edges of contacts and stick zones with sub-cell resolution.
 
 use numpy::IntoPyArray;
 use numpy::PyArrayMethods;
@@ -10,50 +10,52 @@ use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::spots::ContactSpots;
 
-/// The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges`,
+/// The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
 /// :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 ///
-/// At a distance s from a smooth edge the pressure rises as the root of s and the gap opens as its power 3/2. A quadratic is
-/// fitted to the square of the one and the power 2/3 of the other in 7 x 7 cells about each cell at the edge; where it does
-/// not fit, the cell keeps its own pressure and has a mean correction of its area.
+/// At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the power
+/// 3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the pressure and to
+/// the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area has a mean
+/// correction.
 #[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Edges(pub(crate) stickslip::edges::Edges);
 
 #[pymethods]
 impl Edges {
-    /// The grid of the cells.
+    /// Grid of the cells.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
     }
 
-    /// Area with the parts of the cells at the edge (a length squared).
+    /// Area of the contact or stick zone, with the covered parts of the cells at the edge (a length squared).
     #[getter]
     fn area(&self) -> f64 {
         self.0.area()
     }
 
-    /// The part of the cells at the edge whose fit was refused.
+    /// Fraction of the cells at the edge whose fit was rejected.
     #[getter]
     fn unfitted_fraction(&self) -> f64 {
         self.0.unfitted_fraction()
     }
 
-    /// Values at the centres of all cells, shape (ny, nx): of a contact the pressure, of a stick zone what friction could
-    /// still bear (pressures).
+    /// Values at the centres of all cells, shape (ny, nx): the pressure for a contact, or the margin to the friction
+    /// limit for a stick zone (pressures).
     #[getter]
     fn centres<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |edges| edges.0.centres())
     }
 
-    /// Means of the same over the cells, shape (ny, nx).
+    /// Mean values over the cells, shape (ny, nx), of the quantity of :attr:`centres`.
     #[getter]
     fn means<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |edges| edges.0.means())
     }
 
-    /// The edge as straight pieces (lengths): an array of shape (n, 2, 2), of each piece (x, y) of both ends.
+    /// The edge as line segments (lengths): an array of shape (n, 2, 2), with the coordinates (x, y) of both ends of each
+    /// segment.
     #[getter]
     fn outline<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let pieces = self.0.outline();
@@ -62,25 +64,26 @@ impl Edges {
         Ok(Array::of(array))
     }
 
-    /// The indices of the cells at the edge, in the flat grid, by rising index.
+    /// Flat indices of the cells at the edge, in increasing order.
     #[getter]
     fn cells<'py>(&self, py: Python<'py>) -> Array<'py, u64> {
         Array::new(py, self.0.cells().iter().map(|cell| cell.index as u64))
     }
 
-    /// The covered parts of these cells, from 0 to 1.
+    /// Covered fraction of each cell of :attr:`cells`, from 0 to 1.
     #[getter]
     fn covered<'py>(&self, py: Python<'py>) -> Array<'py> {
         Array::new(py, self.0.cells().iter().map(|cell| cell.covered))
     }
 
-    /// Areas of the spots of the contact, in their order, with the parts of the cells at the edges (lengths squared).
+    /// Returns the areas of the contact spots, in their order, with the covered parts of the cells at the edges (lengths
+    /// squared).
     fn areas_of<'py>(&self, py: Python<'py>, spots: &ContactSpots) -> PyResult<Array<'py>> {
         let areas = self.0.areas_of(&spots.0).or_raise(py)?;
         Ok(Array::new(py, areas))
     }
 
-    /// Whether the edge was fitted in these cells.
+    /// Whether the edge was fitted, for each cell of :attr:`cells`.
     #[getter]
     fn is_fitted<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         Array::new(py, self.0.cells().iter().map(|cell| cell.is_fitted))
@@ -96,14 +99,14 @@ impl Edges {
     }
 }
 
-/// The edges of a contact in partial slip: of the contact and of its stick zone.
+/// The edges of a contact in partial slip and of its stick zone.
 #[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct TangentialEdges(pub(crate) stickslip::edges::TangentialEdges);
 
 #[pymethods]
 impl TangentialEdges {
-    /// The grid of the cells.
+    /// Grid of the cells.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
@@ -127,7 +130,7 @@ impl TangentialEdges {
         view(slf, |edges| edges.0.traction())
     }
 
-    /// Its means over the cells, shape (ny, nx).
+    /// Means of the traction over the cells, shape (ny, nx).
     #[getter]
     fn mean_traction<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |edges| edges.0.mean_traction())
@@ -139,19 +142,19 @@ impl TangentialEdges {
         self.0.peak_traction()
     }
 
-    /// Area of the stick zone, with the parts of the cells at its edge (a length squared).
+    /// Area of the stick zone, with the covered parts of the cells at its edge (a length squared).
     #[getter]
     fn stick_area(&self) -> f64 {
         self.0.stick_area()
     }
 
-    /// Area of the contact less that of the stick zone.
+    /// Contact area minus stick area.
     #[getter]
     fn slip_area(&self) -> f64 {
         self.0.slip_area()
     }
 
-    /// Stick area over contact area.
+    /// Ratio of stick area to contact area.
     #[getter]
     fn stick_ratio(&self) -> f64 {
         self.0.stick_ratio()

@@ -1,4 +1,5 @@
-//! Exceptions: those of the module ``stickslip.errors``, one for each variant of the crate's error, with its numbers.
+//! Exceptions of the module ``stickslip.errors``: one for each variant of the error of the crate, with its numbers as
+//! attributes.
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -7,12 +8,13 @@ use stickslip::{Error, Grid, ranks::RankFailure};
 use crate::digits::{as_python, in_python};
 use crate::report::Report;
 
-/// The exception of an error.
+/// Converts an error into its exception.
 pub(crate) fn raised(py: Python<'_>, error: Error) -> PyErr {
     exception(py, error, None).unwrap_or_else(|failure| failure)
 }
 
-/// The value or the exception; that of a sample tells its row and column where the grid is known.
+/// Conversion of a result into a value or an exception. If the grid is given, an exception about a sample reports its row
+/// and column.
 pub(crate) trait OrRaise<T> {
     fn or_raise(self, py: Python<'_>) -> PyResult<T>;
 
@@ -29,11 +31,11 @@ impl<T> OrRaise<T> for stickslip::Result<T> {
     }
 }
 
-/// Fields whose samples may be missing, as where nothing was measured.
+/// Fields that may have missing samples, for example points that were not measured.
 const MEASURED: [&str; 4] = ["gap", "heights", "upper surface", "lower surface"];
 
-/// The sentence of an error on a sample, with its row and column and what to do where they are known; they are put among
-/// the attributes.
+/// Returns the message of an error about a sample, with row, column and remedy if available. Row and column are also
+/// stored among the attributes.
 fn of_sample(
     error: &Error,
     grid: Option<Grid>,
@@ -69,7 +71,7 @@ fn of_sample(
     })
 }
 
-/// An exception of ``stickslip.errors`` by its name, with a message and attributes.
+/// Creates an exception of ``stickslip.errors`` from its name, with a message and attributes.
 pub(crate) fn named(
     py: Python<'_>,
     name: &str,
@@ -84,7 +86,7 @@ pub(crate) fn named(
     Ok(PyErr::from_value(value))
 }
 
-/// The exception of an error; that of a solve that has not converged has the last iterate.
+/// Converts an error into its exception and attaches the last iterate if the solve has not converged.
 pub(crate) fn with_iterate<'py>(
     py: Python<'py>,
     error: Error,
@@ -102,7 +104,7 @@ pub(crate) fn with_iterate<'py>(
     exception
 }
 
-/// Names and numbers of the variants with named fields.
+/// Maps each variant with named fields to its name and its numbers.
 macro_rules! numbered {
     ($error:expr, $attributes:ident, {$($name:ident { $($field:ident),+ })+}) => {
         match $error {
@@ -224,16 +226,16 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         (_, Error::RepeatedDirection) => "RepeatedDirection",
         (_, Error::EmptyContact) => "EmptyContact",
         (_, Error::EmptyPath) => "EmptyPath",
-        // The crate's error may grow.
+        // The error enum of the crate is non-exhaustive.
         _ => "StickslipError",
     };
     let message = in_words(py, &error, message)?;
     named(py, name, &message, &attributes)
 }
 
-/// Returns the sentence of an error with its numbers as Python writes them.
+/// Returns the sentence of an error with its numbers in Python notation.
 fn in_words(py: Python<'_>, error: &Error, sentence: String) -> PyResult<String> {
-    // Names of files are no numbers, and a sample is written so already.
+    // File names must not be read as numbers, and the message of a sample is already formatted.
     if let Error::File { .. } | Error::Format { .. } | Error::Sample { .. } = error {
         return Ok(sentence);
     }

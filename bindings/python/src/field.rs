@@ -1,4 +1,4 @@
-//! Fields on a grid, and what is taken for one.
+//! Fields on a grid and arguments that are converted to fields.
 
 use std::sync::Arc;
 
@@ -17,22 +17,23 @@ use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{is_real, misshapen, plane};
 use crate::unit::{Unit, is_same, metres, one_of};
 
-/// Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
+/// Samples at the cells of a grid, one number per cell: gaps, heights, pressures. A field is immutable.
 ///
-/// Whatever takes a field takes an array of shape (ny, nx) too, and copies it; a Field is made once and shared, so that
-/// repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]`` a sample. Sums,
-/// differences, products and quotients with fields, arrays and numbers, in either order and cell by cell, are fields; other
-/// functions of NumPy take it as its array.
+/// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
+/// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]``
+/// a sample. Sums, differences, products and quotients with fields, arrays and numbers, in either order, are taken cell
+/// by cell and return fields. Other NumPy functions treat a field as its array.
 ///
 /// Parameters
 /// ----------
 /// grid : Grid
-///     Where it lives.
+///     Grid of the samples.
 /// samples : array_like of shape (ny, nx), or float
-///     Its values, row-major with x fastest; or one for all cells.
+///     The values, row-major with x fastest, or one value for all cells.
 /// unit : str, optional
-///     The unit of the lengths of a surface, such as ``"um"``. What is made of the surface keeps it, and surfaces of
-///     several units are refused together; the package computes in any, and asks for none.
+///     The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
+///     operations on surfaces of different units raise an error. The unit is optional; the package computes in any
+///     consistent units.
 ///
 /// Examples
 /// --------
@@ -47,7 +48,7 @@ use crate::unit::{Unit, is_same, metres, one_of};
 #[derive(Clone)]
 pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit>);
 
-/// Of the same samples, and in the same unit where both state one.
+/// Fields are equal if their samples are equal and their units do not differ; a missing unit matches any unit.
 impl PartialEq for Field {
     fn eq(&self, other: &Self) -> bool {
         let is_other = |(own, other): (&Unit, &Unit)| !is_same(own, other);
@@ -81,20 +82,20 @@ impl Field {
         Ok(Self(samples.on(py, "samples", grid.0)?, unit))
     }
 
-    /// The unit of the lengths of a surface, if it is known.
+    /// Unit of the lengths of a surface; ``None`` if it is not known.
     #[getter]
     fn unit(&self) -> Option<&str> {
         self.1.as_deref()
     }
 
-    /// A surface in another unit: its heights and the sides of its cells, from its own unit.
+    /// Converts the heights and the cell sides of a surface from its own unit to another unit.
     ///
-    /// Units are m, dm, cm, mm, um, nm, pm and A, and the micro sign in the place of u.
+    /// Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
     ///
     /// Raises
     /// ------
     /// ValueError
-    ///     If the unit of the surface is not known, or either is none of these.
+    ///     If the unit of the surface is not known, or if either unit is not in this list.
     fn to_unit(&self, py: Python<'_>, unit: &str) -> PyResult<Self> {
         let own = self.1.as_deref().ok_or_else(|| {
             PyValueError::new_err("the surface has no unit: Field(grid, samples, unit=...)")
@@ -107,13 +108,13 @@ impl Field {
         Ok(Self(Arc::new(field.or_raise(py)?), Some(unit.into())))
     }
 
-    /// The grid.
+    /// Grid of the field.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
     }
 
-    /// Its shape as an array, (ny, nx).
+    /// Shape of the field as an array, (ny, nx).
     #[getter]
     fn shape(&self) -> (usize, usize) {
         self.grid().shape()
@@ -125,27 +126,27 @@ impl Field {
         view(slf, |field| &field.0)
     }
 
-    /// The largest sample; NaN is passed over.
+    /// Returns the largest sample; NaN is ignored.
     fn max(&self) -> f64 {
         self.0.max()
     }
 
-    /// The least sample; NaN is passed over.
+    /// Returns the smallest sample; NaN is ignored.
     fn min(&self) -> f64 {
         self.0.min()
     }
 
-    /// The mean of the samples.
+    /// Returns the mean of the samples.
     fn mean(&self) -> f64 {
         self.0.mean()
     }
 
-    /// The sum of the samples times the area of a cell.
+    /// Returns the sum of the samples times the area of a cell.
     fn integral(&self) -> f64 {
         self.0.integral()
     }
 
-    /// As of :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
+    /// Indexes :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
     fn __getitem__<'py>(
         slf: &Bound<'py, Self>,
         index: Bound<'py, PyAny>,
@@ -153,7 +154,7 @@ impl Field {
         Self::array(slf).0.get_item(index)
     }
 
-    /// The sample of a cell, by column and row; ``None`` beyond the grid.
+    /// Returns the sample of a cell, given by column and row; ``None`` outside the grid.
     fn get(&self, ix: usize, iy: usize) -> Option<f64> {
         self.0.get(ix, iy)
     }
@@ -177,7 +178,7 @@ impl Field {
         array.call_method("astype", (dtype,), Some(&kwargs))
     }
 
-    /// What NumPy calls instead of its function where one of the operands is a field.
+    /// Implements NumPy functions with a field among their operands.
     #[pyo3(signature = (ufunc, method, *inputs, **kwargs))]
     fn __array_ufunc__<'py>(
         slf: &Bound<'py, Self>,
@@ -276,12 +277,12 @@ impl Stored for Field {
 }
 
 impl Field {
-    /// What has been made of surfaces in this unit.
+    /// Wraps a field computed from surfaces in this unit.
     pub(crate) fn made(field: stickslip::Field, unit: Option<Unit>) -> Self {
         Self(Arc::new(field), unit)
     }
 
-    /// An operation of each cell with that of another field, which must be in the same unit.
+    /// Applies an operation cell by cell with a second field, whose unit must not differ.
     fn of_one_unit(
         &self,
         py: Python<'_>,
@@ -292,7 +293,7 @@ impl Field {
         Ok(Self(self.by_cell(py, other, operation)?.0, unit))
     }
 
-    /// An operation of each cell with that of another field.
+    /// Applies an operation cell by cell with a second field.
     fn by_cell(
         &self,
         py: Python<'_>,
@@ -301,7 +302,7 @@ impl Field {
     ) -> PyResult<Self> {
         let grid = self.0.grid();
         let other = other.on(py, "other field", grid)?;
-        // Whether both are on one grid is for the crate to say: its difference is then overwritten.
+        // The difference computed by the crate checks that both fields have the same grid; it is then overwritten.
         let difference = self.0.minus(&other).map_err(|mut error| {
             if let Error::GridMismatch { quantity, .. } = &mut error {
                 *quantity = "other field";
@@ -318,13 +319,14 @@ impl Field {
 }
 
 argument! {
-    /// What is taken for a field: a field, an array of shape (ny, nx), one number for all cells, or a topography that
-    /// knows its heights and sizes.
+    /// Argument that is converted to a field: a field, an array of shape (ny, nx), one number for all cells, or a
+    /// topography object with heights and sizes.
     Samples: Field
 }
 
 impl Samples<'_> {
-    /// As a field on this grid. A field on another one is passed on: the crate refuses it with both grids.
+    /// Returns the samples as a field on this grid. A field on a different grid is passed on unchanged; the crate then
+    /// rejects it and names both grids.
     pub(crate) fn on(
         &self,
         py: Python<'_>,
@@ -365,17 +367,17 @@ impl Samples<'_> {
         Ok(Arc::new(field))
     }
 
-    /// As one number, if it is one.
+    /// Returns the single number, if the argument is one.
     pub(crate) fn number(&self) -> Option<f64> {
         self.0.extract().ok()
     }
 
-    /// The shape of an array.
+    /// Returns the shape of an array.
     pub(crate) fn shape(&self) -> Option<(usize, usize)> {
         self.0.getattr("shape").ok()?.extract().ok()
     }
 
-    /// As one number, or a field on this grid; without one, on the field's own.
+    /// Returns one number or a field on this grid; without a grid, on the field's own grid.
     pub(crate) fn spread(
         &self,
         py: Python<'_>,
@@ -391,7 +393,7 @@ impl Samples<'_> {
         }
     }
 
-    /// As a field on a grid of its own.
+    /// Returns the samples as a field on their own grid.
     pub(crate) fn alone(&self, quantity: &str) -> PyResult<Arc<stickslip::Field>> {
         self.known()?.ok_or_else(|| {
             let instead = if self.has_heights() {
@@ -405,7 +407,7 @@ impl Samples<'_> {
         })
     }
 
-    /// The unit of the lengths of a field or a topography, if it states one.
+    /// Returns the unit of the lengths of a field or a topography, if it states one.
     pub(crate) fn unit(&self) -> PyResult<Option<Unit>> {
         if let Ok(field) = self.0.cast::<Field>() {
             return Ok(field.get().1.clone());
@@ -425,7 +427,7 @@ impl Samples<'_> {
         Some(Arc::clone(&field.get().0))
     }
 
-    /// Whether it is an object of the package that has heights: a rough, a filled or a levelled surface.
+    /// Returns whether the object is a rough, filled or levelled surface of the package, which has heights.
     fn has_heights(&self) -> bool {
         let heights = self.0.getattr("heights");
         heights.is_ok_and(|heights| heights.is_instance_of::<Field>())
@@ -448,19 +450,19 @@ impl Samples<'_> {
     }
 }
 
-/// The unit of surfaces, of which those that state one must state the same.
+/// Returns the common unit of surfaces. Surfaces without a unit are ignored; an error if two units differ.
 pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<Option<Unit>> {
     let units: PyResult<Vec<_>> = fields.iter().map(|field| field.unit()).collect();
     one_of(units?)
 }
 
-/// One number for all cells, or one of each.
+/// One number for all cells, or one number per cell.
 pub(crate) enum Spread {
     Uniform(f64),
     PerCell(Arc<stickslip::Field>),
 }
 
-/// The grid that is given, or else that of the first field that knows its own.
+/// Returns the given grid, or the grid of the first field that has one.
 pub(crate) fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<stickslip::Grid> {
     if let Some(grid) = grid {
         return Ok(grid.0);

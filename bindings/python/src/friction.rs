@@ -1,4 +1,4 @@
-//! Friction.
+//! Friction laws.
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ use crate::real::Real;
 /// max_shear_stress : float, optional
 ///     The shear strength tau_max of the weaker body (a pressure), positive; no limit by default.
 /// grid : Grid, optional
-///     Where an array lives; a Field knows it.
+///     Grid of the coefficients; required for an array, since a Field has its own grid.
 ///
 /// Raises
 /// ------
@@ -54,13 +54,13 @@ impl Friction {
         }
     }
 
-    /// The friction limit of a cell (row-major index) under a pressure; NaN beyond the coefficients.
+    /// Returns the friction limit of a cell (row-major index) under a pressure; NaN if the index is out of range.
     fn limit(&self, index: usize, pressure: Real) -> f64 {
         self.0.limit(index, pressure.0)
     }
 
     fn __repr__(&self) -> String {
-        // The limit of no pressure at all is that of the cap alone.
+        // The limit under infinite pressure is the cap itself.
         let (first, cap) = (self.0.limit(0, 1.0), self.0.limit(0, f64::INFINITY));
         let is_uniform = !self.0.limit(usize::MAX, 1.0).is_nan();
         let coefficient = if is_uniform {
@@ -79,7 +79,7 @@ impl Friction {
 picklable!(Friction: stickslip::Friction);
 
 argument! {
-    /// What is taken for friction: friction, a coefficient, or one of each cell.
+    /// Argument that is converted to a friction law: a Friction, one coefficient, or one coefficient per cell.
     AnyFriction: Friction; "float"
 }
 

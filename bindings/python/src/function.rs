@@ -1,4 +1,5 @@
-//! Functions of Python as operators, and what they raise: it ends the work that calls them, and is raised again there.
+//! Python functions as operators, and their exceptions: an exception ends the work that calls the function and is raised
+//! again there.
 
 use std::cell::RefCell;
 
@@ -10,10 +11,10 @@ use stickslip::Scratch;
 use crate::kernel::tell;
 use crate::operator::numbers;
 
-/// What functions have raised in the work that a thread is at.
+/// Exceptions raised by Python functions in the current work of a thread.
 #[derive(Default)]
 enum Raised {
-    /// There is no work that raises it again.
+    /// No work is running that could raise the exception again.
     #[default]
     Untold,
     Nothing,
@@ -24,7 +25,7 @@ thread_local! {
     static RAISED: RefCell<Raised> = const { RefCell::new(Raised::Untold) };
 }
 
-/// Puts back what stood there before, also where the work panics.
+/// Guard that restores the previous state on drop, even if the work panics.
 struct Before(Raised);
 
 impl Drop for Before {
@@ -33,8 +34,9 @@ impl Drop for Before {
     }
 }
 
-/// Does work whose products run on this thread; an exception of a function of Python in one of them comes first. Work may
-/// begin within other work, as the threads of a pool take it: each has its own exceptions.
+/// Runs work whose products are computed on this thread. The first exception of a Python function in one of the products
+/// takes precedence over the result. Calls can be nested when threads of a pool take up other work; each level then has
+/// its own exceptions.
 pub(crate) fn raising<T>(work: impl FnOnce() -> T) -> PyResult<T> {
     let before = Before(RAISED.replace(Raised::Nothing));
     let outcome = work();
@@ -46,12 +48,13 @@ pub(crate) fn raising<T>(work: impl FnOnce() -> T) -> PyResult<T> {
     }
 }
 
-/// Whether the work that this thread is at is to end.
+/// Returns whether the current work of this thread must end because of an exception.
 pub(crate) fn has_raised() -> bool {
     RAISED.with_borrow(|raised| matches!(raised, Raised::First(_)))
 }
 
-/// A function of Python as an operator of one component: it is given an array of the unknowns, and returns as many numbers.
+/// A Python function as an operator of one component: it receives an array of the unknowns and returns an array of the
+/// same size.
 pub(crate) struct Function {
     call: Py<PyAny>,
     shape: Vec<usize>,
@@ -80,7 +83,7 @@ impl Operator for Function {
         self.shape.iter().product()
     }
 
-    /// Where it raises an exception the product is no number, with which nothing converges.
+    /// If the function raises an exception, the product is filled with NaN, with which no iteration converges.
     fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         Python::attach(|py| {
             let Err(exception) = self.product(py, x, out) else {

@@ -1,4 +1,4 @@
-//! Grids.
+//! Grids of rectangular cells.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -16,7 +16,7 @@ use crate::real::Real;
 /// Parameters
 /// ----------
 /// nx, ny : int
-///     Cells along x and y, at least one.
+///     Number of cells along x and y, at least one.
 /// dx, dy : float
 ///     Sides of a cell along x and y (lengths), positive.
 ///
@@ -43,25 +43,27 @@ impl Grid {
             .map(Self)
     }
 
-    /// ``n`` x ``n`` square cells on a square of this side (a length): the side of the square, not of a cell.
+    /// Returns a grid of ``n`` x ``n`` square cells. The argument ``side`` (a length) is the side of the grid, not of a
+    /// cell.
     #[staticmethod]
     fn square(py: Python<'_>, n: usize, side: Real) -> PyResult<Self> {
         stickslip::Grid::square(n, side.0).or_raise(py).map(Self)
     }
 
-    /// A line of ``n`` cells along x, each ``dx`` long and one unit of length wide: forces are per length.
+    /// Returns a line of ``n`` cells along x, each ``dx`` long and one unit of length wide. Forces are then per unit
+    /// length.
     #[staticmethod]
     fn line(py: Python<'_>, n: usize, dx: Real) -> PyResult<Self> {
         stickslip::Grid::line(n, dx.0).or_raise(py).map(Self)
     }
 
-    /// Cells along x.
+    /// Number of cells along x.
     #[getter]
     fn nx(&self) -> usize {
         self.0.nx()
     }
 
-    /// Cells along y.
+    /// Number of cells along y.
     #[getter]
     fn ny(&self) -> usize {
         self.0.ny()
@@ -79,7 +81,7 @@ impl Grid {
         self.0.dy()
     }
 
-    /// Shape of the arrays on it, (ny, nx).
+    /// Shape of the arrays on the grid, (ny, nx).
     #[getter]
     pub(crate) fn shape(&self) -> (usize, usize) {
         (self.0.ny(), self.0.nx())
@@ -115,7 +117,7 @@ impl Grid {
         Array::new(py, (0..self.0.ny()).map(|iy| self.0.y(iy)))
     }
 
-    /// Edges of the grid ``(left, right, bottom, top)`` (lengths), as matplotlib's ``imshow`` takes them.
+    /// Edges of the grid ``(left, right, bottom, top)`` (lengths), in the order of ``extent`` of matplotlib's ``imshow``.
     #[getter]
     fn extent(&self) -> (f64, f64, f64, f64) {
         let x = 0.5 * self.0.dx() * self.0.nx() as f64;
@@ -123,7 +125,8 @@ impl Grid {
         (-x, x, y(self.0.rows().start), y(self.0.rows().end))
     }
 
-    /// The rows of the :attr:`whole` grid that it has, a slice: ``array[grid.rows]`` are those of an array of the whole.
+    /// Slice of the local rows in the :attr:`whole` grid: ``array[grid.rows]`` selects them from an array of the whole
+    /// grid.
     #[getter]
     fn rows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PySlice>> {
         let rows = self.0.rows();
@@ -135,7 +138,7 @@ impl Grid {
         ))
     }
 
-    /// The grid of which it is some rows, as :meth:`HalfSpace.distributed` deals them out; itself if it is no such part.
+    /// The whole grid if this grid is a slab of its rows, created by :meth:`HalfSpace.distributed`; otherwise this grid.
     #[getter]
     fn whole(&self) -> Self {
         Self(self.0.whole())
@@ -152,11 +155,11 @@ impl Grid {
         )
     }
 
-    /// Equal grids have equal ones.
+    /// Equal grids have equal hashes.
     pub(crate) fn __hash__(&self) -> u64 {
         let grid = self.0;
         let mut hasher = DefaultHasher::new();
-        // Sides are positive: equal ones have equal bits.
+        // The sides are positive, so equal sides have equal bit patterns.
         (
             grid.nx(),
             grid.ny(),
@@ -170,7 +173,7 @@ impl Grid {
 
 picklable!(Grid: stickslip::Grid);
 
-/// The size of a grid, as it is written out.
+/// Formats the size of a grid.
 pub(crate) fn size(grid: stickslip::Grid) -> String {
     format!("{} x {} cells", grid.nx(), grid.ny())
 }

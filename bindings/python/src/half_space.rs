@@ -1,4 +1,4 @@
-//! Two elastic half-spaces on a grid.
+//! Pairs of elastic half-spaces on a grid.
 
 use std::sync::Arc;
 
@@ -14,8 +14,8 @@ use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
 use crate::ranks::Communicator;
 
-/// A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared. Two of equal grid,
-/// bodies, boundary and meaning of the values are equal.
+/// A pair of half-spaces on a grid. Its influence coefficients and buffers are created on first use and shared. Two pairs
+/// with equal grid, bodies, boundary and cell value are equal.
 ///
 /// Parameters
 /// ----------
@@ -24,9 +24,9 @@ use crate::ranks::Communicator;
 /// pair : ElasticPair, two Materials, or Kernel
 ///     The two bodies; z points into the first.
 /// boundary : Boundary or str, default "non_periodic"
-///     What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
+///     Boundary condition at the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
 /// cell_value : CellValue or str, default "uniform"
-///     The meaning of the pressure and the traction of a cell: "uniform" over it, or that at its "centre".
+///     Meaning of the pressure and the traction of a cell: "uniform" over the cell, or the value at its "centre".
 ///
 /// Raises
 /// ------
@@ -61,25 +61,28 @@ impl HalfSpace {
         bodies.or_raise(py).map(Self)
     }
 
-    /// Bodies whose rows are dealt out to the ranks of a communicator, which solve together. Every rank makes them, and then
-    /// the same calls in the same order. Its grid, and all arrays, are those of its rows (:attr:`Grid.rows`); what is said of the
-    /// whole contact, such as forces, areas, reports and spots, every rank knows. The answers have the bits of one process.
+    /// Distributes the rows of the bodies over the ranks of a communicator, which solve one contact together. All calls
+    /// are collective: every rank creates the bodies and then makes the same calls in the same order. Grid and arrays are
+    /// local, that is, restricted to the rows of the rank (:attr:`Grid.rows`). Results for the whole contact, such as
+    /// forces, areas, reports and spots, are available on every rank. All results are bitwise identical to those of one
+    /// process.
     ///
     /// Parameters
     /// ----------
     /// grid : Grid
-    ///     The whole one.
+    ///     The whole grid.
     /// pair : ElasticPair, two Materials, or Kernel
     ///     The two bodies; z points into the first.
     /// comm : mpi4py.MPI.Comm, or any object with three of its methods
-    ///     ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes`` to one rank and returns
-    ///     those of another, of any length, in the order in which they were sent. Nothing else may be received there: give the
-    ///     duplicate of a communicator that is used elsewhere. It is called one call at a time, also on threads of the
-    ///     package. An exception in it is :class:`~stickslip.errors.Ranks`, and goes to `sys.unraisablehook` itself.
+    ///     The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes``
+    ///     to one rank and returns ``bytes`` from another. Messages have any length and must arrive in the order of
+    ///     sending. The communicator must not receive other messages: pass a duplicate of a communicator that is also
+    ///     used elsewhere. Calls are made one at a time, possibly on threads of the package. An exception in a method is
+    ///     raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to `sys.unraisablehook`.
     /// boundary : Boundary or str, default "non_periodic"
-    ///     As of the class.
+    ///     See the class.
     /// cell_value : CellValue or str, default "uniform"
-    ///     As of the class.
+    ///     See the class.
     ///
     /// Raises
     /// ------
@@ -87,7 +90,7 @@ impl HalfSpace {
     ///
     /// Notes
     /// -----
-    /// Ranks may be threads of one process: each then makes its bodies, and solves, on a thread of its own.
+    /// Ranks can be threads of one process; each rank then creates its bodies and solves on its own thread.
     ///
     /// Examples
     /// --------
@@ -122,7 +125,7 @@ impl HalfSpace {
         made.or_raise(py).map(Self)
     }
 
-    /// The grid; of :meth:`distributed` bodies the rows of this rank.
+    /// The grid; for :meth:`distributed` bodies, the local rows.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
@@ -134,13 +137,13 @@ impl HalfSpace {
         self.0.pair().into()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Boundary condition at the edge of the grid.
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.0.boundary())
     }
 
-    /// The meaning of the pressure and the traction of a cell.
+    /// Meaning of the pressure and the traction of a cell.
     #[getter]
     fn cell_value(&self) -> Choice<stickslip::CellValue> {
         Choice(self.0.cell_value())
@@ -154,7 +157,7 @@ impl HalfSpace {
             && own.cell_value() == other.cell_value()
     }
 
-    /// Equal bodies have equal ones.
+    /// Equal pairs have equal hashes.
     fn __hash__(&self) -> u64 {
         self.grid().__hash__()
     }
@@ -170,7 +173,7 @@ impl HalfSpace {
         let refused = if bodies.0.pair().stands_for_kernel() {
             Some("bodies of a Kernel are not pickled: make them from it anew")
         } else {
-            // Only ranks gather anything, when their bodies are made.
+            // Only distributed bodies perform gather operations when they are created.
             let is_shared = bodies.0.traffic().gathers > 0;
             is_shared.then_some("bodies that ranks share are not pickled: make them anew")
         };

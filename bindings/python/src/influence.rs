@@ -11,7 +11,8 @@ use crate::material::{ElasticPair, Material};
 use crate::real::Real;
 use crate::work::unobserved_on;
 
-/// The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).
+/// The nine influence coefficients at a point, with the direction of the displacement first and that of the traction
+/// second (lengths over pressures).
 #[pyclass(frozen, eq, module = "stickslip.influence")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Tensor(influence::Tensor);
@@ -28,7 +29,7 @@ macro_rules! components {
                 }
             )+
 
-            /// As rows, displacement first.
+            /// The coefficients as rows; the row is the direction of the displacement.
             #[getter]
             fn rows(&self) -> [[f64; 3]; 3] {
                 let tensor = self.0;
@@ -54,7 +55,7 @@ components!(xx, xy, xz, yx, yy, yz, zx, zy, zz);
 /// Parameters
 /// ----------
 /// a, b : float
-///     Half sides along x and y (lengths), positive.
+///     Half-sides along x and y (lengths), positive.
 ///
 /// Raises
 /// ------
@@ -62,7 +63,7 @@ components!(xx, xy, xz, yx, yy, yz, zx, zy, zz);
 #[pyclass(frozen, module = "stickslip.influence")]
 pub(crate) struct Rectangle {
     cell: influence::Rectangle,
-    /// Half sides.
+    /// Half-sides of the rectangle.
     half: [f64; 2],
 }
 
@@ -75,12 +76,12 @@ impl Rectangle {
         Ok(Self { cell, half })
     }
 
-    /// The coefficients of a body at a position from the centre (lengths).
+    /// Returns the coefficients of a body at a position relative to the centre (lengths).
     fn tensor(&self, material: &Material, x: Real, y: Real) -> Tensor {
         Tensor(self.cell.tensor(&material.0, x.0, y.0))
     }
 
-    /// The coefficients of a pair at a position from the centre (lengths).
+    /// Returns the coefficients of a pair at a position relative to the centre (lengths).
     fn pair_tensor(&self, pair: &ElasticPair, x: Real, y: Real) -> Tensor {
         Tensor(self.cell.pair_tensor(&pair.0, x.0, y.0))
     }
@@ -91,7 +92,7 @@ impl Rectangle {
     }
 }
 
-/// One influence coefficient at all distances of cells of a grid.
+/// One influence coefficient for all distances between cells of a grid.
 ///
 /// Parameters
 /// ----------
@@ -100,7 +101,7 @@ impl Rectangle {
 /// pair : ElasticPair
 ///     The two bodies.
 /// component : Component or str
-///     Displacement first, traction second.
+///     Direction of the displacement first, direction of the traction second.
 #[pyclass(frozen, module = "stickslip.influence")]
 pub(crate) struct Table(influence::Table);
 
@@ -117,19 +118,19 @@ impl Table {
         unobserved_on(py, grid.0, sample).map(Self)
     }
 
-    /// The component.
+    /// Component of the table.
     #[getter]
     fn component(&self) -> Choice<influence::Component> {
         Choice(self.0.component())
     }
 
-    /// Distances along x and y, those of one sign.
+    /// Number of distances along x and y, of one sign.
     #[getter]
     fn size(&self) -> (usize, usize) {
         self.0.size().into()
     }
 
-    /// The coefficient at a distance of so many cells along x and y, of either sign; ``None`` beyond the table.
+    /// Returns the coefficient at a distance in cells along x and y, of either sign; ``None`` outside the table.
     fn get(&self, i: isize, j: isize) -> Option<f64> {
         self.0.get(i, j)
     }

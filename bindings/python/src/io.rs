@@ -1,4 +1,4 @@
-//! Surfaces from files, fields into files.
+//! Reading of surfaces from files, and writing of fields to files.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -16,7 +16,7 @@ use crate::grid::Grid;
 use crate::real::{Real, is_plane};
 use crate::solution_pool::lock;
 
-/// Sides of a cell or of the grid, of files that do not say.
+/// Returns the sides of a cell or of the grid, for files that do not state them.
 fn sides(
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
@@ -30,8 +30,8 @@ fn sides(
     }
 }
 
-/// A surface from a file, by its ending: ASC, SDF, SUR, X3P, XYZ. Lengths are in metres, but in the
-/// unit of the file for XYZ.
+/// Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
+/// except for XYZ, where they are in the unit of the file.
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
     let field = py.detach(|| io::read(&path)).or_raise(py)?;
@@ -44,10 +44,10 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
     ))
 }
 
-/// The unit of files that have one.
+/// Unit of the files that state one.
 const METRE: &str = "m";
 
-/// A surface for a file in metres; an error if it states another unit.
+/// Returns a surface for a file in metres; an error if it states a different unit.
 fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
     let unit = field.unit()?;
     match unit.as_deref() {
@@ -58,17 +58,17 @@ fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
     }
 }
 
-/// Formats that know their grid.
+/// Declares the readers of formats that contain their grid.
 macro_rules! formats {
     ($($format:ident: $read:ident, $parse:ident, $doc:literal, $unit:literal, $short:expr;)+) => {$(
-        #[doc = concat!("A surface from ", $doc, " file (lengths in ", $unit, ").")]
+        #[doc = concat!("Reads a surface from ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
             let field = py.detach(|| io::$format::read(&path)).or_raise(py)?;
             Ok(Field::made(field, $short))
         }
 
-        #[doc = concat!("A surface from the bytes of ", $doc, " file (lengths in ", $unit, ").")]
+        #[doc = concat!("Reads a surface from the bytes of ", $doc, " file (lengths in ", $unit, ").")]
         #[pyfunction]
         pub(crate) fn $parse(py: Python<'_>, bytes: &[u8]) -> PyResult<Field> {
             let field = py.detach(|| io::$format::parse(bytes)).or_raise(py)?;
@@ -92,16 +92,16 @@ fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
     }
 }
 
-/// A surface from an XYZ file (lengths in the unit of the file).
+/// Reads a surface from an XYZ file (lengths in the unit of the file).
 ///
 /// Parameters
 /// ----------
 /// path : path_like
 ///     The file.
 /// missing : float, optional
-///     The height of a missing point (default: the value that a comment names, or none).
+///     The height that marks a missing point (default: the value that a comment states, or none).
 /// skip_rows : int, default 0
-///     Lines before the points.
+///     Number of lines before the points.
 ///
 /// Raises
 /// ------
@@ -120,7 +120,7 @@ pub(crate) fn xyz_read(
         .map(Into::into)
 }
 
-/// A surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
+/// Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
 #[pyfunction]
 #[pyo3(signature = (bytes, *, missing=None, skip_rows=0))]
 pub(crate) fn xyz_parse(
@@ -135,14 +135,14 @@ pub(crate) fn xyz_parse(
         .map(Into::into)
 }
 
-/// Writes a surface as SDF (lengths in metres).
+/// Writes a surface to an SDF file (lengths in metres).
 #[pyfunction]
 pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
     let field = in_metres(&field)?;
     py.detach(|| io::sdf::write(&path, &field)).or_raise(py)
 }
 
-/// A surface as the bytes of an SDF file (lengths in metres).
+/// Returns a surface as the bytes of an SDF file (lengths in metres).
 #[pyfunction]
 pub(crate) fn sdf_to_bytes<'py>(
     py: Python<'py>,
@@ -171,22 +171,22 @@ fn options(
     }
 }
 
-/// A field from a matrix in text.
+/// Reads a field from a text file that contains a matrix.
 ///
 /// Parameters
 /// ----------
 /// path : path_like
 ///     The file.
 /// cell, size : pair of float
-///     One of the two: sides of a cell, or of the grid (lengths).
+///     Side lengths of a cell or of the grid; exactly one of the two is required.
 /// missing : float, optional
-///     The value that stands for a missing point; none by default.
+///     The value that marks a missing point; none by default.
 /// skip_rows : int, default 0
-///     Rows before the matrix.
+///     Number of rows before the matrix.
 /// skip_columns : int, default 0
-///     Cells to leave out at the beginning of each row, for names or numbers of rows.
+///     Number of columns to skip at the start of each row, such as names or row numbers.
 /// without_labels : bool, default False
-///     Whether a first row or column that counts 0, 1, 2 holds heights; otherwise it is rejected.
+///     Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
 ///
 /// Raises
 /// ------
@@ -210,7 +210,7 @@ pub(crate) fn csv_read(
         .map(Into::into)
 }
 
-/// A field from the bytes of a matrix in text; see :func:`read`.
+/// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
 #[pyfunction]
 #[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
 pub(crate) fn csv_parse(
@@ -230,14 +230,14 @@ pub(crate) fn csv_parse(
         .map(Into::into)
 }
 
-/// Writes a field as a matrix in text.
+/// Writes a field to a text file as a matrix.
 #[pyfunction]
 pub(crate) fn csv_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
     let field = field.alone("field")?;
     py.detach(|| io::csv::write(&path, &field)).or_raise(py)
 }
 
-/// A field as a matrix in text.
+/// Returns a field as the text of a matrix.
 #[pyfunction]
 pub(crate) fn csv_to_bytes<'py>(
     py: Python<'py>,
@@ -247,7 +247,7 @@ pub(crate) fn csv_to_bytes<'py>(
     Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
 }
 
-/// A field from an NPY file, on cells of the sides ``cell`` or a grid of the sides ``size`` (pairs of lengths).
+/// Reads a field from an NPY file, with either the cell sides ``cell`` or the grid sides ``size`` (pairs of lengths).
 #[pyfunction]
 #[pyo3(signature = (path, *, cell=None, size=None))]
 pub(crate) fn npy_read(
@@ -262,7 +262,7 @@ pub(crate) fn npy_read(
         .map(Into::into)
 }
 
-/// A field from the bytes of an NPY file.
+/// Reads a field from the bytes of an NPY file.
 #[pyfunction]
 #[pyo3(signature = (bytes, *, cell=None, size=None))]
 pub(crate) fn npy_parse(
@@ -277,7 +277,7 @@ pub(crate) fn npy_parse(
         .map(Into::into)
 }
 
-/// The grid of an NPY file, whose samples are not read.
+/// Returns the grid of an NPY file without reading its samples.
 #[pyfunction]
 #[pyo3(signature = (path, *, cell=None, size=None))]
 pub(crate) fn npy_grid(
@@ -291,14 +291,14 @@ pub(crate) fn npy_grid(
         .map(Grid)
 }
 
-/// Writes a field as NPY.
+/// Writes a field to an NPY file.
 #[pyfunction]
 pub(crate) fn npy_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
     let field = field.alone("field")?;
     py.detach(|| io::npy::write(&path, &field)).or_raise(py)
 }
 
-/// A field as the bytes of an NPY file.
+/// Returns a field as the bytes of an NPY file.
 #[pyfunction]
 pub(crate) fn npy_to_bytes<'py>(
     py: Python<'py>,
@@ -308,7 +308,7 @@ pub(crate) fn npy_to_bytes<'py>(
     Ok(PyBytes::new(py, &io::npy::to_bytes(&field)))
 }
 
-/// Fields and vectors by name.
+/// Scalar and vector fields by name.
 struct Arrays(Vec<(String, Vec<Arc<stickslip::Field>>)>);
 
 impl Arrays {
@@ -322,7 +322,7 @@ impl Arrays {
             }
         };
         for (name, value) in fields {
-            // A list may be one array too, of two rows.
+            // A list can also represent one array with two rows.
             let vector = entries(&value).filter(|parts| {
                 value.is_instance_of::<PyTuple>() || parts.iter().all(|part| is_plane(&part))
             });
@@ -351,16 +351,16 @@ impl Arrays {
     }
 }
 
-/// Writes fields as an image for ParaView.
+/// Writes fields to a VTI file (image data) for ParaView.
 ///
 /// Parameters
 /// ----------
 /// path : path_like
-///     The file, which is replaced.
+///     The file; an existing file is replaced.
 /// fields : dict
-///     Fields, or pairs of fields for vectors, by name.
+///     Fields by name; a pair of fields is a vector.
 /// grid : Grid, optional
-///     Needed for arrays.
+///     Grid of the fields; required if they are arrays.
 #[pyfunction]
 #[pyo3(signature = (path, fields, *, grid=None))]
 pub(crate) fn vti_write(
@@ -374,7 +374,7 @@ pub(crate) fn vti_write(
         .or_raise(py)
 }
 
-/// Fields as the bytes of an image for ParaView; see :func:`write`.
+/// Returns fields as the bytes of a VTI file for ParaView; see :func:`write`.
 #[pyfunction]
 #[pyo3(signature = (fields, *, grid=None))]
 pub(crate) fn vti_to_bytes<'py>(
@@ -387,12 +387,12 @@ pub(crate) fn vti_to_bytes<'py>(
     Ok(PyBytes::new(py, &bytes))
 }
 
-/// A series of images over time for ParaView, listed in a PVD file, which is replaced.
+/// A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
 ///
 /// Parameters
 /// ----------
 /// path : path_like
-///     The PVD file; the images are written beside it.
+///     The PVD file; the images are written to the same folder.
 #[pyclass(frozen, module = "stickslip.io.pvd")]
 pub(crate) struct PvdWriter(Mutex<io::pvd::PvdWriter>);
 
@@ -404,7 +404,7 @@ impl PvdWriter {
         Ok(Self(Mutex::new(series)))
     }
 
-    /// Writes fields and vectors at a time, as of :func:`stickslip.io.vti.write`, and lists them.
+    /// Writes fields and vectors at a time as :func:`stickslip.io.vti.write` does, and adds them to the list.
     #[pyo3(signature = (time, fields, *, grid=None))]
     fn write(
         &self,

@@ -1,4 +1,4 @@
-//! Bodies by their response to waves, by influence coefficients, or by operators.
+//! Bodies described by their response to waves, by influence coefficients, or by operators.
 
 use std::sync::Arc;
 
@@ -18,8 +18,8 @@ use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, Product, Shared, product_of};
 use crate::real::{Real, is_real};
 
-/// Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic`,
-/// :meth:`tabulated` or :meth:`operators`. It is not pickled, nor are the bodies made of it.
+/// Two bodies with a user-defined response, in place of the material pair of a :class:`HalfSpace`. A kernel is created by
+/// :meth:`isotropic`, :meth:`tabulated` or :meth:`operators`. Kernels cannot be pickled, nor can bodies that use them.
 ///
 /// Examples
 /// --------
@@ -44,20 +44,22 @@ pub(crate) struct Kernel(pub(crate) stickslip::Kernel);
 
 #[pymethods]
 impl Kernel {
-    /// Bodies without a direction in their plane.
+    /// Creates bodies whose response is isotropic in the plane of the surface.
     ///
     /// Parameters
     /// ----------
     /// near : ElasticPair
-    ///     The homogeneous half-spaces that waves much shorter than the thickness see, to 1e-10 for k > 20 / thickness; they
-    ///     lend hardness and moduli. Grids that repeat along both axes take the response as it is.
+    ///     The homogeneous half-spaces that give the response to waves much shorter than the thickness. Their response
+    ///     must agree with ``response`` to 1e-10 for k > 20 / thickness. Hardness and moduli are taken from this pair.
+    ///     Grids that are periodic along both axes use ``response`` unchanged.
     /// thickness : float
-    ///     Of the outermost layer (a length), positive.
+    ///     Thickness of the outermost layer (a length), positive.
     /// response : callable
-    ///     Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
-    ///     (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
-    ///     It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number,
-    ///     which is refused, and the exception goes to `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
+    ///     A function of the wave number k > 0 (one over a length, a float). It returns the displacements under waves of
+    ///     traction of that wave number (lengths over pressures, not multiplied by k): normal due to pressure, along and
+    ///     across the wave due to traction, and the coupling. It is called many times, under the GIL, on many threads. If
+    ///     it raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
+    ///     `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
     ///
     /// Raises
     /// ------
@@ -69,7 +71,8 @@ impl Kernel {
         thickness: Real,
         response: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        // What it raises at first is told; a thickness that is no length is refused below.
+        // An exception in this first call is raised to the caller; a thickness that is not a valid length is rejected
+        // below.
         if thickness.0 > 0.0 && thickness.0.is_finite() {
             let first = response.call1((1.0 / thickness.0,))?;
             let _: (f64, f64, f64, f64) = first.extract().map_err(|_| {
@@ -100,19 +103,19 @@ impl Kernel {
             .map(Self)
     }
 
-    /// Bodies by their influence coefficients, for grids that do not repeat.
+    /// Creates bodies from their influence coefficients, for non-periodic grids.
     ///
     /// Parameters
     /// ----------
     /// near : ElasticPair
-    ///     Homogeneous bodies that lend hardness and moduli.
+    ///     Homogeneous bodies from which hardness and moduli are taken.
     /// sides : (float, float)
-    ///     Sides of a cell along x and y (lengths): those of the grids.
+    ///     Sides of a cell along x and y (lengths), equal to those of the grids.
     /// coefficients : dict
-    ///     By the name of a component, "zz" and others, an array of shape (ny, nx): the displacement at the centre of a cell,
-    ///     j cells further along y and i along x, by a unit traction on one (lengths over pressures). Distances of the other
-    ///     sign follow from the parity. "xy", "zx" and "zy" are zero where they are not given, and "yx", "xz" and "yz" are
-    ///     theirs.
+    ///     Arrays of shape (ny, nx) by the name of a component, such as "zz". An entry is the displacement at the centre
+    ///     of a cell that is j cells further along y and i cells further along x than a cell with unit traction (lengths
+    ///     over pressures). Distances of the other sign follow from the parity. The components "xy", "zx" and "zy" are
+    ///     zero by default; "yx", "xz" and "yz" follow from them.
     ///
     /// Raises
     /// ------
@@ -145,30 +148,33 @@ impl Kernel {
             .map(Self)
     }
 
-    /// Bodies by operators on the cells of a grid, of any boundary: whatever displacements they compute from tractions.
+    /// Creates bodies from operators on the cells of a grid, which compute displacements from tractions, for any
+    /// boundary.
     ///
-    /// A contact is solved on all cells of the grid: no window, no coarser grids. A problem takes the operator that has all
-    /// directions it asks for and the fewest others: normal problems ask for "z", tangential ones for "x", "y" or both, and
-    /// all three are found together where ``near`` is coupled. Rolling, ranks, dense matrices, edges inside the cells and
-    /// stresses refuse such bodies.
+    /// A contact is solved on all cells of the grid, without a window or coarser grids. A problem uses the operator with
+    /// the fewest directions among those that have all required directions. Normal problems require "z"; tangential
+    /// problems require "x", "y" or both. If ``near`` is coupled, all three directions are solved simultaneously.
+    /// Rolling, ranks, dense matrices, edges inside the cells and stresses are not available for such bodies.
     ///
     /// Parameters
     /// ----------
     /// near : ElasticPair
-    ///     The homogeneous half-spaces that they resemble for waves of a few cells, whose inverse preconditions the solves: they
-    ///     converge the faster the better it fits, to the same answer. It lends hardness and moduli, and says whether pressure
-    ///     and traction are coupled.
+    ///     Homogeneous half-spaces that approximate the bodies for wavelengths of a few cells. Their inverse
+    ///     preconditions the solves: a better approximation gives faster convergence to the same solution. The pair also
+    ///     provides hardness and moduli, and determines whether pressure and traction are coupled.
     /// grid : Grid
     ///     The cells.
     /// operators : dict
-    ///     By the directions that it couples, as "z", "xy" or "xyz", a callable or a :class:`~stickslip.cgm.LinearOperator`,
-    ///     symmetric and positive. A callable is given an array of tractions of shape (directions, ny, nx), pressures in the
-    ///     direction z, and returns as many displacements of body 1 relative to body 2 in the same order (lengths). A
-    ///     LinearOperator has as many unknowns: :class:`~stickslip.dense.DenseOperator` takes the compliance matrix of a
-    ///     finite-element code. On a grid that repeats along both axes uniform tractions must displace nothing.
+    ///     Callables or :class:`~stickslip.cgm.LinearOperator` objects, symmetric and positive, by the directions that
+    ///     they couple, such as "z", "xy" or "xyz". A callable receives an array of tractions of shape (directions, ny,
+    ///     nx), where the z direction is the pressure. It returns the displacements of body 1 relative to body 2 in the
+    ///     same shape and order (lengths). A LinearOperator has the same number of unknowns;
+    ///     :class:`~stickslip.dense.DenseOperator` accepts the compliance matrix of a finite-element code. On a grid that
+    ///     is periodic along both axes, uniform tractions must cause no displacement.
     /// lower_bounds : dict, optional
-    ///     By the names of callables, lower bounds of their smallest eigenvalues, by which errors are certified; 0 by default.
-    ///     Without one pressure and traction are not found together, nor stiffness. A LinearOperator has its own.
+    ///     Lower bounds on the smallest eigenvalues of the callables, by name; 0 by default. Errors are certified with
+    ///     these bounds. Without a bound, coupled contacts cannot be solved and the stiffness is not available. A
+    ///     LinearOperator provides its own bound.
     ///
     /// Raises
     /// ------
@@ -176,12 +182,12 @@ impl Kernel {
     ///
     /// Notes
     /// -----
-    /// A callable runs under the GIL, on a thread of the package where a grid is large. An exception in it ends the solve, which
-    /// raises it and leaves solvers and histories as they were.
+    /// A callable runs under the GIL, for a large grid on a thread of the package. An exception in it ends the solve,
+    /// which raises the exception again; solvers and histories remain unchanged.
     ///
     /// Examples
     /// --------
-    /// A bed of springs, of which each cell yields by 0.5 under a unit of pressure:
+    /// A bed of springs, in which each cell deforms by 0.5 under unit pressure:
     ///
     /// >>> import math, stickslip as ss
     /// >>> near = ss.ElasticPair(ss.Material(1.0, 0.5), ss.Material.rigid())
@@ -232,7 +238,7 @@ impl Kernel {
         kernel.or_raise(py).map(Self)
     }
 
-    /// The pair that lends hardness and moduli, marked as that of this kernel.
+    /// The pair from which hardness and moduli are taken, marked as the pair of this kernel.
     #[getter]
     fn pair(&self) -> ElasticPair {
         self.0.pair().into()
@@ -243,7 +249,7 @@ impl Kernel {
     }
 }
 
-/// The directions of an operator, by their letters: up to three.
+/// Returns the directions of an operator from their letters, up to three.
 fn directions(name: &Bound<'_, PyAny>) -> PyResult<Vec<Direction>> {
     let letters: Option<String> = name.extract().ok();
     let known = letters.into_iter().flat_map(|letters| {
@@ -274,7 +280,7 @@ fn with(given: Operators, directions: &[Direction], product: Arc<dyn Product>) -
     }
 }
 
-/// Tells of an exception that no caller can be given.
+/// Reports an exception that cannot be raised to a caller.
 pub(crate) fn tell(py: Python<'_>, error: PyErr, callback: &Bound<'_, PyAny>) {
     let interrupts = error.is_instance_of::<PyKeyboardInterrupt>(py)
         && py

@@ -1,4 +1,4 @@
-//! Layers of coated bodies, and the response of such bodies to waves.
+//! Layers of coated bodies and the response of coated bodies to waves.
 
 use pyo3::prelude::*;
 use stickslip::layers;
@@ -8,7 +8,7 @@ use crate::error::OrRaise;
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// An elastic, isotropic layer bonded to what lies below it.
+/// An elastic, isotropic layer bonded to the layer or body below it.
 ///
 /// Parameters
 /// ----------
@@ -72,7 +72,7 @@ impl Layer {
         self.0.shear_modulus()
     }
 
-    /// Equal layers have equal ones.
+    /// Equal layers have equal hashes.
     fn __hash__(&self) -> u64 {
         crate::material::hash_of(&numbers(&self.0))
     }
@@ -85,7 +85,7 @@ impl Layer {
 
 picklable!(Layer: layers::Layer);
 
-/// Those that make a layer.
+/// Returns the numbers that define a layer.
 pub(crate) fn numbers(layer: &layers::Layer) -> [f64; 3] {
     [
         layer.youngs_modulus(),
@@ -94,7 +94,7 @@ pub(crate) fn numbers(layer: &layers::Layer) -> [f64; 3] {
     ]
 }
 
-/// The effect of a wave of traction on the surface of two bodies (lengths over pressures):
+/// Displacements of the surface of two bodies under a wave of traction (lengths over pressures), returned by
 /// :meth:`ElasticPair.response <stickslip.ElasticPair.response>`.
 #[pyclass(frozen, eq, module = "stickslip.layers", name = "WaveResponse")]
 #[derive(Clone, Copy, PartialEq)]
@@ -102,25 +102,26 @@ pub(crate) struct WaveResponse(pub(crate) layers::Response);
 
 #[pymethods]
 impl WaveResponse {
-    /// Normal displacement by pressure.
+    /// Normal displacement due to pressure.
     #[getter]
     fn normal(&self) -> f64 {
         self.0.normal
     }
 
-    /// Tangential displacement along the wave vector by traction along it.
+    /// Tangential displacement along the wave vector due to traction along it.
     #[getter]
     fn along(&self) -> f64 {
         self.0.along
     }
 
-    /// Tangential displacement across the wave vector by traction across it.
+    /// Tangential displacement across the wave vector due to traction across it.
     #[getter]
     fn across(&self) -> f64 {
         self.0.across
     }
 
-    /// Normal displacement by traction along the wave vector, and displacement along it by pressure, up to i.
+    /// Normal displacement due to traction along the wave vector, and displacement along it due to pressure, up to a
+    /// factor i.
     #[getter]
     fn coupling(&self) -> f64 {
         self.0.coupling

@@ -1,5 +1,5 @@
 //! The extension module of the Python package `stickslip`: classes and functions over the crate, which the package
-//! sorts into modules. What is documented here is documented for Python.
+//! exports in several modules. The docs of its items are the Python docstrings.
 
 mod analytical;
 mod argument;
@@ -47,12 +47,12 @@ mod work;
 
 use pyo3::prelude::*;
 
-/// What the package ``stickslip`` is made of; import that.
+/// Extension module of the package ``stickslip``; import that package instead.
 #[pymodule]
 mod _stickslip {
     use pyo3::prelude::*;
 
-    /// The version of the package.
+    /// Version of the package.
     #[pymodule_export]
     #[expect(
         non_upper_case_globals,

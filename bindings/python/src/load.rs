@@ -1,4 +1,4 @@
-//! Loads by keywords: what is prescribed along each axis.
+//! Loads given by keywords: the control along each axis.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -11,7 +11,7 @@ use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
 
-/// The normal half: a force or an approach, or neither.
+/// Returns the normal control: a force, an approach, or neither.
 pub(crate) fn normal(
     force: Option<Real>,
     approach: Option<Real>,
@@ -26,20 +26,20 @@ pub(crate) fn normal(
     }
 }
 
-/// The normal half of a problem, which needs one.
+/// Returns the normal control of a problem, which requires a force or an approach.
 pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalControl> {
     normal(force, approach)?
         .ok_or_else(|| PyTypeError::new_err("give the normal load: force= or approach="))
 }
 
-/// A force, a shift or a spring along both axes.
+/// Force, shift or spring along both axes.
 pub(crate) type Both = (
     Option<conversion::Force>,
     Option<conversion::Shift>,
     Option<conversion::Springs>,
 );
 
-/// The one control that is given along an axis, if any; these are the kinds there are.
+/// Returns the one control that is given along an axis, if any; the parameters are the possible kinds.
 pub(crate) fn one_along<T>(
     axis: usize,
     given: impl IntoIterator<Item = Option<T>>,
@@ -56,7 +56,7 @@ pub(crate) fn one_along<T>(
     }
 }
 
-/// The keywords of the tangential load, as every function that takes one has them.
+/// Keywords of the tangential load, shared by all functions that accept one.
 pub(crate) struct Keywords {
     both: Both,
     force: [Option<f64>; 2],
@@ -86,7 +86,7 @@ impl Keywords {
         matches!(self.controls(), Ok([None, None])) && self.twist.is_none()
     }
 
-    /// What is prescribed along x and y, if anything.
+    /// Returns the controls along x and y; `None` for an axis without a keyword.
     fn controls(&self) -> PyResult<[Option<TangentialControl>; 2]> {
         let (force, shift, spring) = &self.both;
         let spring_to = |(position, stiffness)| TangentialControl::Spring {
@@ -115,7 +115,7 @@ impl Keywords {
         Ok([along(0)?, along(1)?])
     }
 
-    /// A load from rest: along an axis of which nothing is said, the other's kind with the value zero.
+    /// Returns a load from rest. An axis without a keyword has the control of the other axis with the value zero.
     pub(crate) fn load(&self) -> PyResult<Load> {
         let zero = |control| match control {
             TangentialControl::Shift(_) => TangentialControl::Shift(0.0),
@@ -135,12 +135,12 @@ impl Keywords {
         Ok(load.twist(self.twist.unwrap_or(0.0)))
     }
 
-    /// The load from rest that is given as an object or by these keywords.
+    /// Returns the load from rest given as an object or by these keywords.
     pub(crate) fn load_or(&self, object: Option<TangentialLoad>) -> PyResult<Load> {
         one_of(object.map(|load| load.0), self.is_empty(), self.load()?)
     }
 
-    /// A step: what is not given is held.
+    /// Returns a step in which every quantity without a keyword is held constant.
     pub(crate) fn step(
         &self,
         normal: Option<NormalControl>,
@@ -165,7 +165,7 @@ impl Keywords {
         Ok(step)
     }
 
-    /// The step that is given as an object or by these keywords and the other three.
+    /// Returns the step given as an object, or by these keywords and the three others.
     pub(crate) fn step_or(
         &self,
         object: Option<LoadStep>,
@@ -181,7 +181,7 @@ impl Keywords {
     }
 }
 
-/// A load as an object, or by its keywords if there is no object.
+/// Returns a load given as an object, or by its keywords if there is no object.
 fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> PyResult<T> {
     match object {
         None => Ok(by_keywords),
@@ -194,21 +194,21 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 
 /// A tangential load from rest.
 ///
-/// Along an axis of which nothing is said, it is zero, of the kind of the other. The scalar model takes a load along one
-/// axis, the vector model any.
+/// An axis without a keyword has the control of the other axis with the value zero. The scalar model supports a load
+/// along one axis only; the vector model supports any load.
 ///
 /// Parameters
 /// ----------
 /// force, shift : pair of float, optional
-///     Along x and y, of either sign: the force that body 2 exerts on body 1; the shift of body 2 relative to body 1
-///     (lengths).
+///     Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift of body 2 relative
+///     to body 1 (lengths).
 /// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
-///     over a length, positive): the force is stiffness (position - shift).
+///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
+///     force over a length, positive). The force is stiffness (position - shift).
 /// force_x, force_y, shift_x, shift_y : float, optional
-///     The same along one axis.
+///     Force or shift along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
-///     The same along one axis.
+///     Spring along one axis.
 /// twist : float, default 0
 ///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). The vector model
 ///     alone has it.
@@ -243,7 +243,7 @@ impl TangentialLoad {
         keywords.load().map(Self)
     }
 
-    /// What is prescribed along an axis: ``("force", value)``, ``("shift", value)`` or
+    /// Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
     /// ``("spring", (position, stiffness))``.
     fn control<'py>(
         &self,
@@ -282,7 +282,7 @@ impl TangentialLoad {
 
 picklable!(TangentialLoad: Load);
 
-/// A load as its keywords.
+/// Returns the keywords of a load.
 fn keywords(
     normal: NormalControl,
     tangential: [TangentialControl; 2],
@@ -317,31 +317,31 @@ fn keywords(
     shown
 }
 
-/// What a step of a history prescribes at its end; all that is not named is held.
+/// Load prescribed at the end of a step of a history. Every quantity without a keyword is held constant.
 ///
 /// Parameters
 /// ----------
 /// normal_force, approach : float, optional
-///     One of the two, the normal force (not negative) or the approach of the bodies from the datum of the gap (a length,
-///     positive when they come together); without either the pressure is held.
+///     The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive when
+///     they move together). At most one of the two may be given; without either, the pressure is held constant.
 /// force, shift : pair of float, optional
-///     Along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts on body 1; the
-///     shift of body 2 relative to body 1 (lengths).
+///     Components along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts
+///     on body 1, or the shift of body 2 relative to body 1 (lengths).
 /// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
-///     over a length, positive).
+///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
+///     force over a length, positive).
 /// force_x, force_y, shift_x, shift_y : float, optional
-///     The same along one axis.
+///     Force or shift along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
-///     The same along one axis.
+///     Spring along one axis.
 /// twist : float, optional
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
 /// relative_displacement : float, optional
-///     Amount of the relative displacement of the history: a factor of its pattern.
+///     Factor by which the pattern of the relative displacement of the history is multiplied.
 /// roll : stickslip.history.Rolling, optional
-///     With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way. Along
-///     an axis of which the step names the force the creepage follows; it names no shift, no spring and no twist. Normal
-///     load, gap and friction may change in the same step.
+///     Rolling during the step: the memory of the particles moves through the contact, and body 2 creeps over body 1
+///     meanwhile. Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a
+///     twist is not allowed in such a step. Normal load, gap and friction may change in the same step.
 ///
 /// Examples
 /// --------
@@ -385,7 +385,7 @@ impl LoadStep {
         keywords.step(normal, relative_displacement, roll).map(Self)
     }
 
-    /// The tangential half alone, with the twist of the load; the pressure is held.
+    /// Returns a step with the tangential load and its twist only; the pressure is held constant.
     #[staticmethod]
     fn of(load: TangentialLoad) -> Self {
         Self(load.0.into())

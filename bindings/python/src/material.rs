@@ -1,4 +1,4 @@
-//! Materials, and the pair of two.
+//! Materials and pairs of materials.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -24,8 +24,8 @@ use crate::real::Real;
 /// poisson_ratio : float
 ///     Poisson's ratio, in (-1, 0.5].
 /// hardness : float, optional
-///     The hardness (a pressure), positive; none by default. Solutions that press harder warn, and nothing else changes: a
-///     problem whose pressure is to be limited takes a ``hardness`` of its own.
+///     The hardness (a pressure), positive; none by default. It only causes a warning if a solution exceeds it. To limit
+///     the pressure, pass ``hardness`` to the problem.
 ///
 /// Raises
 /// ------
@@ -58,7 +58,7 @@ impl Material {
         }
     }
 
-    /// From the shear modulus (a pressure) instead of Young's.
+    /// Creates a material from its shear modulus (a pressure) instead of Young's modulus.
     #[staticmethod]
     fn from_shear_modulus(
         py: Python<'_>,
@@ -69,7 +69,7 @@ impl Material {
         body.or_raise(py).map(Self)
     }
 
-    /// A body that does not deform.
+    /// Returns a body that does not deform.
     #[staticmethod]
     fn rigid() -> Self {
         Self(stickslip::Material::rigid())
@@ -93,26 +93,26 @@ impl Material {
         self.0.poisson_ratio()
     }
 
-    /// The hardness stated (a pressure); infinite if none is.
+    /// The stated hardness (a pressure); infinite if it is not stated.
     #[getter]
     fn hardness(&self) -> f64 {
         self.0.hardness()
     }
 
-    /// Whether it is rigid.
+    /// Whether the body is rigid.
     #[getter]
     fn is_rigid(&self) -> bool {
         self.0.is_rigid()
     }
 
-    /// This body under layers that are bonded to it, the outermost first; over those it has. On a rigid body they are a bed on
-    /// a rigid base. The moduli of a coated body are those of what lies below the layers, and a hardness stated before is
-    /// kept.
+    /// Returns this body with layers bonded on top of it and of its existing layers, outermost first. On a rigid body,
+    /// the layers are elastic layers on a rigid base. The moduli of a coated body are the moduli of the body below the
+    /// layers. A hardness stated before is kept.
     ///
     /// Parameters
     /// ----------
     /// layers : sequence of Layer
-    ///     At most eight in all.
+    ///     The layers; at most eight in total.
     ///
     /// Raises
     /// ------
@@ -122,25 +122,25 @@ impl Material {
         self.0.coated(&layers).or_raise(py).map(Self)
     }
 
-    /// The layers of a coated body, the outermost first.
+    /// The layers of a coated body, outermost first.
     #[getter]
     fn layers(&self) -> Vec<Layer> {
         self.0.layers().iter().copied().map(Layer).collect()
     }
 
-    /// Whether it is coated.
+    /// Whether the body is coated.
     #[getter]
     fn is_coated(&self) -> bool {
         self.0.is_coated()
     }
 
-    /// The strain along x under a stress along x (a pressure) of a body that cannot contract along y,
-    /// stress (1 - nu^2) / E; positive where it is stretched.
+    /// Returns the strain along x under a stress along x (a pressure) of a body that cannot contract along y, stress (1 -
+    /// nu^2) / E; positive in tension.
     fn plane_strain_under(&self, stress: Real) -> f64 {
         self.0.plane_strain_under(stress.0)
     }
 
-    /// Equal materials have equal ones.
+    /// Equal materials have equal hashes.
     fn __hash__(&self) -> u64 {
         hash_of(&constants(&self.0))
     }
@@ -178,17 +178,17 @@ impl Material {
 
 picklable!(Material: stickslip::Material);
 
-/// A hash of numbers; equal ones have equal ones.
+/// Returns a hash of numbers; equal numbers have equal hashes.
 pub(crate) fn hash_of(numbers: &[f64]) -> u64 {
     let mut hasher = DefaultHasher::new();
     for number in numbers {
-        // Minus zero equals zero, and has other bits: the sum with zero is zero.
+        // Minus zero equals zero but has a different bit pattern; adding zero makes the bit patterns equal.
         (number + 0.0).to_bits().hash(&mut hasher);
     }
     hasher.finish()
 }
 
-/// The numbers that make a body.
+/// Returns the numbers that define a body.
 fn constants(body: &stickslip::Material) -> Vec<f64> {
     let own = [body.youngs_modulus(), body.poisson_ratio(), body.hardness()];
     let layers = body.layers().iter().flat_map(numbers);
@@ -200,7 +200,8 @@ fn constants(body: &stickslip::Material) -> Vec<f64> {
 /// Parameters
 /// ----------
 /// body_1, body_2 : Material
-///     z points into body 1; pressure and traction act on it, and on body 2 with the other sign.
+///     The two bodies. The z axis points into body 1. Pressure and traction are those that act on body 1; on body 2 they
+///     have the opposite sign.
 ///
 /// Raises
 /// ------
@@ -248,19 +249,19 @@ impl ElasticPair {
         self.0.tangential_modulus()
     }
 
-    /// Shear modulus G of the one body that is as compliant as both (a pressure), 1/G = 1/G_1 + 1/G_2.
+    /// Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2.
     #[getter]
     fn equivalent_shear_modulus(&self) -> f64 {
         self.0.equivalent_shear_modulus()
     }
 
-    /// Poisson's ratio of the one body that is as compliant as both, nu = G (nu_1/G_1 + nu_2/G_2).
+    /// Poisson's ratio of the single body with the compliance of both bodies, nu = G (nu_1/G_1 + nu_2/G_2).
     #[getter]
     fn equivalent_poisson_ratio(&self) -> f64 {
         self.0.equivalent_poisson_ratio()
     }
 
-    /// Dundurs' second parameter: whether and how strongly pressure and traction are coupled.
+    /// Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
     #[getter]
     fn dundurs_beta(&self) -> f64 {
         self.0.dundurs_beta()
@@ -272,13 +273,14 @@ impl ElasticPair {
         self.0.is_coupled()
     }
 
-    /// Whether a body is coated.
+    /// Whether one of the bodies is coated.
     #[getter]
     fn is_coated(&self) -> bool {
         self.0.is_coated()
     }
 
-    /// The response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one over a length).
+    /// Returns the response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one
+    /// over a length).
     ///
     /// Raises
     /// ------
@@ -287,7 +289,7 @@ impl ElasticPair {
         self.0.response(k.0).or_raise(py).map(WaveResponse)
     }
 
-    /// Equal pairs have equal ones.
+    /// Equal pairs have equal hashes.
     fn __hash__(&self) -> u64 {
         hash_of(&self.0.bodies().each_ref().map(constants).concat())
     }
@@ -300,7 +302,7 @@ impl ElasticPair {
 
 picklable!(ElasticPair: stickslip::ElasticPair);
 
-/// What is taken for bodies: a pair, or two materials, or a kernel.
+/// Argument that is converted to bodies: a pair, two materials, or a kernel.
 pub(crate) struct Bodies(pub(crate) stickslip::Kernel);
 
 impl FromPyObject<'_, '_> for Bodies {

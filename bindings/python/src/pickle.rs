@@ -1,4 +1,4 @@
-//! Pickling, through the crate's own serialisation in a compact format.
+//! Pickling through the serialisation of the crate, in a compact format.
 
 use pyo3::PyClass;
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -7,7 +7,7 @@ use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// What an object is made of, and made again from.
+/// Conversion of an object to and from its serialised content.
 pub(crate) trait Stored: Sized {
     type Content: Serialize + DeserializeOwned;
 
@@ -16,26 +16,27 @@ pub(crate) trait Stored: Sized {
     fn of_content(content: Self::Content) -> Self;
 }
 
-/// How an object is pickled: what restores it, and from what.
+/// Reduced form of an object for pickle: the restoring function and its arguments.
 pub(crate) type Reduced<'py> = (
     Bound<'py, PyAny>,
     (&'static str, &'static str, Bound<'py, PyBytes>),
 );
 
-/// How an object with bytes of its own is pickled: what restores it, and from which arguments.
+/// Reduced form of an object with its own byte format: the restoring function and its arguments.
 pub(crate) type Standalone<'py, A> = (Bound<'py, PyAny>, A);
 
-/// A function of the module, by which objects are restored.
+/// Returns a function of the module that restores objects.
 fn restoring<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import("stickslip._stickslip")?.getattr(name)
 }
 
-/// What restores an object that has bytes of its own, by ``from_bytes`` of its class: the first of the arguments.
+/// Returns the reduced form of an object with its own byte format. The first argument is its class, whose ``from_bytes``
+/// restores the object.
 pub(crate) fn by_itself<A>(py: Python<'_>, arguments: A) -> PyResult<Standalone<'_, A>> {
     Ok((restoring(py, "_from_bytes")?, arguments))
 }
 
-/// What pickle calls for what has bytes of its own.
+/// Restores objects with their own byte format; called by pickle.
 #[pyfunction]
 #[pyo3(signature = (kind, *arguments))]
 pub(crate) fn _from_bytes<'py>(
@@ -45,14 +46,14 @@ pub(crate) fn _from_bytes<'py>(
     kind.call_method1("from_bytes", arguments)
 }
 
-/// The parts of a content of the crate that it shows in its serialised form alone, in their order.
+/// Extracts the parts of a content that the crate exposes only in its serialised form, in their order.
 pub(crate) fn parts<T: DeserializeOwned>(content: &impl Serialize) -> PyResult<T> {
     let refused = |error: postcard::Error| PyValueError::new_err(error.to_string());
     let bytes = postcard::to_stdvec(content).map_err(refused)?;
     postcard::from_bytes(&bytes).map_err(refused)
 }
 
-/// How an object of this content is pickled.
+/// Returns the reduced form of an object with this content.
 pub(crate) fn reduced<'py, T: Stored>(
     py: Python<'py>,
     content: &T::Content,
@@ -73,7 +74,7 @@ where
     Ok(Bound::new(py, T::of_content(content))?.into_any())
 }
 
-/// What a problem is made from, by which it is pickled: the positional arguments and the keywords of its class.
+/// Constructor arguments of a problem, positional and keyword, from which it is pickled.
 pub(crate) struct Recipe {
     arguments: Py<PyTuple>,
     keywords: Py<PyDict>,
@@ -90,7 +91,7 @@ impl Recipe {
         })
     }
 
-    /// With a keyword, unless it was not given.
+    /// Adds a keyword unless its value is `None`.
     pub(crate) fn with<'py>(
         self,
         py: Python<'py>,
@@ -103,7 +104,7 @@ impl Recipe {
         Ok(self)
     }
 
-    /// With the keywords of a normal load, of which the force may have another name.
+    /// Adds the keywords of a normal load; the name of the force is a parameter.
     pub(crate) fn with_normal(
         self,
         py: Python<'_>,
@@ -117,7 +118,7 @@ impl Recipe {
         }
     }
 
-    /// Both, for ``__getnewargs_ex__``.
+    /// Returns both kinds of arguments, for ``__getnewargs_ex__``.
     pub(crate) fn parts<'py>(
         &self,
         py: Python<'py>,
@@ -129,7 +130,7 @@ impl Recipe {
     }
 }
 
-/// Makes a class of one serialisable field picklable.
+/// Makes a class with one serialisable field picklable.
 macro_rules! picklable {
     ($class:ident: $content:ty) => {
         impl crate::pickle::Stored for $class {
@@ -158,8 +159,8 @@ pub(crate) use picklable;
 
 macro_rules! kinds {
     ($($class:path),+ $(,)?) => {
-        /// What pickle calls. Pickles are read by the version that wrote them alone; histories have bytes of their own,
-        /// which later versions read too.
+        /// Restores an object; called by pickle. A pickle can only be read by the version that wrote it. Histories have
+        /// their own byte format, which later versions can also read.
         #[pyfunction]
         pub(crate) fn _restore<'py>(
             py: Python<'py>,

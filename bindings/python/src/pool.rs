@@ -1,4 +1,4 @@
-//! The threads of solves.
+//! Thread pool of the solves.
 
 use std::cell::{Cell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -7,16 +7,17 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// The number of threads, and their pool, with the process that it belongs to: the threads of a pool do not live on in a
-/// forked one.
+/// Number of threads and their pool, with the process that owns it: the threads of a pool do not survive in a forked
+/// process.
 struct Owned {
     process: u32,
     threads: usize,
-    /// None for one thread, which is that of the caller.
+    /// `None` for one thread, which is the thread of the caller.
     pool: Option<Arc<ThreadPool>>,
 }
 
-/// Locked by threads that hold the GIL only, and a fork needs that too: no fork finds it locked.
+/// The lock is taken only by threads that hold the GIL, and a fork also requires the GIL. The lock is therefore never
+/// taken during a fork.
 static POOL: Mutex<Option<Owned>> = Mutex::new(None);
 
 impl Owned {
@@ -33,11 +34,11 @@ impl Owned {
         })
     }
 
-    /// Takes the place of what was there before.
+    /// Replaces the previous pool.
     fn put(self, place: &mut Option<Self>) {
         let process = self.process;
         let before = place.replace(self);
-        // The threads of a pool that came through a fork cannot be told to end.
+        // The threads of a pool inherited through a fork do not exist and cannot be joined.
         if before
             .as_ref()
             .is_some_and(|before| before.process != process)
@@ -48,17 +49,18 @@ impl Owned {
 }
 
 thread_local! {
-    /// Whether this thread is a rank, whose pool is its own: ranks that wait for each other must not wait for the same threads.
+    /// Whether this thread is a rank with its own pool: ranks that wait for each other must not wait for the same
+    /// threads.
     static IS_RANK: Cell<bool> = const { Cell::new(false) };
     static OWN: RefCell<Option<Owned>> = const { RefCell::new(None) };
 }
 
-/// Solves that this thread calls from now on run in a pool of its own.
+/// Makes later solves called on this thread run in their own pool.
 pub(crate) fn keep_apart() {
     IS_RANK.set(true);
 }
 
-/// As rayon counts them.
+/// Returns the default number of threads of rayon.
 fn default_threads() -> usize {
     let asked = std::env::var("RAYON_NUM_THREADS").ok();
     let asked = asked.and_then(|threads| threads.parse().ok());
@@ -67,13 +69,13 @@ fn default_threads() -> usize {
         .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, std::num::NonZero::get))
 }
 
-/// Work outside of the pool of this package stays on the thread that calls: rayon's own pool, which other work would start,
-/// does not live on in a forked process.
+/// Keeps work outside the pool of this package on the calling thread. Such work would otherwise start rayon's global
+/// pool, which does not survive in a forked process.
 pub(crate) fn initialise() {
     stickslip::disable_global_pool();
 }
 
-/// The pool of this process, or of this rank, made when it is first needed; none where work stays on the calling thread.
+/// Returns the pool of this process or of this rank, created on first use; `None` if work runs on the calling thread.
 pub(crate) fn of_this_process(_py: Python<'_>) -> PyResult<Option<Arc<ThreadPool>>> {
     let mut place = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     let threads = place
@@ -96,7 +98,7 @@ pub(crate) fn of_this_process(_py: Python<'_>) -> PyResult<Option<Arc<ThreadPool
     }
 }
 
-/// Runs short work in this thread, which counts as a pool of its own: nothing in it can then wait for threads that a
+/// Runs short work in this thread, which counts as a separate pool. The work can then never wait for threads that a
 /// fork has left behind.
 pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
     thread_local! {
@@ -109,15 +111,16 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
     ALONE.with(|_| work())
 }
 
-/// Sets the number of threads of all later solves in this process; solves under way keep theirs.
+/// Sets the number of threads of all later solves in this process; running solves are not affected.
 ///
-/// Results do not depend on it, to the last bit. The default is the environment variable ``RAYON_NUM_THREADS``, or
-/// else the number of cores. With one thread all work is done by the thread that calls: no other is ever started.
+/// Results are bitwise identical for any number of threads. The default is the environment variable
+/// ``RAYON_NUM_THREADS``, or the number of cores if it is not set. With one thread, all work runs on the calling thread
+/// and no other thread is started.
 ///
 /// Parameters
 /// ----------
 /// threads : int
-///     At least 1.
+///     Number of threads, at least 1.
 ///
 /// Examples
 /// --------
@@ -137,7 +140,7 @@ pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
     Ok(())
 }
 
-/// The number of threads of a solve.
+/// Returns the number of threads of a solve.
 #[pyfunction]
 pub(crate) fn num_threads(_py: Python<'_>) -> usize {
     let place = POOL.lock().unwrap_or_else(PoisonError::into_inner);

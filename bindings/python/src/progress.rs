@@ -1,12 +1,12 @@
-//! What follows the progress of a solve.
+//! Progress reports of solves.
 
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
 
-/// The argument ``progress``: nothing, a callable, or ``True`` for a bar of tqdm.
+/// The argument ``progress``: nothing, a callable, or ``True`` for a progress bar of tqdm.
 pub(crate) struct Progress<'py> {
     callback: Option<Py<PyAny>>,
-    /// The bar, which is to be closed.
+    /// The progress bar, which must be closed at the end.
     bar: Option<Bound<'py, PyAny>>,
 }
 

@@ -1,4 +1,4 @@
-//! Ranks that Python reaches: a communicator of mpi4py, or any object that has the methods of one.
+//! Communication between ranks through Python: a communicator of mpi4py, or any object with the required methods.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use stickslip::ranks::{RankFailure, Ranks};
 use crate::kernel::tell;
 use crate::pool;
 
-/// A communicator. Its methods are called with the GIL, by whichever thread the work is on, one at a time.
+/// Communicator object. Its methods are called under the GIL, on any thread that performs the work, one call at a time.
 #[derive(Debug)]
 pub(crate) struct Communicator {
     object: Py<PyAny>,
@@ -41,7 +41,7 @@ impl Ranks for Communicator {
         self.size
     }
 
-    /// An exception stands for a rank that is lost, and is told as those of other callbacks are.
+    /// An exception counts as the loss of a rank and is reported like the exceptions of other callbacks.
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
         Python::attach(|py| {
             let object = self.object.bind(py);

@@ -1,4 +1,5 @@
-//! Real numbers, one or arrays: what NumPy would make real with a loss or by a guess is refused, and what has another shape.
+//! Real numbers and arrays of real numbers. Objects that NumPy would convert with a loss or by a guess are rejected, and
+//! so are arrays of the wrong shape.
 
 use numpy::{AllowTypeChange, PyArrayLike2};
 use pyo3::exceptions::PyTypeError;
@@ -10,13 +11,13 @@ use pyo3::types::{PyDict, PyFloat, PyTuple};
 use crate::error::named;
 use crate::field::Field;
 
-/// An object as an array of NumPy, if it can be one.
+/// Returns an object as a NumPy array, if it can be converted.
 fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
     let numpy = object.py().import("numpy").ok()?;
     numpy.call_method1("asanyarray", (object,)).ok()
 }
 
-/// What an object holds instead of real numbers: complex ones, text or times.
+/// Returns the kind of entries of an object that are not real numbers: complex numbers, text or times.
 fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     let Some(array) = as_array(object) else {
         return Ok(None);
@@ -30,7 +31,7 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     })
 }
 
-/// `Ok` unless an object holds complex numbers, text or times.
+/// Returns `Ok` unless an object contains complex numbers, text or times.
 pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
     match unreal(object)? {
         None => Ok(()),
@@ -40,7 +41,7 @@ pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()>
     }
 }
 
-/// A number as an argument. Of a complex number of NumPy, Python would take the real part.
+/// Real number as an argument. Without this class, Python would silently take the real part of a complex number of NumPy.
 #[derive(Clone, Copy)]
 pub(crate) struct Real(pub(crate) f64);
 
@@ -71,13 +72,13 @@ impl FromPyObject<'_, '_> for Real {
     }
 }
 
-/// Whether an object is a field, or an array of two dimensions.
+/// Returns whether an object is a field or a two-dimensional array.
 pub(crate) fn is_plane(object: &Bound<'_, PyAny>) -> bool {
     let dimensions = |array: Bound<'_, PyAny>| array.getattr("ndim")?.extract::<usize>();
     object.is_instance_of::<Field>() || dimensions(object.clone()).is_ok_and(|count| count == 2)
 }
 
-/// That an array does not have the shape of the grid.
+/// Creates the exception for an array that does not have the shape of the grid.
 pub(crate) fn misshapen(
     py: Python<'_>,
     quantity: &str,
@@ -97,7 +98,7 @@ pub(crate) fn misshapen(
     exception().unwrap_or_else(|failure| failure)
 }
 
-/// Numbers of two dimensions; masked ones are NaN.
+/// Returns a two-dimensional array of numbers; masked entries become NaN.
 pub(crate) fn plane<'py>(
     object: &Bound<'py, PyAny>,
     quantity: &str,
@@ -111,7 +112,7 @@ pub(crate) fn plane<'py>(
     };
     filled.extract().map_err(|_| {
         let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
-        // An object of no kind that NumPy knows is an array without dimensions.
+        // NumPy converts an object of unknown type to a zero-dimensional array.
         let differs = |shape: &Vec<usize>| !shape.is_empty() && *shape != [grid.ny(), grid.nx()];
         match shape.filter(differs) {
             Some(shape) => misshapen(object.py(), quantity, grid, &shape),

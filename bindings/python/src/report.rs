@@ -1,4 +1,4 @@
-//! Reports, iterations and warnings, as objects that read well.
+//! Reports, iterations and warnings as objects with a readable `repr`.
 
 use std::time::Duration;
 
@@ -8,28 +8,28 @@ use crate::choice::Choice;
 use crate::digits::{counted, in_python, rough};
 use crate::pickle::picklable;
 
-/// One step of an iteration, as a progress callback receives it.
+/// One step of an iteration, as passed to a progress callback.
 ///
-/// Residual and free entries are the last measured ones.
+/// Residual and number of free entries are the most recently measured values.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Iteration(pub(crate) stickslip::Iteration);
 
 #[pymethods]
 impl Iteration {
-    /// Conjugate-gradient steps so far.
+    /// Number of conjugate-gradient steps so far.
     #[getter]
     fn iteration(&self) -> usize {
         self.0.iteration
     }
 
-    /// Products with the operator in double precision so far.
+    /// Number of products with the operator in double precision so far.
     #[getter]
     fn double_precision_products(&self) -> usize {
         self.0.double_precision_products
     }
 
-    /// Products in single precision so far.
+    /// Number of products in single precision so far.
     #[getter]
     fn single_precision_products(&self) -> usize {
         self.0.single_precision_products
@@ -41,7 +41,7 @@ impl Iteration {
         self.0.residual
     }
 
-    /// Entries strictly between their bounds: contact cells, or cells that stick.
+    /// Number of entries strictly between their bounds: contact cells, or cells that stick.
     #[getter]
     fn free(&self) -> usize {
         self.0.free
@@ -59,9 +59,9 @@ impl Iteration {
 
 picklable!(Iteration: stickslip::Iteration);
 
-/// How a solve ended, what it cost and how large its error can be.
+/// Termination, cost and error bound of a solve.
 ///
-/// Every number is recomputed from a fresh product with the returned iterate, whatever the status.
+/// All error measures are recomputed from a fresh product with the returned iterate, whatever the status.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Report(pub(crate) stickslip::Report);
@@ -74,31 +74,31 @@ impl Report {
 
 #[pymethods]
 impl Report {
-    /// Why the iteration ended.
+    /// Reason for the end of the iteration.
     #[getter]
     fn status(&self) -> Choice<stickslip::Status> {
         Choice(self.0.status)
     }
 
-    /// Conjugate-gradient steps.
+    /// Number of conjugate-gradient steps.
     #[getter]
     fn iterations(&self) -> usize {
         self.0.iterations
     }
 
-    /// Products with the operator in double precision, with the final check.
+    /// Number of products with the operator in double precision, including the final check.
     #[getter]
     fn double_precision_products(&self) -> usize {
         self.0.double_precision_products
     }
 
-    /// Products in single precision.
+    /// Number of products in single precision.
     #[getter]
     fn single_precision_products(&self) -> usize {
         self.0.single_precision_products
     }
 
-    /// Products of both precisions.
+    /// Number of products in both precisions.
     #[getter]
     fn products(&self) -> usize {
         self.0.products()
@@ -116,21 +116,21 @@ impl Report {
         self.0.duality_gap
     }
 
-    /// Certified bound on the relative error in the energy norm, the root of the duality gap.
+    /// Certified bound on the relative error in the energy norm, the square root of the duality gap.
     #[getter]
     fn energy_error_bound(&self) -> f64 {
         self.0.energy_error_bound()
     }
 
-    /// How the smallest eigenvalue is known that :attr:`duality_gap` rests on, and what else is certified beside it: "proven";
-    /// "estimated", on the safe side, of stiff coatings on long grids; or "unknown": the bound of the error, the root of the
-    /// duality gap of the problem, then falls only with the root of the residual.
+    /// Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "estimated", on the
+    /// safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
+    /// the duality gap of the problem, decreases only with the square root of the residual.
     #[getter]
     fn eigenvalue_bound(&self) -> Choice<stickslip::EigenvalueBound> {
         Choice(self.0.eigenvalue_bound)
     }
 
-    /// Relative error of the prescribed total; zero when none is prescribed.
+    /// Relative error of the prescribed total; zero if no total is prescribed.
     #[getter]
     fn load_error(&self) -> f64 {
         self.0.load_error
@@ -148,7 +148,7 @@ impl Report {
         self.0.is_converged()
     }
 
-    /// Every iterate whose residual was measured, in order.
+    /// All iterates whose residual was measured, in order.
     #[getter]
     fn history(&self) -> Vec<Iteration> {
         self.0.history.iter().copied().map(Iteration).collect()
@@ -161,10 +161,10 @@ impl Report {
 
 picklable!(Report: stickslip::Report);
 
-/// A remark on a converged solution that may mislead.
+/// A warning about a converged solution that might mislead.
 ///
-/// ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``, ``contact_spans_grid``,
-/// ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
+/// The attribute ``kind`` is its name: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``,
+/// ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
 /// ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
 /// ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
@@ -179,7 +179,7 @@ impl Warning {
 
 #[pymethods]
 impl Warning {
-    /// Its name.
+    /// Name of the warning.
     #[getter]
     fn kind(&self) -> &'static str {
         use stickslip::Warning as W;
@@ -206,7 +206,7 @@ impl Warning {
         }
     }
 
-    /// The cells it is about, if it counts any.
+    /// Number of affected cells; ``None`` if the warning does not count cells.
     #[getter]
     fn cells(&self) -> Option<usize> {
         use stickslip::Warning as W;
@@ -219,7 +219,7 @@ impl Warning {
         }
     }
 
-    /// What it says, and what to do.
+    /// Text of the warning, with a remedy.
     #[getter]
     fn message(&self) -> String {
         self.0.to_string()
@@ -236,7 +236,7 @@ impl Warning {
 
 picklable!(Warning: stickslip::Warning);
 
-/// Passes the remarks on to Python's ``warnings``, if that is wanted; only then are they looked for.
+/// Passes the warnings to Python's ``warnings`` if requested; they are computed only in this case.
 pub(crate) fn warn(
     py: Python<'_>,
     is_wanted: bool,
@@ -256,12 +256,12 @@ pub(crate) fn warn(
     Ok(())
 }
 
-/// How a solve ended, and what is to be remarked: for the ``repr`` of a solution.
+/// Describes the status of a solve and its warnings, for the ``repr`` of a solution.
 pub(crate) fn ending(report: &stickslip::Report, warnings: &[stickslip::Warning]) -> String {
     format!("{}{}", report.status, remarks(warnings))
 }
 
-/// That nothing touches, or else how many remarks there are, if any: the end of a ``repr``.
+/// Returns the end of a ``repr``: that there is no contact, or the number of warnings, if any.
 pub(crate) fn remarks(warnings: &[stickslip::Warning]) -> String {
     if warnings.contains(&stickslip::Warning::NoContact) {
         return ", no contact".into();

@@ -1,4 +1,4 @@
-//! Vectors as tuples, and entries of sequences.
+//! Vectors as tuples, and access to entries of sequences.
 
 use pyo3::PyClass;
 use pyo3::exceptions::PyIndexError;
@@ -7,12 +7,13 @@ use pyo3::types::{PyIterator, PyList};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
 
-/// The components of a vector.
+/// Returns the components of a vector as a tuple.
 pub(crate) fn pair([x, y]: [f64; 2]) -> (f64, f64) {
     (x, y)
 }
 
-/// The place of an index, which counts from the end if it is negative; `name` is what an entry is called.
+/// Converts a Python index to a position; a negative index counts from the end. The parameter `name` is the noun for an
+/// entry in the error message.
 pub(crate) fn place<T>(entries: &[T], index: isize, name: &str) -> PyResult<usize> {
     let from_end = if index < 0 { entries.len() } else { 0 };
     let place = from_end.checked_add_signed(index);
@@ -24,12 +25,12 @@ pub(crate) fn place<T>(entries: &[T], index: isize, name: &str) -> PyResult<usiz
     })
 }
 
-/// The entry of an index.
+/// Returns the entry at an index.
 pub(crate) fn entry<'a, T>(entries: &'a [T], index: isize, name: &str) -> PyResult<&'a T> {
     place(entries, index, name).map(|place| &entries[place])
 }
 
-/// The entries of a sequence, one after another.
+/// Iterator over the entries of a sequence.
 pub(crate) struct Entries<T>(Vec<T>);
 
 impl<T> Entries<T> {

@@ -11,19 +11,19 @@ use crate::error::OrRaise;
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// Method, tolerance and limits of an iteration, as every problem, solver and history takes them: together as
-/// ``settings``, or one by one by the same keywords.
+/// Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
+/// or individually by the same keywords.
 ///
 /// Parameters
 /// ----------
 /// tolerance : float, default 1e-8
-///     Bounds the certified error in the energy norm and the largest residual.
+///     Upper limit for the certified error in the energy norm and for the largest residual.
 /// method : Method or str, default "active_set"
-///     "active_set", or "polonsky_keer" for one unknown a cell.
+///     "active_set", or "polonsky_keer" for problems with one unknown per cell.
 /// max_iterations : int, default 10000
-///     Conjugate-gradient steps allowed.
+///     Maximum number of conjugate-gradient steps.
 /// time_limit : float, optional
-///     Wall time allowed a solve (s).
+///     Maximum wall time of a solve (s).
 ///
 /// Raises
 /// ------
@@ -48,25 +48,25 @@ impl Settings {
         Ok(Self(settings))
     }
 
-    /// Error accepted.
+    /// Tolerance of the error.
     #[getter]
     fn tolerance(&self) -> f64 {
         self.0.tolerance
     }
 
-    /// Which iteration.
+    /// Method of the iteration.
     #[getter]
     fn method(&self) -> Choice<stickslip::cgm::Method> {
         Choice(self.0.method)
     }
 
-    /// Conjugate-gradient steps allowed.
+    /// Maximum number of conjugate-gradient steps.
     #[getter]
     fn max_iterations(&self) -> usize {
         self.0.max_iterations
     }
 
-    /// Wall time allowed (s), or ``None``.
+    /// Maximum wall time (s), or ``None``.
     #[getter]
     fn time_limit(&self) -> Option<f64> {
         self.0.time_limit.map(|limit| limit.as_secs_f64())
@@ -85,7 +85,7 @@ impl Settings {
 
 picklable!(Settings: stickslip::cgm::Settings);
 
-/// The settings of a call: those given together, changed by those given one by one.
+/// Returns the settings of a call: the common settings, overridden by the individual ones.
 pub(crate) fn chosen(
     settings: Option<Settings>,
     tolerance: Option<Real>,

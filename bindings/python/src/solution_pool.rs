@@ -1,15 +1,15 @@
-//! Objects that many threads may hold, and one may use; solutions whose memory is used again.
+//! Objects that several threads may share but only one may use at a time, and solutions whose memory is reused.
 
 use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// What changes, used by one thread at a time.
+/// Locks a mutable object, which one thread at a time may use.
 pub(crate) fn lock<'a, T>(place: &'a Mutex<T>, what: &str) -> PyResult<MutexGuard<'a, T>> {
     match place.try_lock() {
         Ok(guard) => Ok(guard),
-        // What a panic leaves behind is as the crate leaves it: in order.
+        // The crate leaves its data consistent when it panics, so a poisoned lock can be used.
         Err(TryLockError::Poisoned(guard)) => Ok(guard.into_inner()),
         Err(TryLockError::WouldBlock) => Err(PyRuntimeError::new_err(format!(
             "the {what} is in use, by another thread or by the call that this one is made from"
@@ -17,10 +17,10 @@ pub(crate) fn lock<'a, T>(place: &'a Mutex<T>, what: &str) -> PyResult<MutexGuar
     }
 }
 
-/// Solutions that were handed out, of which those that nobody holds any more are filled again.
+/// Pool of returned solutions; a solution without other owners is filled again.
 pub(crate) struct Spare<T>(Vec<Arc<T>>);
 
-/// A loop that assigns each solution to the same name holds one while the next is found.
+/// A loop that assigns each solution to the same variable still owns one solution while the next is computed.
 const KEPT: usize = 2;
 
 impl<T> Spare<T> {
@@ -28,7 +28,7 @@ impl<T> Spare<T> {
         Self(Vec::new())
     }
 
-    /// One that nobody else holds.
+    /// Returns a solution without other owners.
     pub(crate) fn take(&mut self, new: impl FnOnce() -> T) -> Arc<T> {
         let free = self
             .0
@@ -40,7 +40,7 @@ impl<T> Spare<T> {
         }
     }
 
-    /// Keeps one that is handed out.
+    /// Stores a solution that is returned to the caller.
     pub(crate) fn keep(&mut self, solution: &Arc<T>) {
         if self.0.len() < KEPT {
             self.0.push(Arc::clone(solution));

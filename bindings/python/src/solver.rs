@@ -1,4 +1,4 @@
-//! What the solvers of all contacts have in common: a problem solved once, and a solver used again and again.
+//! Common parts of the solvers of all contacts: one-time solves and reusable solvers.
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -14,10 +14,10 @@ use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
 use crate::work::{solve, unobserved_on};
 
-/// A solver of the crate.
+/// Solver of the crate.
 pub(crate) trait Solver: Send + Sized {
     type Solution: Send + Sync;
-    /// The class of its solutions in Python.
+    /// Python class of the solutions.
     type Object: PyClass + Into<PyClassInitializer<Self::Object>> + From<Arc<Self::Solution>>;
 
     fn new_solution(&self) -> Self::Solution;
@@ -31,7 +31,7 @@ pub(crate) trait Solver: Send + Sized {
     fn warnings(solution: &Self::Solution) -> Vec<stickslip::Warning>;
 }
 
-/// Solves once, with the solver that is made for it.
+/// Solves a problem once, with a solver created for it.
 pub(crate) fn solve_once<'py, S: Solver>(
     py: Python<'py>,
     cells: usize,
@@ -49,7 +49,7 @@ pub(crate) fn solve_once<'py, S: Solver>(
     finished::<S>(py, outcome, solution.map(Arc::new), is_warned)
 }
 
-/// The solution as an object, or the exception, which has the last iterate.
+/// Returns the solution as an object, or the exception with the last iterate attached.
 fn finished<S: Solver>(
     py: Python<'_>,
     outcome: Result<()>,
@@ -69,14 +69,14 @@ fn finished<S: Solver>(
     }
 }
 
-/// A solver that one thread at a time may use, and the solutions whose memory it uses again.
+/// Reusable solver that one thread at a time may use, and the solutions whose memory it reuses.
 pub(crate) struct Reused<S: Solver> {
     work: Mutex<(S, Spare<S::Solution>)>,
     grid: stickslip::Grid,
 }
 
 impl<S: Solver> Reused<S> {
-    /// The solver of a problem on this grid.
+    /// Creates the solver of a problem on this grid.
     pub(crate) fn new(
         py: Python<'_>,
         grid: stickslip::Grid,
@@ -97,12 +97,12 @@ impl<S: Solver> Reused<S> {
         lock(&self.work, "solver")
     }
 
-    /// Reads the solver, or changes it by little work.
+    /// Reads the solver, or changes it with little work.
     pub(crate) fn with<T>(&self, work: impl FnOnce(&mut S) -> T) -> PyResult<T> {
         Ok(work(&mut self.lock()?.0))
     }
 
-    /// Changes what the next solve is for, by work on all cells.
+    /// Changes the problem of the next solve, with work on all cells.
     pub(crate) fn change(
         &self,
         py: Python<'_>,
@@ -111,7 +111,7 @@ impl<S: Solver> Reused<S> {
         self.unobserved(py, change)
     }
 
-    /// Long work with the solver that gives no solution.
+    /// Runs long work with the solver that returns no solution.
     pub(crate) fn unobserved<T: Send>(
         &self,
         py: Python<'_>,
@@ -122,7 +122,7 @@ impl<S: Solver> Reused<S> {
         unobserved_on(py, self.grid, || work(solver))
     }
 
-    /// Solves, once what the solve is for is set.
+    /// Solves after the problem of the solve has been set.
     pub(crate) fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -145,7 +145,7 @@ impl<S: Solver> Reused<S> {
     }
 }
 
-/// Declares a class of Python as the form of a solver of the crate that is used again, with what all of them have.
+/// Declares a Python class for a reusable solver of the crate, with the methods that all solvers share.
 macro_rules! solver {
     ($class:ident: $solution:ident) => {
         crate::solver::solver!(
@@ -177,12 +177,12 @@ macro_rules! solver {
 
         #[pyo3::pymethods]
         impl $class {
-            /// Forgets the last answer: the next solve starts as the first did.
+            /// Discards the last solution, so that the next solve starts like the first.
             fn reset(&self) -> pyo3::PyResult<()> {
                 self.0.with(|solver| solver.reset())
             }
 
-            /// The settings of the next solve; may be assigned.
+            /// Settings of the next solve; assignable.
             #[getter]
             fn settings(&self) -> pyo3::PyResult<crate::settings::Settings> {
                 self.0

@@ -1,4 +1,4 @@
-//! Contact spots, one by one.
+//! Individual contact spots.
 
 use pyo3::prelude::*;
 
@@ -15,49 +15,49 @@ pub(crate) struct Spot(stickslip::Spot);
 
 #[pymethods]
 impl Spot {
-    /// Its cells.
+    /// Number of cells of the spot.
     #[getter]
     fn cells(&self) -> usize {
         self.0.cells
     }
 
-    /// Its area (a length squared).
+    /// Area of the spot (a length squared).
     #[getter]
     fn area(&self) -> f64 {
         self.0.area
     }
 
-    /// The force it carries.
+    /// Force that the spot carries.
     #[getter]
     fn load(&self) -> f64 {
         self.0.load
     }
 
-    /// Load over area.
+    /// Ratio of load to area.
     #[getter]
     fn mean_pressure(&self) -> f64 {
         self.0.mean_pressure
     }
 
-    /// The largest pressure in it.
+    /// Largest pressure in the spot.
     #[getter]
     fn max_pressure(&self) -> f64 {
         self.0.max_pressure
     }
 
-    /// Mean position of its cells (lengths).
+    /// Mean position of the cells (lengths).
     #[getter]
     fn centroid(&self) -> (f64, f64) {
         pair(self.0.centroid)
     }
 
-    /// Length of its edge along the sides of cells.
+    /// Length of the edge of the spot along the sides of cells.
     #[getter]
     fn perimeter(&self) -> f64 {
         self.0.perimeter
     }
 
-    /// Stick cells over its cells; ``None`` without shear.
+    /// Ratio of stick cells to all cells of the spot; ``None`` without a tangential contact.
     #[getter]
     fn stick_ratio(&self) -> Option<f64> {
         self.0.stick_ratio
@@ -90,19 +90,19 @@ impl ContactSpots {
 
 #[pymethods]
 impl ContactSpots {
-    /// The number of the spot of every cell, counted from 1, of shape (ny, nx); 0 outside the contact.
+    /// Number of the spot of each cell, counted from 1, of shape (ny, nx); 0 outside the contact.
     #[getter]
     fn labels<'py>(&self, py: Python<'py>) -> Array<'py, u32> {
         labels(py, self.0.grid(), self.0.labels())
     }
 
-    /// The grid of the labels.
+    /// Grid of the labels.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
     }
 
-    /// The spot of the largest area.
+    /// The spot with the largest area.
     #[getter]
     fn largest(&self) -> Option<Spot> {
         self.0.largest().copied().map(Spot)

@@ -1,4 +1,4 @@
-//! Slopes of the forces.
+//! Derivatives of the forces with respect to the motions of the bodies.
 
 use pyo3::prelude::*;
 
@@ -11,20 +11,21 @@ use crate::normal::NormalSolution;
 use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
-/// The slope of the normal force by the approach (a force over a length), with a bound of its relative error.
+/// Derivative of the normal force with respect to the approach (a force over a length), with a bound on its relative
+/// error.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct NormalStiffness(pub(crate) stickslip::stiffness::NormalStiffness);
 
 #[pymethods]
 impl NormalStiffness {
-    /// The slope (a force over a length), zero without contact.
+    /// Value of the derivative (a force over a length); zero without contact.
     #[getter]
     fn value(&self) -> f64 {
         self.0.value
     }
 
-    /// Bound of its relative error; infinite where pressure and traction are found together.
+    /// Bound on the relative error; infinite if pressure and traction are solved simultaneously.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -43,10 +44,10 @@ impl NormalStiffness {
     }
 }
 
-/// Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
-/// (columns), under a load that goes on and at its reversal. Forces over lengths in the first two rows and columns, the
-/// moment over radians in the last place. NaN for loads and motions that the model does not have: in the scalar model what
-/// is across its axis and the twist, on grids that repeat the twist.
+/// Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
+/// and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
+/// lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
+/// motion: in the scalar model, the direction across its axis and the twist; on periodic grids, the twist.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
@@ -68,14 +69,14 @@ impl TangentialStiffness {
         numbers(&self.0.reversal)
     }
 
-    /// Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
-    /// pressure and traction are found together.
+    /// Bound on the errors, relative to the square root of the product of the two diagonal entries; infinite if pressure
+    /// and traction are solved simultaneously.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
     }
 
-    /// The stiffness behind springs along x and y (forces over lengths).
+    /// Returns the stiffness in series with springs along x and y (forces over lengths).
     fn in_series_with(&self, py: Python<'_>, springs: conversion::Stiffnesses) -> PyResult<Self> {
         self.0.in_series_with(springs.0).or_raise(py).map(Self)
     }
@@ -90,7 +91,7 @@ impl TangentialStiffness {
     }
 }
 
-/// All slopes of a contact.
+/// Derivatives of all forces of a contact with respect to its motions.
 ///
 /// Parameters
 /// ----------
@@ -101,13 +102,13 @@ impl TangentialStiffness {
 /// friction : Friction, float or array_like of shape (ny, nx)
 ///     The friction of the tangential contact.
 /// shear : TangentialSolution
-///     The tangential contact under that pressure.
+///     The tangential contact under the pressure of ``normal``.
 ///
 /// Raises
 /// ------
 /// GridMismatch, BoundaryMismatch, MaterialMismatch, NotFinite, Yielded, NotConverged
 /// CoupledMaterials
-///     For the halves of a coupled solution of dissimilar bodies.
+///     If the two solutions are parts of a coupled solution of dissimilar bodies.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ContactStiffness(pub(crate) stickslip::stiffness::ContactStiffness);
@@ -134,26 +135,27 @@ impl ContactStiffness {
         found.map(Self)
     }
 
-    /// By the approach, of the normal force.
+    /// Derivative of the normal force with respect to the approach.
     #[getter]
     fn normal(&self) -> NormalStiffness {
         NormalStiffness(self.0.normal)
     }
 
-    /// By shifts and twist, of the tangential forces and the moment.
+    /// Derivatives of the tangential forces and the moment with respect to the shifts and the twist.
     #[getter]
     fn tangential(&self) -> TangentialStiffness {
         TangentialStiffness(self.0.tangential)
     }
 
-    /// By the approach, of the tangential forces and the moment; NaN for those that the model does not have.
+    /// Derivatives of the tangential forces and the moment with respect to the approach; NaN for components that the
+    /// model does not have.
     #[getter]
     fn by_approach(&self) -> (f64, f64, f64) {
         present(self.0.by_approach).into()
     }
 
-    /// By shifts along x and y and the twist, of the normal force: zero but where pressure and traction are found together.
-    /// NaN for motions that the model does not have.
+    /// Derivatives of the normal force with respect to the shifts along x and y and the twist: zero unless pressure and
+    /// traction are solved simultaneously. NaN for motions that the model does not have.
     #[getter]
     fn normal_by_motion(&self) -> (f64, f64, f64) {
         present(self.0.normal_by_motion).into()
@@ -169,7 +171,7 @@ impl ContactStiffness {
     }
 }
 
-/// What a model does not have as NaN.
+/// Replaces components that a model does not have with NaN.
 fn present(slopes: [Option<f64>; 3]) -> [f64; 3] {
     slopes.map(|slope| slope.unwrap_or(f64::NAN))
 }
@@ -178,7 +180,7 @@ fn numbers(matrix: &[[Option<f64>; 3]; 3]) -> [[f64; 3]; 3] {
     matrix.map(present)
 }
 
-/// A matrix as its rows.
+/// Formats a matrix by rows.
 fn rows(matrix: &[[f64; 3]; 3]) -> String {
     let [x, y, turn] = matrix.each_ref().map(|row| tuple(row));
     format!("({x}, {y}, {turn})")

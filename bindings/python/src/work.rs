@@ -1,5 +1,5 @@
-//! How long work runs: without the GIL, in a pool that is made anew after a fork, ended by signals and by what follows its
-//! progress. What does not run here stays on the thread that calls.
+//! Execution of long work: without the GIL, in a pool that is recreated after a fork, and interruptible by signals and by
+//! the progress callback. All other work runs on the calling thread.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -17,11 +17,12 @@ use crate::function::{has_raised, raising};
 use crate::pool;
 use crate::progress::Progress;
 
-/// What a solve calls before each product, and other work, without an iteration, where it may be broken off.
+/// Function that a solve calls before each product. Other work calls it without an iteration at points where it can be
+/// interrupted.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(Option<&Iteration>) -> ControlFlow<()> + Send);
 
-/// `Ok` where work without iterations is to go on. The error only ends the work: it is the exception that broke it off that
-/// is raised.
+/// Returns `Ok` if work without iterations may continue. The error only ends the work; the caller raises the exception
+/// that interrupted it.
 pub(crate) fn unless_broken_off(observer: Observer<'_>) -> Result<()> {
     observer(None)
         .is_continue()
@@ -29,20 +30,20 @@ pub(crate) fn unless_broken_off(observer: Observer<'_>) -> Result<()> {
         .ok_or(Error::EmptyPath)
 }
 
-/// How often signals are looked for.
+/// Interval between checks for signals.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(5);
 
 thread_local! {
-    /// Whether this thread is in a callback of a solve, which occupies the pool.
+    /// Whether this thread runs a callback of a solve, which occupies the pool.
     static IS_CALLED_BACK: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Solves something on so many cells. The outer error is that of Python: an exception of a signal handler, which Ctrl-C
-/// calls, of the callable that follows the progress, or of a function that is an operator. The solve has then ended at its
-/// next product.
+/// Solves a problem on the given number of cells. The outer error is a Python exception, raised by a signal handler (as
+/// for Ctrl-C), by the progress callback, or by a function that is an operator. The solve then ends at its next product.
 ///
-/// Signals are handled in the main thread only. A long solve therefore runs in the pool, while the calling thread waits for
-/// it and looks for signals; a short one runs in the calling thread, and so does any if that is the only one.
+/// Python handles signals on the main thread only. A long solve therefore runs in the pool, while the calling thread
+/// waits for it and checks for signals. A short solve runs on the calling thread, and so does every solve if there is
+/// only one thread.
 pub(crate) fn solve<T: Send>(
     py: Python<'_>,
     cells: usize,
@@ -60,7 +61,8 @@ pub(crate) fn solve<T: Send>(
     } else {
         pool::of_this_process(py)?
     };
-    // A thread of the pool is here within an operator that calls back: it must not wait for others that may do so too.
+    // If the thread belongs to the pool, it runs an operator that calls back. It must not wait for other threads, which
+    // may be doing the same.
     let pool = pool.filter(|pool| pool.current_thread_index().is_none());
     let ended = match pool {
         None => in_place(py, callback, work),
@@ -70,7 +72,8 @@ pub(crate) fn solve<T: Send>(
     let (outcome, interruption) = ended?;
     match (interruption, outcome) {
         (None, outcome) => Ok(outcome),
-        // It came after the last product: what was asked for is done, and the interrupt is that of the next line.
+        // The interrupt came after the last product: the result is complete, and the interrupt is raised for the next
+        // line.
         (Some(exception), Ok(done)) if exception.is_instance_of::<PyKeyboardInterrupt>(py) => {
             py.import("_thread")?.call_method0("interrupt_main")?;
             Ok(Ok(done))
@@ -79,14 +82,14 @@ pub(crate) fn solve<T: Send>(
     }
 }
 
-/// The observer as the crate calls it.
+/// Returns the observer in the form that the crate calls.
 pub(crate) fn watch(
     observer: Observer<'_>,
 ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
     |iteration| observer(Some(iteration))
 }
 
-/// Long work on the cells of a grid that is no solve, by which what is wrong with a sample is told.
+/// Runs long work other than a solve on the cells of a grid, which is used in messages about a wrong sample.
 pub(crate) fn observed_on<T: Send>(
     py: Python<'_>,
     grid: stickslip::Grid,
@@ -95,7 +98,7 @@ pub(crate) fn observed_on<T: Send>(
     solve(py, grid.cells(), Progress::none(), work)?.or_raise_on(py, grid)
 }
 
-/// Work that no observer sees. A signal is raised when it is done.
+/// Runs work without an observer. A signal is raised when the work has finished.
 pub(crate) fn unobserved<T: Send>(
     py: Python<'_>,
     cells: usize,
@@ -105,7 +108,7 @@ pub(crate) fn unobserved<T: Send>(
     outcome.or_raise(py)
 }
 
-/// The same on the cells of a grid, by which what is wrong with a sample is told.
+/// Runs work without an observer on the cells of a grid, which is used in messages about a wrong sample.
 pub(crate) fn unobserved_on<T: Send>(
     py: Python<'_>,
     grid: stickslip::Grid,
@@ -114,7 +117,7 @@ pub(crate) fn unobserved_on<T: Send>(
     observed_on(py, grid, |_| work())
 }
 
-/// What a solve came to, and what interrupted it.
+/// Result of a solve and the exception that interrupted it.
 type Ended<T> = (Result<T>, Option<PyErr>);
 
 fn in_place<T: Send>(
@@ -147,7 +150,7 @@ fn in_place<T: Send>(
     Ok((outcome?, interruption))
 }
 
-/// What the thread of the solve and the calling thread exchange.
+/// State shared by the thread of the solve and the calling thread.
 #[derive(Default)]
 struct Exchange {
     messages: Mutex<Messages>,
@@ -158,7 +161,7 @@ struct Exchange {
 #[derive(Default)]
 struct Messages {
     is_done: bool,
-    /// What the callback is to be called with; gone once it has been.
+    /// Iteration to be passed to the callback; `None` once it has been called.
     iteration: Option<Iteration>,
 }
 
@@ -167,7 +170,7 @@ impl Exchange {
         self.messages.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Lets the calling thread call back, and waits until it has.
+    /// Requests a callback from the calling thread and waits until it has returned.
     fn call(&self, iteration: Iteration) {
         let mut messages = self.messages();
         messages.iteration = Some(iteration);
@@ -180,7 +183,7 @@ impl Exchange {
         }
     }
 
-    /// Waits for the end, for a call or for the time to look for signals; returns whether the end has come.
+    /// Waits for the end, for a callback request or for the next signal check; returns whether the end has come.
     fn wait(&self) -> (bool, Option<Iteration>) {
         let mut messages = self.messages();
         if !messages.is_done && messages.iteration.is_none() {
@@ -196,7 +199,7 @@ impl Exchange {
     }
 }
 
-/// Reports that the solve is done, also where it panics.
+/// Guard that reports the end of the solve, even if it panics.
 struct Done<'a>(&'a Exchange);
 
 impl Drop for Done<'_> {

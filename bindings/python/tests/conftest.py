@@ -1,4 +1,4 @@
-"""What many tests start from."""
+"""Fixtures shared by many tests."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ RADIUS, FORCE = 3.5e-3, 100.0
 
 
 class Scene:
-    """A steel ball on steel, with its closed form."""
+    """Contact of a steel ball with steel, with its closed-form solution."""
 
     def __init__(self, cells, side=0.3e-3):
         steel = ss.Material(213e9, 0.29)
@@ -32,13 +32,13 @@ def scene():
 
 @pytest.fixture(scope="session")
 def large():
-    """Beyond the cells up to which a solve runs in the calling thread."""
+    """Contact with more cells than the limit up to which a solve runs on the calling thread."""
     return Scene(128)
 
 
 @pytest.fixture(scope="session")
 def rough():
-    """A contact whose solve takes long enough to be interrupted."""
+    """Contact whose solve takes long enough to be interrupted."""
     grid = ss.Grid.square(512, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")
     heights = ss.surface.SelfAffine(rms_slope=0.1, seed=3, roll_off_wavelength=0.25).generate(grid).heights

@@ -1,7 +1,7 @@
-"""Calls everything that the package exports, by its list of items: every function, method, property and constructor.
+"""Calls every function, method, property and constructor that the package exports, from the list of its items.
 
-Arguments are chosen by their names, so that what is new is called too, or fails for want of a value. Run as a program with
-a number of cells, it does so, then does it again in a forked process, and counts threads:
+Arguments are chosen by their names, so that a new item is also called, or fails for lack of a value. Run as a program
+with a number of cells, the script makes all calls, repeats them in a forked process, and counts threads:
 
     python everything.py CELLS [THREADS]
 """
@@ -20,19 +20,19 @@ import numpy as np
 import stickslip as ss
 from stickslip import _stickslip
 
-# Seconds that a forked process may take.
+# Time limit of a forked process (s).
 TIMEOUT = 120
 
-# What is not called, with the reason.
+# Items that are not called, with the reason.
 LEFT_OUT = {
     "set_num_threads": "it is called by the program",
 }
-# What is called with bytes that are no such file: it refuses them.
+# Functions that are called with bytes of a different format and reject them.
 REFUSED = {"asc_parse", "asc_read", "sur_parse", "sur_read", "x3p_parse", "x3p_read"}
 
 
 class Alone:
-    """The communicator of a single rank."""
+    """Communicator of a single rank."""
 
     def Get_rank(self):
         return 0
@@ -42,7 +42,7 @@ class Alone:
 
 
 class Scene:
-    """Objects of all kinds on a grid of so many cells a side, and the values of arguments."""
+    """Objects of all kinds on a grid with the given number of cells per side, and the values of arguments."""
 
     def __init__(self, cells):
         self.grid = grid = ss.Grid.square(cells, 0.3e-3)
@@ -80,7 +80,7 @@ class Scene:
         responses = ss.subsurface.at_points(bodies, "one", normal, points)
         response = responses[0]
         rolling = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-3)
-        # As stiff as steel, so that the contact leaves room ahead.
+        # Both bodies have the stiffness of steel, so that the grid extends beyond the contact.
         rollers = ss.HalfSpace(grid, (steel, ss.Material(213e9, 0.45)))
         pressed = {"normal_force": 100.0, "creepage_x": 1e-3}
         coupled_rolling = ss.rolling.CoupledRollingProblem(rollers, ball, 0.5, **pressed)
@@ -96,7 +96,7 @@ class Scene:
         linear = -np.ones(64)
         layer = ss.layers.Layer(400e9, 0.25, 2e-6)
 
-        # An object of each class that no other call gives, by the name of the class.
+        # Objects of classes that no other call returns, by the name of the class.
         self.objects = {
             "Boundary": bodies.boundary,
             "SpencePressing": ss.analytical.SpencePressing.round(self.dissimilar.pair, 0.5),
@@ -164,11 +164,11 @@ class Scene:
             "LoadPath": ss.history.LoadPath.sine((1e-7, 0.0), 4),
             "AdaptiveSteps": adaptive,
         }
-        # Sequences of a class of their own.
+        # Sequences with their own class.
         for sequence in (cycle.points, normal.report.history, responses):
             self.objects.setdefault(type(sequence).__name__, sequence)
         grid_bytes = b"0 0 1.0\n1 0 2.0\n0 1 3.0\n1 1 4.0\n"
-        # The values of arguments, by their names.
+        # Values of arguments by name.
         self.values = {
             "a": 1.0, "b": 2.0, "accumulated": ball, "along_x": ball, "along_y": ball, "amplitude": 1e-6,
             "amplitudes": (1e-7, 2e-7), "approach": 1e-6, "area_coefficient": 2.0, "axis": "x", "bodies": bodies,
@@ -194,7 +194,8 @@ class Scene:
             "wavelengths": (1e-4, 1e-4), "x": 1e-5, "y": 1e-5, "youngs_modulus": 213e9, "stresses": ball,
         }
         vector = np.ones(cells * cells)
-        # Arguments of one call: where the name means something else, and options without which there is nothing to do.
+        # Arguments of individual calls: names with a different meaning, and options without which a call would do
+        # nothing.
         self.special = {
             "AdaptiveSteps.error": {"load": load},
             "AdaptiveSteps.step": {"load": load},
@@ -278,7 +279,7 @@ class Scene:
         return path
 
     def arguments(self, name, function):
-        """Positional and keyword arguments of a call by the names of its parameters."""
+        """Returns positional and keyword arguments of a call from the names of its parameters."""
         special = dict(self.special.get(name, {}))
         positional = []
         for parameter in inspect.signature(function).parameters.values():
@@ -302,19 +303,19 @@ class Scene:
 
 
 def members(kind):
-    """The public members of a class with how they are declared."""
+    """Returns the public members of a class with their declarations."""
     return [(name, inspect.getattr_static(kind, name)) for name in dir(kind) if not name.startswith("_")]
 
 
 def calls(scene):
-    """Everything, each with its name."""
+    """Calls every item and yields its name."""
     for name, item in vars(_stickslip).items():
         if name.startswith("_") or name in LEFT_OUT or not callable(item):
             continue
         if not inspect.isclass(item):
             yield name, lambda name=name, item=item: scene.call(name, item)
             continue
-        # Of what has a constructor.
+        # Call the constructor if there is one.
         if item.__text_signature__ is not None:
             yield name, lambda name=name, item=item: scene.call(name, item)
         target = scene.objects[name] if name in scene.objects else scene.call(name, item)
@@ -339,12 +340,12 @@ def calls(scene):
 
 
 def kept(target):
-    """Pickled and back; results of a history are kept first."""
+    """Pickles and unpickles an object; results of a history are copied by `keep` first."""
     return pickle.loads(pickle.dumps(target.keep() if hasattr(target, "keep") else target))
 
 
 def threads():
-    """Threads of this process, of Python's and of others'."""
+    """Returns the numbers of Python threads and of other threads of this process."""
     return len(os.listdir("/proc/self/task"))
 
 
@@ -362,7 +363,7 @@ def sweep(cells, told=lambda name: None):
 
 
 def in_a_forked_process(cells):
-    """Does it there, and tells what it does; ends it if it takes too long."""
+    """Runs the work in a forked process and reports its result; kills the process after the time limit."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:

@@ -1,4 +1,5 @@
-"""Solves the scene of the tests of ranks; as a program of MPI each rank writes what it found to a file of its number."""
+"""Solves the contact of the tests of ranks. Run as an MPI program, each rank writes its results to a file with its
+number."""
 
 import pathlib
 import pickle
@@ -8,13 +9,14 @@ import numpy as np
 
 import stickslip as ss
 
-# Three ranks have more rows each than are solved in the calling thread.
+# On three ranks, each rank has more rows than are solved on the calling thread.
 GRID = ss.Grid(96, 264, 3e-6, 2e-6)
 PAIR = ss.ElasticPair(ss.Material(213e9, 0.29), ss.Material(213e9, 0.29))
 
 
 def solved(bodies):
-    """Fields of the cells, and what is known of the whole contact, of presses, a shear and a history."""
+    """Returns the fields of the cells and the results for the whole contact for normal contacts, a tangential contact and
+    a history."""
     grid = bodies.grid
     x, y = np.meshgrid(grid.x, grid.y)
     gap = (x**2 + y**2) / 7e-3 + 1e-8 * np.cos(4e5 * x) * np.cos(5e5 * y)

@@ -1,4 +1,4 @@
-"""That Python reaches what the crate has, that the stubs say what the module does, and that everything is documented."""
+"""Completeness of the Python package with respect to the crate, agreement of stubs and module, and docstrings."""
 
 import ast
 import builtins
@@ -18,7 +18,7 @@ from stickslip import _stickslip
 
 HERE = pathlib.Path(__file__).parent
 
-# Items of the crate by what stands for them in Python, under another name.
+# Items of the crate that have a different name in Python.
 ELSEWHERE = {
     "enum Error": "errors.StickslipError",
     "enum io::Place": "errors.Format",
@@ -53,7 +53,7 @@ ELSEWHERE = {
     "struct kernel::Operators": "Kernel.operators",  # a dictionary
     "struct layers::Response": "layers.WaveResponse",
 }
-# Items that Python does not have, each with the reason.
+# Items that are missing in Python, each with the reason.
 WITHOUT = {
     "struct history::HistoryBuilder": "keywords of History",
     "struct normal::NormalProblemBuilder": "keywords of NormalProblem",
@@ -80,7 +80,7 @@ WITHOUT = {
     "trait TryClone": "copies of what Python holds are Python's",
     "struct kernel::ResponseTensor": "of responses with a direction, in Rust alone",
 }
-# Methods that stand for the same in all types, by patterns of their names.
+# Methods with the same Python equivalent in all types, by patterns of their names.
 ALIKE = {
     "new": "the class",
     "of": "the class",
@@ -90,7 +90,7 @@ ALIKE = {
     ".*_into|into_.*|as_(mut_)?slice|(try_)?new_solution|try_.*|(try_)?workspace": "memory, which Python manages",
     "len|iter|is_empty": "sequences of Python",
 }
-# Methods that Python has under another name, or not at all.
+# Methods that have a different name in Python or are missing.
 METHODS = {
     "ContactSpots": {"label": "labels"},
     "ElasticPair": {"stands_for_kernel": "Kernel.pair"},
@@ -148,7 +148,7 @@ ITEMS = [item for item in EVERYTHING if not item.startswith("method ")]
 
 
 def named(path):
-    """What has this path in the package, or ``None``."""
+    """Returns the object with this path in the package, or ``None``."""
     target = ss
     for name in path.replace("::", ".").split("."):
         target = getattr(target, name, None)
@@ -160,7 +160,7 @@ def reached(path):
 
 
 def types_with_methods():
-    """The types of the crate that Python has, each by what stands for it, with its methods."""
+    """Returns the types of the crate that exist in Python, each with its Python equivalent and its methods."""
     found = {}
     for item in sorted(set(EVERYTHING) - set(ITEMS)):
         owner, _, method = item.split(" ")[1].rpartition("::")
@@ -174,7 +174,7 @@ METHODS_OF_TYPES = types_with_methods()
 
 
 @pytest.mark.parametrize(("owner", "path"), METHODS_OF_TYPES)
-def test_every_method_of_the_crate_is_reached_or_has_a_reason(owner, path):
+def test_package_methods_cover_crate_or_list_reason(owner, path):
     item, reasons = named(path), METHODS.get(owner, {})
     try:
         keywords = set(inspect.signature(item).parameters)
@@ -189,7 +189,7 @@ def test_every_method_of_the_crate_is_reached_or_has_a_reason(owner, path):
 
 
 @pytest.mark.parametrize("item", ITEMS)
-def test_every_public_item_of_the_crate_is_reached_or_has_a_reason(item):
+def test_package_items_cover_crate_or_list_reason(item):
     if item in WITHOUT:
         assert not reached(item.split(" ")[1]), "it is there after all"
         return
@@ -197,13 +197,13 @@ def test_every_public_item_of_the_crate_is_reached_or_has_a_reason(item):
     assert reached(path), f"stickslip.{path} is missing"
 
 
-def test_no_exception_to_the_list_is_out_of_date():
+def test_exception_lists_are_up_to_date():
     assert (set(ELSEWHERE) | set(WITHOUT)) <= set(ITEMS)
     methods = {f"method {owner}::{method}" for owner, reasons in METHODS.items() for method in reasons}
     assert methods <= set(EVERYTHING)
 
 
-def test_every_variant_of_the_error_has_a_class():
+def test_error_variants_have_exception_classes():
     source = (HERE.parents[2] / "src" / "error" / "mod.rs").read_text()
     body = source.split("pub enum Error {")[1].split("\n}")[0]
     variants = [
@@ -216,7 +216,7 @@ def test_every_variant_of_the_error_has_a_class():
         assert issubclass(getattr(ss.errors, variant), ss.StickslipError)
 
 
-def test_enumerations_have_the_names_that_the_module_takes():
+def test_enumerations_have_names_accepted_by_module():
     from stickslip import _enums
 
     names = ["Axis", "TangentialModel", "Coupling", "CellValue", "EntryRule", "LeadingEdge", "Method", "Body", "Amplitudes"]
@@ -229,8 +229,8 @@ def public(module):
     return {name: getattr(module, name) for name in dir(module) if not name.startswith("_")}
 
 
-def test_modules_show_what_they_are_for_alone():
-    beside = {ss: ["Warning"], ss.surface: ["sum"]}  # of the name of a builtin
+def test_modules_list_only_their_own_names():
+    beside = {ss: ["Warning"], ss.surface: ["sum"]}  # named like a builtin
     for module in (ss, ss.history, ss.surface, ss.plot):
         assert dir(module) == sorted([*module.__all__, *beside.get(module, [])])
         assert all(hasattr(module, name) for name in dir(module))
@@ -240,7 +240,7 @@ def test_modules_show_what_they_are_for_alone():
     assert wear is ss.wear is ss.history.wear
 
 
-def test_import_of_all_names_shadows_no_builtin():
+def test_star_import_shadows_no_builtin():
     for found in pkgutil.walk_packages(ss.__path__, "stickslip."):
         if not found.name.split(".")[-1].startswith("_"):
             module = importlib.import_module(found.name)
@@ -253,7 +253,7 @@ def test_import_of_all_names_shadows_no_builtin():
 STUBS = ast.parse((pathlib.Path(_stickslip.__file__).parent / "_stickslip.pyi").read_text())
 
 
-def test_the_stubs_carry_the_docstrings():
+def test_stubs_have_docstrings_of_module():
     def checked(nodes, owner):
         for node in nodes:
             item = getattr(owner, getattr(node, "name", ""), None)
@@ -272,7 +272,7 @@ def test_the_stubs_carry_the_docstrings():
     assert len(seen) > 500
 
 
-def test_the_stubs_carry_the_types_of_the_entries_of_arrays(scene):
+def test_stubs_state_array_dtypes(scene):
     text = ast.unparse(STUBS)
     assert "-> NDArray[Any]" not in text and "ndarray" not in text.replace("ndarray of", "").replace(": ndarray", "")
     history = scene.history()
@@ -290,7 +290,7 @@ def test_the_stubs_carry_the_types_of_the_entries_of_arrays(scene):
                     assert first is None or first.dtype == getattr(np, stated[1]), member.name
 
 
-def test_equal_grids_and_bodies_are_equal_and_hash_alike(scene):
+def test_grids_and_bodies_with_equal_content_compare_and_hash_equal(scene):
     grid, pair = ss.Grid.square(64, 0.3e-3), scene.bodies.pair
     assert grid == scene.grid and hash(grid) == hash(scene.grid) and len({grid, scene.grid, ss.Grid.square(64, 1.0)}) == 2
     bodies = ss.HalfSpace(grid, pair)
@@ -303,7 +303,7 @@ def test_equal_grids_and_bodies_are_equal_and_hash_alike(scene):
     assert all(other != bodies for other in others)
 
 
-def test_everything_is_documented():
+def test_public_items_have_docstrings():
     undocumented = []
     for name, item in public(_stickslip).items():
         if not item.__doc__:
@@ -313,13 +313,13 @@ def test_everything_is_documented():
     assert not undocumented
 
 
-def test_every_class_says_where_it_is_found():
+def test_classes_state_their_module():
     for name, item in public(_stickslip).items():
         if inspect.isclass(item):
             assert getattr(importlib.import_module(item.__module__), name) is item
 
 
-def test_every_repr_is_readable(scene):
+def test_repr_is_one_readable_line(scene):
     contact = scene.normal()
     history = scene.history()
     step = history.step(normal_force=100.0, force_x=10.0)
@@ -333,7 +333,7 @@ def test_every_repr_is_readable(scene):
         assert type(item).__name__ in text and " object at " not in text and len(text.splitlines()) == 1
 
 
-def test_sequences_of_the_package_are_iterated_over_with_their_types(tmp_path):
+def test_sequences_iterate_over_typed_entries(tmp_path):
     pytest.importorskip("mypy")
     code = tmp_path / "typed.py"
     code.write_text(
@@ -342,13 +342,13 @@ def test_sequences_of_the_package_are_iterated_over_with_their_types(tmp_path):
         "    parts = [[spot.load for spot in contact.spots], [point.twist for point in cycle.points]]\n"
         "    return sum(parts, [response.stress.xx for response in found])\n"
     )
-    # Run beside the package, which is then found although it is not installed.
+    # The command runs next to the package, which is then found without being installed.
     command = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", str(code)]
     answer = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert answer.returncode == 0, answer.stdout[-5000:]
 
 
-def test_the_stubs_say_what_the_module_does():
+def test_stubs_pass_strict_type_check():
     pytest.importorskip("mypy")
     command = [sys.executable, "-m", "mypy.stubtest", "stickslip._stickslip"]
     answer = subprocess.run(command, capture_output=True, text=True)

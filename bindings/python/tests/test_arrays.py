@@ -1,4 +1,4 @@
-"""What is copied, what is not, and what can be read from where."""
+"""Copies and views of arrays, and conversions between fields, arrays, files and datasets."""
 
 import gc
 import subprocess
@@ -11,7 +11,7 @@ import stickslip as ss
 from conftest import FORCE, address
 
 
-def test_arrays_of_a_solution_are_its_memory(scene):
+def test_solution_arrays_are_views(scene):
     contact = scene.normal()
     assert address(contact.pressure) == address(contact.pressure)
     assert contact.pressure.base is contact and contact.pressure.dtype == np.float64
@@ -27,11 +27,11 @@ def test_arrays_of_a_solution_are_its_memory(scene):
     assert pressure.sum() == total
 
 
-def test_a_field_is_shared_not_copied(scene):
+def test_field_argument_is_shared_not_copied(scene):
     values = np.random.default_rng(1).random(scene.grid.shape)
     field = ss.Field(scene.grid, values)
     assert address(field.array) == address(field.array) == address(np.asarray(field))
-    assert address(field) != address(values)  # its own memory, once
+    assert address(field) != address(values)  # copied once into its own memory
     assert np.array_equal(field.array, values)
     assert np.array_equal(np.array(field, dtype=np.float32), values.astype(np.float32))
     fortran = ss.Field(scene.grid, np.asfortranarray(values))
@@ -40,7 +40,7 @@ def test_a_field_is_shared_not_copied(scene):
     assert ss.Field(scene.grid, 2.0).integral() == pytest.approx(2.0 * scene.grid.area)
 
 
-def test_an_operator_reads_and_writes_arrays_where_they_lie(scene):
+def test_operator_reads_and_writes_arrays_in_place(scene):
     operator = scene.bodies.operator("zz")
     x, out = np.ones(scene.grid.shape), np.zeros(scene.grid.shape)
     seen = []
@@ -60,13 +60,13 @@ def test_an_operator_reads_and_writes_arrays_where_they_lie(scene):
         operator.apply(np.ones(7))
 
 
-def test_a_solver_uses_memory_again_once_nobody_holds_it(scene):
+def test_solver_reuses_memory_of_dropped_solutions(scene):
     solver = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
     places = set()
     for force in np.linspace(50.0, 100.0, 10):
         contact = solver.solve(force=force)
         places.add(address(contact.pressure))
-    assert len(places) == 2  # the loop holds one while the next is found
+    assert len(places) == 2  # the loop owns one solution while the next is computed
     held = [solver.solve(force=force) for force in (60.0, 70.0, 80.0)]
     assert [round(contact.force) for contact in held] == [60, 70, 80]
     kept = contact.pressure.copy()
@@ -74,7 +74,7 @@ def test_a_solver_uses_memory_again_once_nobody_holds_it(scene):
     assert np.array_equal(contact.pressure, kept)
 
 
-def test_arrays_of_a_history_are_copies_and_those_of_a_state_views(scene):
+def test_history_arrays_are_copies_and_state_arrays_are_views(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     pressure = history.pressure
@@ -87,7 +87,7 @@ def test_arrays_of_a_history_are_copies_and_those_of_a_state_views(scene):
     assert history.approach == state.approach
 
 
-def test_fields_of_a_step_last_until_the_next(scene):
+def test_step_fields_are_valid_until_next_step(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     step = history.step(force_x=30.0)
@@ -102,7 +102,7 @@ def test_fields_of_a_step_last_until_the_next(scene):
     assert history.last_step.tangential_force[0] == pytest.approx(10.0)
 
 
-def test_halves_of_a_coupled_solution_share_its_memory():
+def test_coupled_solution_parts_share_memory():
     grid = ss.Grid.square(24, 0.3)
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     contact = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
@@ -113,7 +113,7 @@ def test_halves_of_a_coupled_solution_share_its_memory():
     assert pressure.sum() * grid.cell_area == pytest.approx(60.0)
 
 
-def test_arithmetic_of_fields(scene):
+def test_field_arithmetic_is_cell_by_cell(scene):
     field = scene.ball
     assert np.allclose((2.0 * field - field + 0.0).array, field.array)
     assert (-field).max() == -field.min() and (1.0 - field).max() == 1.0 - field.min()
@@ -131,7 +131,7 @@ def test_arithmetic_of_fields(scene):
         field / "2"
 
 
-def test_grids_that_differ_by_round_off_are_one_in_arithmetic():
+def test_field_arithmetic_accepts_grids_within_round_off():
     ours, theirs = ss.Grid(8, 8, 0.1 * 3, 1.0), ss.Grid(8, 8, 0.3, 1.0)
     assert ours.dx != theirs.dx
     product = ss.Field(ours, 2.0) * ss.Field(theirs, 3.0)
@@ -140,7 +140,7 @@ def test_grids_that_differ_by_round_off_are_one_in_arithmetic():
         ss.Field(ours, 2.0) - ss.Field(ss.Grid(8, 8, 0.3 + 1e-9, 1.0), 3.0)
 
 
-def test_arithmetic_with_an_array_or_a_number_of_numpy_on_the_left(scene):
+def test_field_arithmetic_accepts_numpy_left_operand(scene):
     field = scene.ball + 1.0
     for left in (np.full(scene.grid.shape, 3.0), np.arange(4096.0).reshape(64, 64), np.float64(3.0), np.int32(3)):
         values = field.array
@@ -153,7 +153,7 @@ def test_arithmetic_with_an_array_or_a_number_of_numpy_on_the_left(scene):
         np.ones((64, 1)) + field
 
 
-def test_other_functions_of_numpy_take_a_field_as_its_array(scene):
+def test_numpy_functions_treat_field_as_array(scene):
     field = scene.ball + 1.0
     for ours, plain in [
         (np.sqrt(field), np.sqrt(field.array)), (np.add.reduce(field, axis=0), field.array.sum(axis=0)),
@@ -166,7 +166,7 @@ def test_other_functions_of_numpy_take_a_field_as_its_array(scene):
     assert type(total) is np.ndarray and np.array_equal(total, 1.0 + field.array)
 
 
-def test_a_field_has_the_shape_and_the_samples_of_its_array(scene):
+def test_field_has_shape_and_samples_of_array(scene):
     field = scene.ball
     assert field.shape == field.array.shape == scene.grid.shape
     assert field[3, 4] == field.array[3, 4] == field.get(4, 3)
@@ -175,7 +175,7 @@ def test_a_field_has_the_shape_and_the_samples_of_its_array(scene):
         field[64, 0]
 
 
-def test_contact_masks_are_what_the_contact_area_counts(scene):
+def test_contact_mask_matches_contact_area(scene):
     contact = scene.normal()
     assert contact.contact.dtype == bool and contact.contact.shape == scene.grid.shape
     assert contact.contact.sum() == contact.contact_cells
@@ -190,7 +190,7 @@ def test_contact_masks_are_what_the_contact_area_counts(scene):
     assert both.contact.sum() == both.normal.contact_cells > 0
 
 
-def test_laws_of_wear_take_the_arrays_of_a_cycle(scene):
+def test_wear_laws_accept_cycle_arrays(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     cycle = ss.history.Cycle(history)
@@ -206,7 +206,7 @@ def test_laws_of_wear_take_the_arrays_of_a_cycle(scene):
     assert np.allclose(depth, 1e-14 * cycle.dissipated_energy / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
 
-def test_a_topography_is_transposed_and_its_holes_are_missing(scene):
+def test_topography_is_transposed_and_holes_become_nan(scene):
     class Topography:
         physical_sizes = (4.0, 1.0)
 
@@ -222,7 +222,7 @@ def test_a_topography_is_transposed_and_its_holes_are_missing(scene):
     assert filled.filled_cells == 1 and np.isfinite(filled.heights.array).all()
 
 
-def test_a_measured_topography_of_surfacetopography(scene):
+def test_surfacetopography_object_is_accepted(scene):
     topography = pytest.importorskip("SurfaceTopography")
     heights = np.random.default_rng(2).random((6, 4))
     surface = topography.Topography(heights, (3.0, 2.0))
@@ -230,7 +230,7 @@ def test_a_measured_topography_of_surfacetopography(scene):
     assert ss.surface.Statistics(surface).mean_height == pytest.approx(heights.mean())
 
 
-def test_surfaces_and_files_come_back(scene, tmp_path):
+def test_surface_files_round_trip(scene, tmp_path):
     rough = ss.surface.SelfAffine(rms_height=1.0, seed=4, hurst=0.7).generate(ss.Grid.square(32, 10.0))
     assert rough.rms_height == pytest.approx(1.0) and rough.array.mean() == pytest.approx(0.0, abs=1e-12)
     assert ss.surface.Statistics(rough.heights).rms_height == pytest.approx(1.0)
@@ -256,7 +256,7 @@ def test_surfaces_and_files_come_back(scene, tmp_path):
     assert (tmp_path / "stress.vti").stat().st_size > 3 * 8 * 4096
 
 
-def test_points_below_the_surface_give_arrays(scene):
+def test_subsurface_points_return_arrays(scene):
     contact = scene.normal()
     points = np.column_stack([np.zeros(5), np.zeros(5), np.linspace(1e-6, 1e-4, 5)])
     found = ss.subsurface.at_points(scene.bodies, "one", contact, points)
@@ -274,7 +274,7 @@ def test_points_below_the_surface_give_arrays(scene):
         found[5]
 
 
-def test_the_points_of_a_cycle_are_arrays(scene):
+def test_cycle_points_are_arrays(scene):
     history = scene.history(model="vector")
     history.step(normal_force=FORCE)
     cycle = ss.history.Cycle(history)
@@ -288,7 +288,7 @@ def test_the_points_of_a_cycle_are_arrays(scene):
     assert (points.force[0].max(), points[-1].shift[0]) == (points[1].force[0], history.shift[0])
 
 
-def test_topographies_of_several_units_are_refused(scene):
+def test_topographies_with_different_units_are_rejected(scene):
     class Topography:
         physical_sizes = (4.0, 1.0)
 
@@ -306,7 +306,7 @@ def test_topographies_of_several_units_are_refused(scene):
         assert (call(one, unknown).unit, call(unknown, two).unit) == ("um", "nm")
 
 
-def test_a_solution_is_a_dataset_of_xarray(scene):
+def test_solution_converts_to_xarray_dataset(scene):
     pytest.importorskip("xarray")
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
@@ -334,9 +334,9 @@ def test_a_solution_is_a_dataset_of_xarray(scene):
         ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
 
 
-def test_a_dataset_is_saved_and_read_as_it_was(scene, tmp_path):
+def test_dataset_netcdf_round_trip_is_exact(scene, tmp_path):
     xarray = pytest.importorskip("xarray")
-    pytest.importorskip("scipy")  # which writes netCDF
+    pytest.importorskip("scipy")  # required to write netCDF
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     history = scene.history()
@@ -349,12 +349,12 @@ def test_a_dataset_is_saved_and_read_as_it_was(scene, tmp_path):
             assert back.load().identical(dataset)
 
 
-def test_xarray_is_imported_only_for_a_dataset():
+def test_xarray_is_imported_only_on_use():
     code = "import sys, stickslip; assert not {'xarray', 'matplotlib', 'pandas'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-def test_closed_forms_take_numbers_and_arrays(scene):
+def test_closed_forms_accept_numbers_and_arrays(scene):
     hertz = scene.hertz
     assert isinstance(hertz.pressure(0.0), float) and hertz.pressure(0.0) == hertz.max_pressure
     assert hertz.pressure(np.zeros((2, 3))).shape == (2, 3)

@@ -1,4 +1,4 @@
-"""What is refused: by which exception, with which numbers; and that nothing has changed."""
+"""Rejected calls: the exception, its numbers, and unchanged states."""
 
 import errno
 import math
@@ -66,7 +66,7 @@ from conftest import FORCE, Scene
         (lambda scene: ss.history.State.from_bytes(b""), "Format", {}),
     ],
 )
-def test_bad_input_raises_its_own_exception_with_the_numbers(scene, call, name, numbers):
+def test_invalid_input_raises_specific_exception_with_numbers(scene, call, name, numbers):
     if name is None:
         with pytest.raises((ss.StickslipError, MemoryError)):
             call(scene)
@@ -81,7 +81,7 @@ def test_bad_input_raises_its_own_exception_with_the_numbers(scene, call, name, 
     assert set(vars(copy)) == set(vars(refused.value))
 
 
-def test_bad_input_is_a_value_error_and_files_are_os_errors():
+def test_invalid_input_is_value_error_and_file_error_is_os_error():
     with pytest.raises(ValueError, match="Poisson"):
         ss.Material(1.0, 0.7)
     with pytest.raises(OSError, match="nowhere"):
@@ -89,7 +89,7 @@ def test_bad_input_is_a_value_error_and_files_are_os_errors():
 
 
 @pytest.mark.parametrize("path", ["/nowhere/heights.sdf", "."])
-def test_what_the_system_refuses_of_a_file_has_its_errno(path, tmp_path):
+def test_file_error_has_errno_of_system(path, tmp_path):
     number = errno.ENOENT if path != "." else errno.EISDIR
     with pytest.raises(OSError) as refused:
         ss.io.sdf.read(path)
@@ -99,7 +99,7 @@ def test_what_the_system_refuses_of_a_file_has_its_errno(path, tmp_path):
         assert os.strerror(number) in error.strerror == error.problem and str(error).startswith(path)
 
 
-def test_wrong_types_and_names_say_what_is_right(scene):
+def test_wrong_type_or_name_message_states_valid_choices(scene):
     with pytest.raises(TypeError, match="force= or approach="):
         ss.NormalProblem(scene.bodies, scene.ball)
     with pytest.raises(TypeError, match="not both"):
@@ -116,7 +116,7 @@ def test_wrong_types_and_names_say_what_is_right(scene):
         ss.HalfSpace(scene.grid, scene.bodies.pair, boundary="closed")
 
 
-def test_what_has_not_converged_gives_its_report_and_its_last_iterate(scene):
+def test_not_converged_has_report_and_last_iterate(scene):
     with pytest.raises(ss.NotConverged) as stopped:
         scene.normal(max_iterations=1)
     report = stopped.value.report
@@ -130,7 +130,7 @@ def test_what_has_not_converged_gives_its_report_and_its_last_iterate(scene):
     assert stopped.value.last_iterate is None and history.steps == 0
 
 
-def test_a_step_that_fails_leaves_the_history_as_it_was(scene):
+def test_history_failed_step_leaves_state_unchanged(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     before = history.to_bytes()
@@ -143,7 +143,7 @@ def test_a_step_that_fails_leaves_the_history_as_it_was(scene):
     assert history.to_bytes() == before
 
 
-def test_a_step_that_fails_leaves_the_fields_of_the_step_before_readable(scene):
+def test_history_failed_step_leaves_previous_fields_readable(scene):
     history, other = scene.history(), scene.history()
     for contact in (history, other):
         contact.step(normal_force=FORCE)
@@ -164,7 +164,7 @@ def test_a_step_that_fails_leaves_the_fields_of_the_step_before_readable(scene):
     assert np.array_equal(step.slip_distance, slip)
 
 
-def test_adaptive_steps_that_are_refused_leave_the_fields_and_those_that_fail_on_the_way_do_not():
+def test_adaptive_steps_rejected_keep_fields_and_failed_replace_them():
     history = Scene(16).history()
     history.step(normal_force=FORCE)
     step = history.step(force_x=30.0)
@@ -182,7 +182,7 @@ def test_adaptive_steps_that_are_refused_leave_the_fields_and_those_that_fail_on
     assert history.to_bytes() == before and history.last_step.normal_force > FORCE
 
 
-def test_a_bad_point_is_told_by_its_own_index_and_a_bad_pressure_by_row_and_column(scene):
+def test_invalid_point_reports_index_and_invalid_pressure_reports_row_and_column(scene):
     points = np.full((5000, 3), 1e-5)
     for index, axis, value in [(4000, 2, -1e-5), (4999, 0, math.nan)]:
         wrong = points.copy()
@@ -198,7 +198,7 @@ def test_a_bad_point_is_told_by_its_own_index_and_a_bad_pressure_by_row_and_colu
         assert (refused.value.row, refused.value.column) == (3, 5)
 
 
-def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):
+def test_solver_rejected_load_keeps_previous_load(scene):
     solver = ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
     with pytest.raises(ss.errors.NegativeOrNotFinite):
         solver.solve(force=-1.0)
@@ -208,7 +208,7 @@ def test_a_solver_that_is_refused_a_load_keeps_the_old_one(scene):
     assert solver.solve().force == pytest.approx(FORCE)
 
 
-def test_a_solver_takes_load_and_gap_together_or_neither():
+def test_solver_sets_load_and_gap_together_or_neither():
     grid = ss.Grid.square(16, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")
     waves = ss.surface.bisinusoidal(grid, 0.01, (1.0, 1.0))
@@ -220,12 +220,12 @@ def test_a_solver_takes_load_and_gap_together_or_neither():
             solver.solve(**load, gap=gap)
         assert solver.solve().approach == 0.005
         assert np.allclose(solver.solve().pressure, before, rtol=0.0, atol=1e-6 * before.max())
-    # An approach that the gap of before does not allow, with one that does.
+    # The approach is not valid for the previous gap, but for the new gap.
     assert solver.solve(approach=0.05, gap=deep).approach == 0.05
     assert solver.solve(approach=0.005, gap=waves).approach == 0.005
 
 
-def test_warnings_are_objects_and_are_warned_of_by_default(scene):
+def test_warnings_are_objects_and_issued_by_default(scene):
     tiny = ss.NormalProblem(scene.bodies, scene.ball, force=0.01)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -252,7 +252,7 @@ def test_warnings_are_objects_and_are_warned_of_by_default(scene):
         ss.history.AdaptiveSteps(history, 0.1).step(history, ss.LoadStep(force_x=3.0))
 
 
-def test_a_kind_of_remark_is_warned_of_once_a_place_whatever_it_counts():
+def test_warning_kind_is_issued_once_per_location():
     grid = ss.Grid.square(24, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
     x, y = np.meshgrid(grid.x, grid.y)
@@ -260,7 +260,7 @@ def test_a_kind_of_remark_is_warned_of_once_a_place_whatever_it_counts():
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("default")
         counts = {remark.cells for force in (0.01, 0.02, 0.03) for remark in solver.solve(force=force).warnings}
-        assert len(counts) == 3 and len(caught) == 1  # as many texts, one warning
+        assert len(counts) == 3 and len(caught) == 1  # three texts, one warning
         solver.solve(force=0.025)
         assert [warning.lineno for warning in caught] == sorted({warning.lineno for warning in caught}) and len(caught) == 2
     with warnings.catch_warnings(record=True) as caught:
@@ -270,7 +270,7 @@ def test_a_kind_of_remark_is_warned_of_once_a_place_whatever_it_counts():
         assert len({str(warning.message) for warning in caught}) == 3
 
 
-def test_a_held_shift_that_loses_the_force_is_warned_of(scene):
+def test_held_shift_that_loses_force_is_warned_about(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     history.step(force_x=0.4 * FORCE)
@@ -279,14 +279,14 @@ def test_a_held_shift_that_loses_the_force_is_warned_of(scene):
     assert "held_shift_lost_force" in [remark.kind for remark in step.warnings]
 
 
-def test_lengths_in_other_units_are_warned_of(scene):
-    # The heights are in micrometres on a grid in millimetres.
+def test_inconsistent_length_units_are_warned_about(scene):
+    # Heights in micrometres on a grid in millimetres.
     problem = ss.NormalProblem(scene.bodies, scene.ball * 1e3, force=FORCE)
     kinds = {remark.kind for remark in problem.solve(warn=False).warnings}
     assert {"large_contact_radius", "steep_surface"} <= kinds
 
 
-def test_a_loop_warns_where_it_is_run(scene):
+def test_fretting_loop_warns_at_line_of_caller(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     history.set_gap(scene.ball + 1e-9)
@@ -296,9 +296,9 @@ def test_a_loop_warns_where_it_is_run(scene):
     assert {warning.filename for warning in caught} == {__file__}
 
 
-def test_a_loop_warns_of_its_cycles_and_not_of_single_steps(scene):
+def test_fretting_loop_warns_about_cycles_not_steps(scene):
     def kinds(amplitude, steps):
-        """Of the remarks on single steps and on the cycle; these alone are warned of."""
+        """Returns the kinds of warnings of single steps and of the cycle; only the latter are issued."""
         history = scene.history()
         history.step(normal_force=FORCE)
         path = ss.history.LoadPath.sine((amplitude, 0.0), steps)
@@ -311,12 +311,12 @@ def test_a_loop_warns_of_its_cycles_and_not_of_single_steps(scene):
         assert messages == [remark.message for remark in cycle.warnings]
         return remarks, [remark.kind for remark in cycle.warnings]
 
-    # After a reversal the ring that slips is narrow, but not in all of the cycle.
+    # After a reversal the slip ring is narrow, but not during the whole cycle.
     assert kinds(40.0, 24) == ({"underresolved_slip_zone"}, [])
     assert kinds(2.0, 8) == ({"underresolved_slip_zone"}, ["underresolved_slip_zone"])
 
 
-def test_an_operator_that_raises_ends_the_solve():
+def test_operator_exception_ends_solve():
     def broken(x):
         raise KeyError("broken")
 

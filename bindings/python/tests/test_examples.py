@@ -1,4 +1,4 @@
-"""Every example runs, from a folder of its own; so do the examples of docstrings and of the README."""
+"""Execution of all examples in a separate folder, and of the examples in docstrings and READMEs."""
 
 import doctest
 import os
@@ -14,7 +14,7 @@ import pytest
 import stickslip as ss
 
 EXAMPLES = pathlib.Path(__file__).parent.parent / "examples"
-OF_PEERS = {"against_peers.py"}  # needs what is compared with
+OF_PEERS = {"against_peers.py"}  # requires the packages that it compares
 
 
 def run(arguments, folder):
@@ -27,7 +27,7 @@ def run(arguments, folder):
 
 
 @pytest.mark.parametrize("name", sorted({path.name for path in EXAMPLES.glob("*.py")} - OF_PEERS))
-def test_example(name, tmp_path):
+def test_example_runs(name, tmp_path):
     assert run([str(EXAMPLES / name)], tmp_path)
 
 
@@ -35,7 +35,7 @@ def modules():
     return ["stickslip"] + [found.name for found in pkgutil.walk_packages(ss.__path__, "stickslip.")]
 
 
-def test_examples_of_docstrings_run():
+def test_docstring_examples_run():
     tried = 0
     for name in modules():
         module = importlib.import_module(name)
@@ -47,10 +47,10 @@ def test_examples_of_docstrings_run():
 
 
 @pytest.mark.parametrize("readme", [EXAMPLES.parent / "README.md", EXAMPLES.parents[2] / "README.md"])
-def test_the_readme_runs(readme, tmp_path):
+def test_readme_examples_run(readme, tmp_path):
     blocks = re.findall(r"```python\n(.*?)```", readme.read_text(), re.S)
     assert blocks
-    # What takes a cluster is in the tests of ranks, on fewer cells.
+    # The examples for clusters are covered by the tests of ranks, on fewer cells.
     blocks = [block for block in blocks if "mpi4py" not in block]
     run(["-c", "\n".join(blocks)], tmp_path)
 
@@ -63,12 +63,12 @@ def study(folder, out, *options):
     return sorted((folder / out).read_bytes().splitlines())
 
 
-def test_a_study_has_the_same_rows_by_any_engine(tmp_path):
+def test_study_rows_are_equal_for_all_engines(tmp_path):
     rows = study(tmp_path, "processes.csv")
     assert len(rows) == 2 + 12
     shards = [study(tmp_path, f"part-{part}.csv", "--shard", f"{part}/2") for part in (1, 2)]
     assert sorted({*shards[0], *shards[1]}) == rows and len(shards[0]) + len(shards[1]) == 2 * 2 + 12
-    # It goes on behind half a line and past a damaged one.
+    # The study continues after an incomplete last line and skips a damaged line.
     text = (tmp_path / "processes.csv").read_bytes()
     lines = text.split(b"\n")
     lines[5] = lines[5][:30]

@@ -1,4 +1,4 @@
-"""Whatever a process has used of the package, a forked one can use too; no thread is started but those asked for."""
+"""Use of the package in forked processes, and the number of started threads."""
 
 import pathlib
 import subprocess
@@ -19,9 +19,9 @@ def run(*arguments):
     assert int(answer.stdout) > 400  # functions, methods and properties
 
 
-# On both sides of the cells up to which all stays on the thread that calls; each in a process of its own, in which no
-# smaller contact has been before.
+# The numbers of cells are below and above the limit up to which work stays on the calling thread. Each case has its own
+# process, without an earlier, smaller contact.
 @pytest.mark.parametrize("cells", [32, 96])
 @pytest.mark.parametrize("threads", [1, 2])
-def test_everything_works_in_a_forked_process(cells, threads):
+def test_package_works_in_forked_process(cells, threads):
     run(cells, threads)

@@ -1,4 +1,4 @@
-"""Ctrl-C in a terminal session: a solve or a loop ends, the state is as it was, and the session goes on."""
+"""Ctrl-C in a terminal session: a solve or a loop ends, the state is unchanged, and the session continues."""
 
 import fcntl
 import os
@@ -27,13 +27,13 @@ before = history.to_bytes()
 
 
 def at_a_terminal():
-    """The terminal is that of the child, which heeds Ctrl-C even if the tests run in the background."""
+    """Gives the terminal to the child, which then receives Ctrl-C even if the tests run in the background."""
     fcntl.ioctl(0, termios.TIOCSCTTY, 0)
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 class Session:
-    """An interactive interpreter on a terminal of its own."""
+    """Interactive interpreter on its own terminal."""
 
     def __init__(self):
         self.terminal, child = pty.openpty()
@@ -54,7 +54,7 @@ class Session:
         os.write(self.terminal, text.encode())
 
     def wait_for(self, expected):
-        """Reads until the text has come, which is passed over."""
+        """Reads until the text has appeared, and discards it."""
         end = time.monotonic() + TIMEOUT
         while expected not in self.text:
             ready, _, _ = select.select([self.terminal], [], [], max(0.0, end - time.monotonic()))
@@ -78,12 +78,12 @@ def session():
 
 
 def interrupt(session, statement, after=0.3):
-    """Types a statement and then Ctrl-C, and waits for the session to come back. That long calls end within is a test of the
-    crate."""
+    """Types a statement and then Ctrl-C, and waits for the prompt. The tests of the crate cover the interruption of long
+    calls."""
     session.send(f"print('star' + 'ted'); {statement}\n")
     session.wait_for("started")
     time.sleep(after)
-    session.send("\x03")  # what the terminal makes a signal of
+    session.send("\x03")  # the terminal converts this character to a signal
     session.wait_for("KeyboardInterrupt")
     session.wait_for(">>> ")
 
@@ -102,21 +102,21 @@ def goes_on(session):
     session.wait_for("goes on True")
 
 
-def test_in_a_long_solve(session):
+def test_ctrl_c_ends_long_solve(session):
     prepare(session, 512)
     interrupt(session, "history.step(normal_force=0.3, force_x=0.05)")
     goes_on(session)
 
 
-def test_in_a_long_loop_of_short_solves(session):
+def test_ctrl_c_ends_long_loop_of_short_solves(session):
     prepare(session, 48)
     interrupt(session, "[history.step(normal_force=0.001 + 1e-6 * k) for k in range(10**9)]")
     session.send("history.set_state(ss.history.State.from_bytes(before)); \n")
     goes_on(session)
 
 
-def test_in_a_short_contact_that_takes_long(session):
-    # In the calling thread, where the observer looks for signals: an operator that is slow.
+def test_ctrl_c_ends_small_slow_contact(session):
+    # The solve runs on the calling thread, where the observer checks for signals; a slow operator makes it long.
     prepare(session, 16)
     session.send("import numpy as np, time\n")
     slow = "ss.cgm.minimise(lambda x: (time.sleep(0.05), np.linspace(1.0, 1e4, 2000) * x)[1], -np.ones(2000))"
@@ -124,9 +124,10 @@ def test_in_a_short_contact_that_takes_long(session):
     goes_on(session)
 
 
-def test_at_many_points_below_the_surface(session):
+def test_ctrl_c_ends_stresses_at_many_points(session):
     prepare(session, 256, "non_periodic")
-    # An array of points is there in milliseconds; their sums, 65 536 million terms, take longer than the test may wait.
+    # The array of points is created in milliseconds. Its sums of 65 536 million terms take longer than the time limit of
+    # the test.
     session.send("import numpy as np, time; points = np.full((10**6, 3), 0.1)\n")
     session.send("start = time.process_time(); few = ss.subsurface.at_points(bodies, 'one', history, points[:2000])\n")
     session.send("print('enough' if 500 * (time.process_time() - start) > 60.0 else 'too few')\n")
@@ -135,7 +136,7 @@ def test_at_many_points_below_the_surface(session):
     goes_on(session)
 
 
-# Long work that is no solve: what each needs, and what is to end.
+# Long work other than a solve: the preparation, and the statement to be interrupted.
 LONG = {
     "stiffness": (
         "contact = ss.NormalProblem(bodies, gap, force=0.02).solve()",
@@ -157,7 +158,7 @@ LONG = {
 
 
 @pytest.mark.parametrize("name", LONG)
-def test_in_long_work_that_is_no_solve(session, name):
+def test_ctrl_c_ends_long_work_other_than_solve(session, name):
     prepare(session, 256)
     before, statement = LONG[name]
     session.send(before + "\n")
@@ -165,7 +166,7 @@ def test_in_long_work_that_is_no_solve(session, name):
     goes_on(session)
 
 
-def test_a_signal_handler_of_ones_own_may_go_on():
+def test_custom_signal_handler_lets_solve_continue():
     code = (
         PREPARE.format(cells=256, boundary="periodic")
         + """

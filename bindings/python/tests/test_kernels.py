@@ -1,4 +1,5 @@
-"""Coated bodies, kernels and operators: layers are felt, and what displaces as a body does is that body."""
+"""Coated bodies, kernels and operators: the effect of layers, and agreement of user-defined bodies with elastic
+bodies."""
 
 import pickle
 import threading
@@ -27,7 +28,7 @@ def tabulated(sides=(GRID.dx, GRID.dy)):
     return ss.Kernel.tabulated(OUTERMOST, sides, {name: np.array([[of.get(i, j) for i in n] for j in n]) for name, of in tables.items()})
 
 
-def test_layers_are_those_of_the_crate():
+def test_layers_match_crate():
     layer = ss.layers.Layer(4.0, 0.25, 0.1)
     assert (layer.youngs_modulus, layer.poisson_ratio, layer.thickness, layer.shear_modulus) == (4.0, 0.25, 0.1, 1.6)
     assert pickle.loads(pickle.dumps(layer)) == layer and hash(layer) == hash(ss.layers.Layer(4.0, 0.25, 0.1))
@@ -41,14 +42,14 @@ def test_layers_are_those_of_the_crate():
         body.coated([layer] * 7)
     with pytest.raises(ss.errors.NotPositive):
         ss.layers.Layer(4.0, 0.25, 0.0)
-    # Short waves see the layer, long ones the base.
+    # Short waves have the response of the layer, long waves the response of the base.
     assert COATED.response(1e4).normal * 1e4 == pytest.approx(OUTERMOST.response(1.0).normal, rel=1e-12)
     assert COATED.response(1e-6).normal * 1e-6 == pytest.approx(2 * (1 - 0.3**2), rel=1e-5)
     with pytest.raises(ss.errors.NotPositive):
         COATED.response(0.0)
 
 
-def test_a_callable_and_a_table_of_a_coating_are_that_coating():
+def test_callable_and_table_of_coating_match_coating():
     kernels = (COATED, ss.Kernel.isotropic(OUTERMOST, 0.4, response), tabulated())
     bodies = [ss.HalfSpace(GRID, of) for of in kernels]
     options = {"normal_force": 0.3, "force_x": 0.02, "tolerance": 1e-10}
@@ -60,8 +61,8 @@ def test_a_callable_and_a_table_of_a_coating_are_that_coating():
     assert bodies[1].pair != COATED
 
 
-def test_large_grids_call_back_from_all_threads(request):
-    """Nothing waits for the GIL that this thread holds."""
+def test_response_on_large_grid_is_called_from_all_threads(request):
+    """No thread waits for the GIL that this thread holds."""
     before = ss.num_threads()
     ss.set_num_threads(2)
     request.addfinalizer(lambda: ss.set_num_threads(before))
@@ -75,7 +76,7 @@ def test_large_grids_call_back_from_all_threads(request):
     assert approach[0] == pytest.approx(approach[1], rel=1e-7)
 
 
-def test_bad_kernels_are_refused():
+def test_invalid_kernels_are_rejected():
     with pytest.raises(ZeroDivisionError):
         ss.Kernel.isotropic(OUTERMOST, 0.4, lambda k: 1 / 0)
     with pytest.raises(TypeError, match="four numbers"):
@@ -105,16 +106,16 @@ NEAR = ss.ElasticPair(ss.Material(1.0, 0.5), RIGID)
 
 
 def bed(grid, compliance=0.5, **options):
-    """A bed of springs, along all directions."""
+    """Creates a bed of springs along all directions."""
     operators = dict.fromkeys(["z", "xy"], lambda x: compliance * x)
     return ss.HalfSpace(grid, ss.Kernel.operators(NEAR, grid, operators, **options))
 
 
-def test_a_bed_of_springs_has_its_closed_form():
+def test_spring_bed_matches_closed_form():
     grid, depth, shift = ss.Grid.square(32, 1.0), 0.06, 0.01
     bodies = bed(grid, lower_bounds={"z": 0.5, "xy": 0.5})
     ball = ss.surface.sphere(grid, 1.0)
-    # Each cell carries p = (d - h) / c, and sticks where mu p > s / c.
+    # Each cell carries p = (d - h) / c, and sticks if mu p > s / c.
     contact = ss.NormalProblem(bodies, ball, approach=depth).solve()
     pressure = np.maximum(depth - ball.array, 0.0) / 0.5
     assert np.abs(contact.pressure - pressure).max() < 1e-8 * pressure.max()
@@ -122,14 +123,14 @@ def test_a_bed_of_springs_has_its_closed_form():
     shear = ss.TangentialProblem(bodies, contact, 0.5, shift_x=shift, shift_y=0.0, model="vector").solve()
     traction = np.minimum(shift / 0.5, 0.5 * pressure)
     assert np.abs(np.hypot(*shear.traction) - traction).max() < 1e-6 * traction.max()
-    # Without a bound there is none to prove by.
+    # Without a lower bound of the eigenvalue, the error bound is not proven.
     contact = ss.NormalProblem(bed(grid), ball, approach=depth).solve()
     assert np.abs(contact.pressure - pressure).max() < 1e-8 * pressure.max()
     assert contact.report.eigenvalue_bound is ss.EigenvalueBound.UNKNOWN
 
 
-def test_operators_of_half_spaces_have_their_answers(large, request):
-    """As operators of the package, as callables on threads of the pool that take them in turn, and as a matrix."""
+def test_half_space_operators_match_half_space(large, request):
+    """Tests operators of the package, callables that threads of the pool call in turn, and a matrix."""
     before = ss.num_threads()
     ss.set_num_threads(2)
     request.addfinalizer(lambda: ss.set_num_threads(before))
@@ -151,7 +152,7 @@ def test_operators_of_half_spaces_have_their_answers(large, request):
         assert np.abs(history.traction[0] - expected.traction[0]).max() < 1e-7 * scale
 
 
-def test_a_matrix_of_all_directions_takes_the_place_of_bodies():
+def test_matrix_of_all_directions_replaces_bodies():
     grid = ss.Grid.square(8, 1.0)
     pair = ss.ElasticPair(ss.Material(1.0, 0.2), RIGID)
     own = ss.HalfSpace(grid, pair)
@@ -173,7 +174,7 @@ class Stop(Exception):
 
 
 @pytest.mark.parametrize("cells", [32, 128])
-def test_what_an_operator_raises_arrives_and_leaves_the_history(cells, request):
+def test_operator_exception_is_raised_and_leaves_history_unchanged(cells, request):
     before = ss.num_threads()
     ss.set_num_threads(2)
     request.addfinalizer(lambda: ss.set_num_threads(before))
@@ -202,7 +203,7 @@ def test_what_an_operator_raises_arrives_and_leaves_the_history(cells, request):
     assert history.pressure.max() > known.max()
 
 
-def test_solves_at_once_on_the_threads_of_a_pool_keep_their_exceptions_apart(large, request):
+def test_concurrent_solves_keep_exceptions_separate(large, request):
     before = ss.num_threads()
     ss.set_num_threads(2)
     request.addfinalizer(lambda: ss.set_num_threads(before))
@@ -232,7 +233,7 @@ def test_solves_at_once_on_the_threads_of_a_pool_keep_their_exceptions_apart(lar
     assert ended == {0: True, 1: (1,), 2: True, 3: (3,)}
 
 
-def test_bad_operators_are_refused():
+def test_invalid_operators_are_rejected():
     grid = ss.Grid.square(16, 1.0)
     for operators, error, told in (
         ({}, ss.errors.IncompleteKernel, "no operator"),

@@ -1,4 +1,4 @@
-"""What messages and representations say: the argument, the place, and what to do instead."""
+"""Texts of messages and representations: the argument, the location and the remedy."""
 
 import importlib
 import math
@@ -34,7 +34,7 @@ from conftest import FORCE
         (lambda scene: ss.io.npy.read("heights.npy", cell=1.0), r"cell is a pair \(dx, dy\), got float"),
     ],
 )
-def test_what_is_no_pair_or_sequence_is_refused_by_the_name_of_the_argument_and_what_is_due(scene, call, message):
+def test_wrong_pair_or_sequence_message_names_argument_and_form(scene, call, message):
     with pytest.raises(TypeError, match=message):
         call(scene)
 
@@ -51,7 +51,7 @@ def test_what_is_no_pair_or_sequence_is_refused_by_the_name_of_the_argument_and_
         (lambda scene: ss.LoadStep(force=(-1, 10**400)), "force is a pair .*, got 1000.*, which is too large"),
     ],
 )
-def test_a_number_out_of_range_in_a_pair_is_named(scene, call, message):
+def test_pair_with_number_out_of_range_names_number(scene, call, message):
     with pytest.raises(ValueError, match=message):
         call(scene)
 
@@ -73,19 +73,19 @@ def test_a_number_out_of_range_in_a_pair_is_named(scene, call, message):
         (lambda scene: ss.History(scene.bodies, scene.ball, 0.5).step(force=(1.0, 2.5)), r"2\.5"),
     ],
 )
-def test_numbers_in_messages_are_as_python_writes_them(scene, call, message):
+def test_messages_have_python_numbers(scene, call, message):
     with pytest.raises(ss.StickslipError, match=message) as refused:
         call(scene)
     assert not re.search(r"\de-?\d\b|NaN|\b0\.00000|\d{17,}", str(refused.value))
 
 
-def test_a_report_has_its_numbers_as_python_writes_them(scene):
+def test_report_has_python_numbers(scene):
     report = repr(scene.normal().report)
     assert re.search(r"e-\d\d,", report) and not re.search(r"e-\d,", report)
 
 
 @pytest.mark.parametrize("shape", [(64,), (1, 64, 64), (3, 3)])
-def test_a_gap_of_another_shape_is_refused_with_it(scene, shape):
+def test_gap_of_wrong_shape_is_rejected_with_shape(scene, shape):
     with pytest.raises(ss.errors.Shape, match=re.escape(f"gap has shape {shape}, expected (ny, nx) = (64, 64)")) as refused:
         ss.NormalProblem(scene.bodies, np.zeros(shape), force=1.0)
     assert (refused.value.quantity, refused.value.expected, refused.value.found) == ("gap", (64, 64), shape)
@@ -94,7 +94,7 @@ def test_a_gap_of_another_shape_is_refused_with_it(scene, shape):
 
 
 @pytest.mark.parametrize("kind", [complex, str, "datetime64[s]"])
-def test_arrays_that_are_not_real_are_refused(scene, kind):
+def test_non_real_arrays_are_rejected(scene, kind):
     wrong = np.zeros(scene.grid.shape).astype(int).astype(kind)
     for call in (
         lambda: ss.NormalProblem(scene.bodies, wrong, force=1.0),
@@ -116,7 +116,7 @@ def test_arrays_that_are_not_real_are_refused(scene, kind):
 
 
 @pytest.mark.parametrize("number", [1.0 + 0.0j, np.complex128(1.0), np.complex64(1.0), np.array(1.0 + 0.0j), "1.0"])
-def test_a_number_that_is_not_real_is_refused(scene, number):
+def test_non_real_numbers_are_rejected(scene, number):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for call in (
@@ -146,7 +146,7 @@ def test_a_number_that_is_not_real_is_refused(scene, number):
     assert ss.Material(np.float32(1.0), 0) == ss.Material(np.array(1.0), np.int64(0)) == ss.Material(1, False)
 
 
-def test_pairs_may_be_lists_and_arrays(scene):
+def test_pairs_accept_lists_and_arrays(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     below = [ss.subsurface.at_points(scene.bodies, "one", both, [[0, 0, 1e-5]]) for both in ((contact, shear), [contact, shear])]
@@ -164,7 +164,7 @@ def test_pairs_may_be_lists_and_arrays(scene):
     assert len(ss.history.LoadPath(np.ones((4, 2)))) == 4
 
 
-def test_a_sample_is_told_by_row_and_column_and_a_missing_height_by_what_fills_it(scene):
+def test_sample_message_has_row_column_and_remedy(scene):
     gap = scene.ball.array.copy()
     gap[3, 5] = math.inf
     with pytest.raises(ss.errors.Sample, match=r"gap at row 3, column 5 \(index 197\) is inf") as refused:
@@ -194,7 +194,7 @@ def test_a_sample_is_told_by_row_and_column_and_a_missing_height_by_what_fills_i
     assert refused.value.row is None and refused.value.column is None
 
 
-def test_a_surface_where_a_field_is_due_is_refused_by_where_its_heights_are(scene):
+def test_surface_instead_of_field_message_names_heights(scene):
     rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
     with pytest.raises(TypeError, match=r"gap is a RoughSurface, .* \.heights, .*gap_from_heights"):
         ss.NormalProblem(scene.bodies, rough, force=1.0)
@@ -202,7 +202,7 @@ def test_a_surface_where_a_field_is_due_is_refused_by_where_its_heights_are(scen
         ss.surface.gap_from_heights(rough)
 
 
-def test_what_is_below_the_surface_says_what_it_needs(scene):
+def test_subsurface_messages_state_required_arguments(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     points = [(0.0, 0.0, 1e-5)]
@@ -221,7 +221,7 @@ def test_what_is_below_the_surface_says_what_it_needs(scene):
     assert planes.solve(-1, "one", contact).depth == 1e-5
 
 
-def test_enumerations_are_where_messages_say():
+def test_enumerations_are_in_modules_named_by_messages():
     wrong = [
         lambda: ss.Settings(method="no"),
         lambda: ss.TangentialLoad(force_x=1.0).control("no"),
@@ -234,7 +234,7 @@ def test_enumerations_are_where_messages_say():
         assert hasattr(importlib.import_module(module), name)
 
 
-def test_what_is_made_of_numbers_shows_how_to_make_it_again(scene):
+def test_repr_of_value_evaluates_to_value(scene):
     names = {**vars(ss), **vars(ss.surface), **vars(ss.influence), **vars(ss.normal), **vars(ss.tangential)}
     for value in [
         ss.Grid(4, 3, 0.5, 0.25),
@@ -257,7 +257,7 @@ def test_what_is_made_of_numbers_shows_how_to_make_it_again(scene):
         assert eval(repr(value), names) == value
 
 
-def test_representations_count_and_round(scene):
+def test_repr_counts_and_rounds(scene):
     contact = scene.normal()
     assert repr(contact.spots) == "ContactSpots(1 spot)"
     assert repr(scene.grid) == "Grid(nx=64, ny=64, dx=4.6875e-06, dy=4.6875e-06)"
@@ -273,7 +273,7 @@ def test_representations_count_and_round(scene):
         assert repr(ss.LoadStep(shift_x=number)) == f"LoadStep(shift_x={number:.6g})"
 
 
-def test_steps_and_cycles_that_touch_nothing_say_so(scene):
+def test_repr_without_contact_states_it(scene):
     history = scene.history()
     step = history.step(shift_x=1e-6)
     cycle = ss.history.Cycle(history)

@@ -1,4 +1,4 @@
-"""Answers against closed forms, through every kind of problem."""
+"""Comparison of the solutions of all kinds of problems with closed-form solutions."""
 
 import math
 import warnings
@@ -10,7 +10,7 @@ import stickslip as ss
 from conftest import FORCE, RADIUS
 
 
-def test_pressing_a_ball_is_hertz(scene):
+def test_normal_ball_matches_hertz(scene):
     contact = scene.normal()
     assert contact.force == pytest.approx(FORCE, rel=1e-12)
     assert contact.approach == pytest.approx(scene.hertz.approach, rel=2e-4)
@@ -21,12 +21,12 @@ def test_pressing_a_ball_is_hertz(scene):
     assert contact.centre_of_pressure == pytest.approx((0.0, 0.0), abs=1e-12)
 
 
-def test_by_approach_the_force_follows(scene):
+def test_normal_prescribed_approach_gives_force(scene):
     contact = ss.NormalProblem(scene.bodies, scene.ball, approach=scene.hertz.approach).solve()
     assert contact.force == pytest.approx(FORCE, rel=1e-3)
 
 
-def test_shearing_it_is_cattaneo_and_mindlin(scene):
+def test_tangential_ball_matches_cattaneo_mindlin(scene):
     shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
     exact = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 20.0)
     assert shear.force == pytest.approx((20.0, 0.0), rel=1e-12)
@@ -37,7 +37,7 @@ def test_shearing_it_is_cattaneo_and_mindlin(scene):
     assert along_y.traction[1].T == pytest.approx(shear.traction[0], abs=1e-6 * shear.traction[0].max())
 
 
-def test_a_solver_goes_through_loads_as_problems_do(scene):
+def test_solver_successive_loads_match_problems(scene):
     solver = ss.NormalSolver(scene.bodies, scene.ball, force=1.0)
     for force in (10.0, 100.0, 40.0):
         warm = solver.solve(force=force)
@@ -49,7 +49,7 @@ def test_a_solver_goes_through_loads_as_problems_do(scene):
     assert tangential.friction_capacity == pytest.approx(50.0)
 
 
-def test_a_cycle_dissipates_what_mindlin_and_deresiewicz_say(scene):
+def test_cycle_dissipation_matches_mindlin_deresiewicz(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     history.step(force_x=30.0)
@@ -66,7 +66,7 @@ def test_a_cycle_dissipates_what_mindlin_and_deresiewicz_say(scene):
     assert history.shift[0] == pytest.approx(exact.shift, rel=2e-3)
 
 
-def test_the_vector_model_twists(scene):
+def test_vector_model_supports_twist(scene):
     history = scene.history(model="vector")
     history.step(normal_force=FORCE)
     step = history.step(force_x=10.0, shift_y=0.4e-6, twist=2e-3)
@@ -75,14 +75,14 @@ def test_the_vector_model_twists(scene):
     assert step.moment < sliding.sliding_moment
 
 
-def test_springs_share_the_motion(scene):
+def test_springs_in_series_share_motion(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     step = history.step(spring_x=(1e-6, 1e7))
     assert step.tangential_force[0] == pytest.approx(1e7 * (1e-6 - step.shift[0]), rel=1e-9)
 
 
-def test_stiffness_is_the_slope(scene):
+def test_stiffness_matches_finite_difference(scene):
     contact = scene.normal()
     stiffness = contact.stiffness(scene.bodies)
     assert stiffness.value == pytest.approx(2.0 * scene.bodies.pair.contact_modulus * scene.hertz.contact_radius, rel=0.02)
@@ -96,7 +96,7 @@ def test_stiffness_is_the_slope(scene):
     assert tangential.loading[0][0] < 0.8 * following.loading[0][0]
 
 
-def test_dissimilar_bodies_slip_when_pressed():
+def test_dissimilar_bodies_slip_under_normal_load():
     grid = ss.Grid.square(32, 0.3)
     pair = (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
     bodies = ss.HalfSpace(grid, pair)
@@ -115,7 +115,7 @@ def test_dissimilar_bodies_slip_when_pressed():
     assert refused.value.beta == pytest.approx(bodies.pair.dundurs_beta)
 
 
-def test_stiffness_of_dissimilar_bodies_is_the_slope_of_both_forces():
+def test_stiffness_of_dissimilar_bodies_matches_finite_difference():
     grid = ss.Grid.square(32, 0.3)
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     solver = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.3, approach=5e-3, shift_x=5e-4, tolerance=1e-10).solver()
@@ -136,7 +136,7 @@ def test_stiffness_of_dissimilar_bodies_is_the_slope_of_both_forces():
         solver.solve().stiffness(ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material.rigid())), 0.3)
 
 
-def test_stresses_below_a_ball(scene):
+def test_stresses_below_ball_match_hertz(scene):
     contact = scene.normal()
     depth = 0.48 * scene.hertz.contact_radius
     points = ss.subsurface.at_points(scene.bodies, "one", contact, [[0.0, 0.0, depth]])
@@ -150,7 +150,7 @@ def test_stresses_below_a_ball(scene):
     assert fields == solutions
 
 
-def test_hardness_limits_the_pressure(scene):
+def test_hardness_limits_pressure(scene):
     limit = 0.7 * scene.hertz.max_pressure
     contact = scene.normal(hardness=limit)
     assert contact.pressure.max() == limit and contact.yielded_cells > 0
@@ -161,7 +161,7 @@ def test_hardness_limits_the_pressure(scene):
     assert refused.value.capacity == pytest.approx(limit * scene.grid.area)
 
 
-def test_a_line_contact_is_hertz():
+def test_line_contact_matches_hertz():
     steel = ss.Material(210e3, 0.3)
     grid = ss.Grid.line(256, 0.004)
     bodies = ss.HalfSpace(grid, (steel, steel), boundary=("periodic_along_y", 50.0))
@@ -171,7 +171,7 @@ def test_a_line_contact_is_hertz():
     assert contact.approach == pytest.approx(hertz.approach(50.0), rel=1e-3)
 
 
-def test_periodic_waves_are_westergaards():
+def test_periodic_waves_match_westergaard():
     grid = ss.Grid.square(64, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.5), ss.Material.rigid()), boundary=ss.Boundary.PERIODIC)
     gap = ss.surface.sinusoidal(grid, 0.01, 1.0)
@@ -180,7 +180,7 @@ def test_periodic_waves_are_westergaards():
     assert contact.contact_area == pytest.approx(exact.contact_fraction, abs=0.04)
 
 
-def test_fretting_becomes_steady_and_wears(scene):
+def test_fretting_loop_becomes_steady_and_wears(scene):
     history = scene.history(tolerance=1e-6)
     path = ss.history.LoadPath.sine((1e-6, 0.0), 8)
     loop = ss.history.FrettingLoop(
@@ -201,7 +201,7 @@ def test_fretting_becomes_steady_and_wears(scene):
         ss.history.FrettingLoop(path, loop, until_steady=2.0)
 
 
-def test_adaptive_steps_halve_the_error(scene):
+def test_adaptive_steps_meet_tolerance(scene):
     history = scene.history(model="vector")
     history.step(normal_force=50.0)
     history.step(force_x=20.0)
@@ -214,7 +214,7 @@ def test_adaptive_steps_halve_the_error(scene):
     assert steps.step(history, load, cycle=cycle) == cycle.steps > 1
 
 
-def test_pressing_in_steps_to_a_tolerance_meets_spence():
+def test_press_with_tolerance_matches_spence():
     grid = ss.Grid.square(40, 0.3)
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     history = ss.History(bodies, ss.surface.sphere(grid, 3.5), 0.1)
@@ -233,7 +233,7 @@ def test_pressing_in_steps_to_a_tolerance_meets_spence():
     assert not [remark for remark in history.last_step.warnings if remark.kind == "single_load_step"]
 
 
-def test_many_histories_at_once(scene):
+def test_step_all_matches_single_steps(scene):
     balls = [ss.surface.sphere(scene.grid, radius) for radius in (2e-3, 3e-3, 4e-3)]
     histories = [ss.History(scene.bodies, ball, 0.5) for ball in balls]
     assert ss.History.step_all(histories, [ss.LoadStep(normal_force=50.0)] * 3) == []
@@ -249,7 +249,7 @@ def test_many_histories_at_once(scene):
         ss.History.step_all([alone, alone], [ss.LoadStep()] * 2)
 
 
-def test_the_engine_agrees_with_an_explicit_matrix():
+def test_minimise_matches_explicit_matrix():
     grid = ss.Grid(12, 9, 1.0, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()))
     gap = ss.surface.sphere(grid, 20.0)
@@ -272,7 +272,7 @@ def test_the_engine_agrees_with_an_explicit_matrix():
     assert matrix @ gap.array.ravel() == pytest.approx(bodies.operator("zz")(gap.array).ravel(), abs=1e-12)
 
 
-def test_influence_coefficients_and_products():
+def test_convolution_matches_influence_coefficients():
     grid = ss.Grid(8, 6, 1.0, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.2), ss.Material.rigid()))
     table = ss.influence.Table(grid, bodies.pair, "xz")
@@ -286,7 +286,7 @@ def test_influence_coefficients_and_products():
     assert np.array_equal(convolution(unit), bodies.operator("zz")(unit))
 
 
-def test_spots_are_counted_one_by_one(scene):
+def test_spots_are_counted_separately(scene):
     x, y = np.meshgrid(scene.grid.x, scene.grid.y)
     side = 0.07e-3
     gap = np.minimum((x - side) ** 2, (x + side) ** 2) / 2e-3 + y**2 / 2e-3
@@ -300,7 +300,7 @@ def test_spots_are_counted_one_by_one(scene):
     assert 0.0 < shear.spots(contact).largest.stick_ratio < 1.0
 
 
-def test_jaegers_superposition_is_the_scalar_model_of_poisson_zero():
+def test_jaeger_superposition_matches_scalar_model_for_zero_poisson_ratio():
     grid = ss.Grid.square(48, 0.3e-3)
     material = ss.Material(200e9, 0.0)
     bodies = ss.HalfSpace(grid, (material, material))
@@ -313,7 +313,7 @@ def test_jaegers_superposition_is_the_scalar_model_of_poisson_zero():
     assert np.array_equal(found.zones, exact.zones)
 
 
-def test_bulk_strain_shears_a_contact():
+def test_bulk_strain_shears_contact():
     titanium = ss.Material(115e3, 0.32)
     grid = ss.Grid.line(128, 0.01)
     bodies = ss.HalfSpace(grid, (titanium, titanium), boundary=("periodic_along_y", 50.0))
@@ -324,7 +324,7 @@ def test_bulk_strain_shears_a_contact():
     assert history.traction[0][0, 70] < -1.0 and history.traction[0][0, 57] > 1.0
 
 
-def test_the_work_of_the_loads_is_the_area_of_the_loop():
+def test_work_of_loads_equals_loop_area():
     titanium = ss.Material(115e3, 0.32)
     grid = ss.Grid.line(128, 0.01)
     bodies = ss.HalfSpace(grid, (titanium, titanium), boundary=("periodic_along_y", 50.0))
@@ -343,11 +343,11 @@ def test_the_work_of_the_loads_is_the_area_of_the_loop():
         area = float((0.5 * (force[1:] + force[:-1]) * np.diff(shift)).sum())
         assert cycle.work_of_loads == pytest.approx(area, rel=1e-12)
         works[stress] = cycle.work_of_loads / cycle.energy.work
-    # Bulk strain works too.
+    # Bulk strain also does work.
     assert works[0.0] == pytest.approx(1.0, rel=1e-9) and abs(works[50.0] - 1.0) > 0.03
 
 
-def test_stresses_of_line_contacts_are_those_of_their_closed_forms():
+def test_line_contact_stresses_match_closed_forms():
     titanium = ss.Material(115e3, 0.32)
     hertz = ss.analytical.HertzLine(ss.ElasticPair(titanium, titanium), 20.0, 200.0)
     a, p0 = hertz.half_width, hertz.max_pressure
@@ -359,13 +359,13 @@ def test_stresses_of_line_contacts_are_those_of_their_closed_forms():
     x = np.linspace(-2.0, 2.0, 9) * a
     assert np.array_equal(hertz.surface_stress(x), -hertz.pressure(x))
     assert isinstance(hertz.stress(0.0, a)[0], float) and hertz.stress(x[:, None], depth)[0].shape == (9, 3)
-    # The edge that the traction pulls away from, Johnson (1985), 7.2.
+    # The largest stress is at the trailing edge with respect to the traction, Johnson (1985), 7.2.
     shear = ss.analytical.CattaneoMindlinLine(hertz, 0.5, 40.0)
     one, two = shear.surface_stress(-a)
     assert one == pytest.approx(2.0 * 0.5 * p0 * math.sqrt(0.4)) and two == pytest.approx(-one)
     assert shear.surface_stress(x)[0] == pytest.approx(shear.stress(x, 0.0)[0][0])
     assert shear.stress(x, 0.0)[1][2] == pytest.approx(-shear.traction(x), abs=1e-9)
-    # Bulk stress strains the body, and is part of its stress.
+    # Bulk stress strains the body and is included in its stress.
     stretched = shear.with_bulk_stress((30.0, 0.0))
     strained = shear.with_strain(titanium.plane_strain_under(30.0))
     assert stretched.traction(x) == pytest.approx(strained.traction(x))
@@ -373,7 +373,7 @@ def test_stresses_of_line_contacts_are_those_of_their_closed_forms():
     assert stretched.stress(0.0, 1e3 * a)[1][0] == pytest.approx(0.0, abs=0.5)
 
 
-def test_a_uniform_stress_is_added_to_that_of_the_tractions(scene, tmp_path):
+def test_uniform_stress_is_added_to_stress_of_tractions(scene, tmp_path):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     bulk = 2.0 * ss.subsurface.Stress(xx=100e6, yy=30e6, xz=5e6)
@@ -395,7 +395,7 @@ def test_a_uniform_stress_is_added_to_that_of_the_tractions(scene, tmp_path):
     assert (tmp_path / "alone").read_bytes() != (tmp_path / "both").read_bytes()
 
 
-def test_a_plane_near_the_surface_warns_of_the_edge_of_a_sheared_contact(scene):
+def test_plane_near_surface_warns_about_sheared_edge(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     planes = ss.subsurface.Planes(scene.bodies, [0.0, 2.0 * scene.grid.dx])
@@ -411,7 +411,7 @@ def test_a_plane_near_the_surface_warns_of_the_edge_of_a_sheared_contact(scene):
             planes.solve(0, "one", (contact, shear))
 
 
-def test_edges_are_found_inside_the_cells():
+def test_edges_have_sub_cell_accuracy():
     grid, body = ss.Grid.square(64, 3.0), ss.Material(2.0, 0.0)
     bodies = ss.HalfSpace(grid, (body, body), cell_value="centre")
     assert bodies.cell_value == ss.HalfSpace(*bodies.__reduce__()[1]).cell_value == "centre"

@@ -1,4 +1,4 @@
-"""Everything that is a value comes back from a pickle as it was; histories go on to the same bits."""
+"""Pickling of all values without changes, and of histories whose continuation is bitwise identical."""
 
 import copy
 import pickle
@@ -14,7 +14,7 @@ def same(value):
     return pickle.loads(pickle.dumps(value))
 
 
-def test_values_come_back(scene):
+def test_values_round_trip(scene):
     bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-3, 0.0], [0.0, 0.0]])
     for value in [
         scene.grid,
@@ -43,16 +43,16 @@ def test_values_come_back(scene):
     assert (bodies.grid, bodies.pair, bodies.boundary) == (scene.grid, scene.bodies.pair, scene.bodies.boundary)
 
 
-def test_a_bulk_strain_comes_back_with_its_strain(scene):
+def test_bulk_strain_round_trips_with_strain(scene):
     bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-3, 0.0], [0.0, 0.0]])
     bodies = ss.HalfSpace(scene.grid, scene.bodies.pair, boundary="periodic")
     for relative in (bulk, same(bulk), copy.deepcopy(bulk)):
-        # On a grid that repeats it would jump: fields without a strain are taken to repeat.
+        # On a periodic grid the field would be discontinuous, since fields without a strain must be periodic.
         with pytest.raises(ss.errors.Sample, match="bulk strain at .* is 0.001"):
             ss.TangentialProblem(bodies, scene.ball, 0.5, force_x=0.0, model="vector", relative_displacement=relative)
 
 
-def test_closed_forms_and_statistics_come_back(scene):
+def test_closed_forms_and_statistics_round_trip(scene):
     pair, hertz = scene.bodies.pair, scene.hertz
     forms = ss.analytical
     line, ellipse = forms.HertzLine(pair, 0.01, 1e4), forms.HertzEllipse(pair, 1e-2, 2e-2, 100.0)
@@ -76,7 +76,7 @@ def test_closed_forms_and_statistics_come_back(scene):
     assert np.array_equal(same(made[-1]).labels, made[-1].labels)
 
 
-def test_problems_come_back_and_solve_to_the_same_bits(scene):
+def test_problems_round_trip_with_identical_solutions(scene):
     bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-6, 0.0], [0.0, 0.0]])
     contact = scene.normal()
     mu = np.full(scene.grid.shape, 0.5)
@@ -93,7 +93,7 @@ def test_problems_come_back_and_solve_to_the_same_bits(scene):
             assert type(back) is type(problem) and back.solve() == problem.solve()
 
 
-def test_materials_hash_as_they_compare():
+def test_materials_hash_consistently_with_equality():
     steel = ss.Material(210e9, 0.3)
     for value in (steel, ss.ElasticPair(steel, ss.Material.rigid())):
         assert hash(value) == hash(same(value)) and len({value, same(value)}) == 1
@@ -101,7 +101,7 @@ def test_materials_hash_as_they_compare():
     assert len({steel, ss.Material(210e9, 0.3, hardness=1e9), ss.Material(210e9, 0.31)}) == 3
 
 
-def test_solutions_are_equal_by_their_answers_not_by_their_time(scene):
+def test_solutions_compare_without_time(scene):
     grid = ss.Grid.square(16, 0.3)
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     for problem in (
@@ -110,12 +110,12 @@ def test_solutions_are_equal_by_their_answers_not_by_their_time(scene):
         ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0),
     ):
         one, two = problem.solve(), problem.solve()
-        assert one.report != two.report  # not even in their time
+        assert one.report != two.report  # at least the times differ
         assert one == two and not one != two
     assert scene.normal() != ss.NormalProblem(scene.bodies, scene.ball, force=FORCE * (1.0 + 1e-9)).solve()
 
 
-def test_solutions_come_back_bit_for_bit(scene):
+def test_solutions_round_trip_bitwise(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     assert same(contact) == contact and same(shear) == shear
@@ -123,7 +123,7 @@ def test_solutions_come_back_bit_for_bit(scene):
     assert same(contact).report == contact.report
 
 
-def test_coupled_solutions_come_back():
+def test_coupled_solutions_round_trip():
     grid = ss.Grid.square(16, 0.3)
     bodies = ss.HalfSpace(grid, (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
     contact = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.1, normal_force=60.0).solve()
@@ -132,7 +132,7 @@ def test_coupled_solutions_come_back():
     assert same(contact.normal) == contact.normal
 
 
-def test_histories_go_on_to_the_same_bits(scene, tmp_path):
+def test_histories_continue_bitwise_identically(scene, tmp_path):
     history = scene.history(model="vector")
     history.step(normal_force=FORCE)
     step = history.step(force=(20.0, 10.0))
@@ -158,7 +158,7 @@ def test_histories_go_on_to_the_same_bits(scene, tmp_path):
 
 
 @pytest.mark.parametrize("name", dir(ss.errors))
-def test_every_exception_comes_back_with_its_numbers(scene, name):
+def test_exceptions_round_trip_with_numbers(scene, name):
     kind = getattr(ss.errors, name)
     numbers = {"report": scene.normal().report, "last_iterate": scene.normal(), "sides": [1.0, 2.0], "value": 0.1}
     error = kind("what is wrong")
@@ -168,14 +168,14 @@ def test_every_exception_comes_back_with_its_numbers(scene, name):
     assert type(back) is kind and str(back) == str(error) and vars(back) == vars(error)
 
 
-def test_a_solve_that_has_not_converged_comes_back_with_report_and_iterate(scene):
+def test_not_converged_round_trips_with_report_and_iterate(scene):
     with pytest.raises(ss.NotConverged) as stopped:
         scene.normal(max_iterations=1)
     back = same(stopped.value)
     assert back.report == stopped.value.report and back.last_iterate == stopped.value.last_iterate
 
 
-def test_a_minimum_comes_back_also_as_the_last_iterate(scene):
+def test_minimum_round_trips_also_as_last_iterate(scene):
     bed = np.array([1.0, 2.0, 400.0])
     found = ss.cgm.minimise(lambda x: bed * x, [-1.0, -1.0, -1.0], total=2.0, lower_bound=1.0)
     with pytest.raises(ss.NotConverged) as stopped:
@@ -188,7 +188,7 @@ def test_a_minimum_comes_back_also_as_the_last_iterate(scene):
         assert back.x.shape == (3,) and np.array_equal(back.x, minimum.x) and not minimum.x.flags.writeable
 
 
-def test_reports_remarks_and_results_come_back(scene):
+def test_reports_warnings_and_results_round_trip(scene):
     contact = ss.NormalProblem(scene.bodies, scene.ball, force=0.01).solve()
     [response] = ss.subsurface.at_points(scene.bodies, "one", contact, [(0.0, 0.0, 1e-5)])
     history = scene.history()
@@ -210,7 +210,7 @@ def test_reports_remarks_and_results_come_back(scene):
         assert same(value) == value and type(same(value)) is type(value)
 
 
-def test_a_pickle_of_another_version_is_refused(scene):
+def test_pickle_of_different_version_is_rejected(scene):
     restore, (kind, version, content) = scene.grid.__reduce__()
     assert version == ss.__version__ and restore(kind, version, content) == scene.grid
     with pytest.raises(ValueError, match="cannot be read"):

@@ -1,4 +1,4 @@
-"""The pictures."""
+"""Plots of contacts, histories and reports."""
 
 import numpy as np
 import pytest
@@ -12,13 +12,13 @@ from stickslip import plot  # noqa: E402
 
 
 def bar(axes):
-    """The bar of colours beside a picture."""
+    """Returns the colour bar of an image."""
     [place] = axes.child_axes
     return place
 
 
 def drawn(axes):
-    """Where a thing is on the figure, as it is drawn."""
+    """Returns the extent of an artist in the drawn figure."""
     axes.figure.canvas.draw()
     return axes.get_window_extent()
 
@@ -33,7 +33,7 @@ def closed():
     yield
 
 
-def test_pictures_of_a_contact(scene):
+def test_contact_plots_show_fields(scene):
     contact = scene.normal()
     axes = plot.pressure_map(contact, scale=1e3)
     [image] = axes.images
@@ -48,7 +48,7 @@ def test_pictures_of_a_contact(scene):
         plot.field(scene.grid, [[1.0]])
 
 
-def test_sections_are_the_rows_and_columns_of_a_field(scene):
+def test_section_plots_rows_and_columns_of_field(scene):
     contact = scene.normal()
     axes = plot.section(scene.grid, contact.pressure, label="pressure, Pa", scale=1e3, length_unit="mm")
     plot.section(scene.grid, contact.gap, axes, at=1e-4)
@@ -66,7 +66,7 @@ def test_sections_are_the_rows_and_columns_of_a_field(scene):
             plot.section(scene.grid, scene.ball, **wrong)
 
 
-def test_axes_have_names_and_the_units_given(scene):
+def test_axes_have_labels_with_given_units(scene):
     contact = scene.normal()
     axes = plot.pressure_map(contact, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x, mm", "y, mm")
@@ -84,7 +84,7 @@ def test_axes_have_names_and_the_units_given(scene):
         plot.hysteresis(cycle, axis="z")
 
 
-def test_pictures_of_a_history_and_of_reports(scene):
+def test_history_and_report_plots_show_data(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     cycle = ss.history.Cycle(history)
@@ -100,7 +100,7 @@ def test_pictures_of_a_history_and_of_reports(scene):
     pyplot.close("all")
 
 
-def test_every_bar_is_as_high_as_its_picture_and_as_wide_as_the_others(scene):
+def test_colour_bars_have_height_of_image_and_equal_width(scene):
     contact, shear = sheared(scene)
     planes = ss.subsurface.Planes(scene.bodies, np.linspace(0.0, 5e-5, 3)).solve_all("one", contact)
     figure, axes = pyplot.subplots(2, 3, figsize=(12, 8))
@@ -119,7 +119,7 @@ def test_every_bar_is_as_high_as_its_picture_and_as_wide_as_the_others(scene):
         assert of_bar.width == pytest.approx(0.05 * of_picture.width, abs=1.0)
 
 
-def test_no_text_lies_over_data_or_over_a_neighbour(scene):
+def test_texts_do_not_overlap(scene):
     contact, shear = sheared(scene)
     figure, axes = pyplot.subplots(1, 3, figsize=(12, 4))
     plot.pressure_map(contact, axes[0], unit="Pa")
@@ -136,13 +136,13 @@ def test_no_text_lies_over_data_or_over_a_neighbour(scene):
     assert tight[0].x1 <= tight[1].x0 and tight[1].x1 <= tight[2].x0 and tight[2].x1 <= figure.bbox.x1
 
 
-def test_no_text_is_cut_at_the_edge_of_a_picture_that_is_drawn_once(scene):
+def test_texts_are_inside_figure_drawn_once(scene):
     _, shear = sheared(scene)
     grid = ss.Grid.square(64, 0.4)
     bodies = ss.HalfSpace(grid, (ss.Material(210e3, 0.3), ss.Material(210e3, 0.3)))
     contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
     planes = ss.subsurface.Planes(bodies, np.linspace(0.0075, 0.222, 30)).solve_all("one", contact)
-    # Ticks every 0.025 mm after the layout, every 0.05 mm before.
+    # The spacing of ticks is 0.025 mm after the layout and 0.05 mm before.
     figure, axes = pyplot.subplots(2, 1, figsize=(7, 7))
     for place in axes:
         plot.stress_section(planes, place, length_unit="mm", unit="MPa")
@@ -156,7 +156,7 @@ def test_no_text_is_cut_at_the_edge_of_a_picture_that_is_drawn_once(scene):
             assert tight.x0 >= 0.0 and tight.x1 <= whole.x1 and tight.y0 >= 0.0 and tight.y1 <= whole.y1
 
 
-def test_a_line_of_cells_is_drawn_as_a_profile():
+def test_line_of_cells_is_drawn_as_profile():
     grid = ss.Grid.line(64, 0.02)
     steel = ss.Material(210e3, 0.3)
     bodies = ss.HalfSpace(grid, (steel, steel), boundary=("periodic_along_y", 50.0))
@@ -176,7 +176,7 @@ def test_a_line_of_cells_is_drawn_as_a_profile():
     )
 
 
-def test_tractions_are_drawn_by_their_size_and_arrows(scene):
+def test_traction_map_shows_magnitude_and_arrows(scene):
     _, shear = sheared(scene)
     axes = plot.traction_map(shear, arrows=8, value_scale=1e-9, unit="GPa")
     size = np.hypot(*shear.traction)
@@ -186,10 +186,10 @@ def test_tractions_are_drawn_by_their_size_and_arrows(scene):
     columns = np.flatnonzero(shear.zones.any(axis=0))
     assert 40 < arrows.U.size < 150 and np.ptp(columns) > 8
     assert np.nanmax(np.hypot(arrows.U, arrows.V)) <= size.max()
-    assert plot.traction_map(scene.history()).images  # nothing touches
+    assert plot.traction_map(scene.history()).images  # without contact
 
 
-def test_spots_are_drawn_by_their_numbers(scene):
+def test_spot_map_shows_properties(scene):
     x, y = np.meshgrid(scene.grid.x, scene.grid.y)
     gap = np.minimum((x - 0.07e-3) ** 2, (x + 0.07e-3) ** 2 + 1e-12) / 2e-3 + y**2 / 2e-3
     contact = ss.NormalProblem(scene.bodies, gap, force=5.0).solve()
@@ -202,7 +202,7 @@ def test_spots_are_drawn_by_their_numbers(scene):
             plot.spot_map(contact, by=wrong)
 
 
-def test_a_section_below_the_surface_is_that_of_the_planes(scene):
+def test_stress_section_matches_planes(scene):
     contact = scene.normal()
     depths = [2e-5, 0.0, 5e-5]
     planes = ss.subsurface.Planes(scene.bodies, depths).solve_all("one", contact)

@@ -1,4 +1,4 @@
-"""One contact on several ranks: the bits of one process, whoever carries the blocks."""
+"""One contact on several ranks: bitwise identical to one process, whatever the communicator is."""
 
 import pickle
 import queue
@@ -17,7 +17,7 @@ TIMEOUT = 100
 
 
 class Mail:
-    """Ranks that are threads of this process: blocks wait in a queue for each pair."""
+    """Communicator of ranks that are threads of this process, with one message queue per pair of ranks."""
 
     def __init__(self, rank, queues):
         self.rank, self.queues = rank, queues
@@ -35,7 +35,7 @@ class Mail:
 
 
 def on_ranks(size, work, kind=Mail):
-    """What the work comes to on each of so many ranks, or the exception that it raised."""
+    """Returns the result of the work on each of the given number of ranks, or the exception that it raised."""
     queues = [[queue.SimpleQueue() for _ in range(size)] for _ in range(size)]
     outcomes = [None] * size
 
@@ -60,7 +60,7 @@ def alone():
 
 
 def assert_same(slabs, alone):
-    """Fields of the slabs are those of the whole, and every rank knows all else."""
+    """Checks that the slabs form the fields of the whole grid, and that all other results are available on every rank."""
     whole, known = alone
     for name, field in whole.items():
         assert np.array_equal(np.concatenate([fields[name] for fields, _ in slabs]), field), name
@@ -69,8 +69,8 @@ def assert_same(slabs, alone):
 
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("size", [1, 2, 3])
-def test_threads_as_ranks_come_to_the_same_bits(size, threads, alone):
-    # With two threads there are fewer of them in a pool than ranks.
+def test_ranks_as_threads_are_bitwise_identical(size, threads, alone):
+    # The number of threads of the pool, two, is less than the number of ranks.
     before = ss.num_threads()
     ss.set_num_threads(threads)
     try:
@@ -83,7 +83,7 @@ def test_threads_as_ranks_come_to_the_same_bits(size, threads, alone):
     assert_same(outcomes, alone)
 
 
-def test_a_saved_history_goes_on_on_other_ranks(tmp_path):
+def test_saved_history_continues_on_different_ranks(tmp_path):
     def begun(bodies):
         history = ss.History(bodies, ss.surface.sphere(bodies.grid, 3.5e-3), 0.5)
         history.step(normal_force=30.0)
@@ -99,7 +99,7 @@ def test_a_saved_history_goes_on_on_other_ranks(tmp_path):
     assert found == 3 * [goes_on(begun(ss.HalfSpace(GRID, PAIR)))]
 
 
-def test_slabs_know_their_rows():
+def test_slabs_report_their_rows():
     def rows(comm):
         bodies = ss.HalfSpace.distributed(GRID, PAIR, comm, "periodic", "centre")
         with pytest.raises(TypeError, match="ranks"):
@@ -116,7 +116,7 @@ def test_slabs_know_their_rows():
     assert GRID.rows == slice(0, GRID.ny, 1)
 
 
-def test_ranks_with_other_inputs_are_told():
+def test_ranks_with_inconsistent_input_raise():
     def press(comm):
         bodies = ss.HalfSpace.distributed(GRID, PAIR, comm)
         ball = ss.surface.sphere(bodies.grid, 3.5e-3)
@@ -132,7 +132,7 @@ def test_ranks_with_other_inputs_are_told():
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-def test_an_exception_of_the_communicator_is_a_rank_that_is_lost(monkeypatch):
+def test_communicator_exception_counts_as_lost_rank(monkeypatch):
     class Failing(Mail):
         calls = 0
 
@@ -156,13 +156,13 @@ def test_an_exception_of_the_communicator_is_a_rank_that_is_lost(monkeypatch):
     assert len(told) == 2 and all(isinstance(error, ConnectionError) for error in told)
 
 
-def test_objects_that_are_no_communicator_are_refused():
+def test_invalid_communicators_are_rejected():
     with pytest.raises(AttributeError):
         ss.HalfSpace.distributed(GRID, PAIR, object())
 
 
 @pytest.mark.parametrize("size", [2, 3])
-def test_processes_of_mpi_come_to_the_same_bits(size, alone, tmp_path):
+def test_mpi_processes_are_bitwise_identical(size, alone, tmp_path):
     pytest.importorskip("mpi4py")
     launcher = shutil.which("mpirun")
     if launcher is None:

@@ -1,4 +1,4 @@
-"""Rolling, steady and step by step, against Carter and Kalker, by creepages, forces and moments."""
+"""Steady and transient rolling with prescribed creepages, forces and moments, compared with Carter and Kalker."""
 
 import pickle
 
@@ -13,7 +13,7 @@ FRICTION = 0.3
 
 
 class Ball:
-    """A ball that rolls on a plane of the same material, of shear modulus and load one."""
+    """Ball that rolls on a plane of the same material, with unit shear modulus and unit load."""
 
     def __init__(self, cells=24):
         body = ss.Material.from_shear_modulus(1.0, 0.25)
@@ -37,7 +37,7 @@ def ball():
     return Ball()
 
 
-def test_a_cylinder_is_carter():
+def test_rolling_cylinder_matches_carter():
     steel = ss.Material(210e3, 0.3)
     hertz = ss.analytical.HertzLine(ss.ElasticPair(steel, steel), 10.0, 100.0)
     side = 2.5 * hertz.half_width
@@ -55,7 +55,7 @@ def test_a_cylinder_is_carter():
     assert difference < 0.02 * np.abs(rolling.traction[0]).sum()
 
 
-def test_small_creepages_have_the_coefficients_of_kalker(ball):
+def test_rolling_small_creepages_match_kalker(ball):
     solver = ball.problem().solver()
     stiffness = np.array(solver.stiffness())
     unit = ball.radius**2
@@ -68,7 +68,7 @@ def test_small_creepages_have_the_coefficients_of_kalker(ball):
     assert found == pytest.approx(stiffness @ small, abs=1e-3 * np.abs(found).max())
 
 
-def test_the_closed_forms_of_creepage_are_met(ball):
+def test_rolling_creep_forces_match_closed_forms(ball):
     coefficients = ss.analytical.KalkerCoefficients(1.0, 0.25)
     assert (coefficients.c11, coefficients.c22, coefficients.c23) == pytest.approx((4.12, 3.67, 1.47), rel=5e-3)
     hertz = ss.analytical.HertzEllipse(ball.bodies.pair, 1.0, 1.0, 1.0)
@@ -77,7 +77,7 @@ def test_the_closed_forms_of_creepage_are_met(ball):
     linear = np.hypot(coefficients.c11 * 0.06, coefficients.c22 * 0.03) * ball.radius**2 / FRICTION
     assert curve.relative_creepage == pytest.approx(linear)
     assert curve.force == pytest.approx(ball.problem(creepage=(0.06, 0.03)).solve().force, rel=0.04)
-    # Rollers of aluminium and steel that roll freely.
+    # Rollers of aluminium and steel roll freely.
     pair = ss.ElasticPair(ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
     line = ss.analytical.HertzLine(pair, 10.0, 100.0)
     free = ss.analytical.BentallJohnson(line, 0.01)
@@ -87,7 +87,7 @@ def test_the_closed_forms_of_creepage_are_met(ball):
     assert lost == pytest.approx(free.dissipation, rel=1e-3)
 
 
-def test_a_force_has_the_creepage_that_causes_it(ball):
+def test_rolling_prescribed_force_gives_creepage(ball):
     solver = ball.problem(force=(0.1, 0.05)).solver()
     rolling = solver.solve()
     assert rolling.force == pytest.approx((0.1, 0.05), rel=1e-8)
@@ -98,7 +98,7 @@ def test_a_force_has_the_creepage_that_causes_it(ball):
     assert mixed.force[0] == pytest.approx(0.1, rel=1e-8) and mixed.creepage[1] == 0.02
 
 
-def test_friction_changes_between_solves(ball):
+def test_rolling_friction_can_change_between_solves(ball):
     solver = ball.problem(force=(0.1, 0.05)).solver()
     before = solver.solve()
     solver.set_friction(2.0 * FRICTION)
@@ -111,31 +111,31 @@ def test_friction_changes_between_solves(ball):
     assert solver.solve().creepage == pytest.approx(after.creepage, rel=1e-6)
 
 
-def test_a_moment_has_the_spin_that_causes_it(ball):
+def test_rolling_prescribed_moment_gives_spin(ball):
     by_spin = ball.problem(spin=0.1).solve()
     by_moment = ball.problem(moment=by_spin.moment).solve()
     assert by_moment.moment == pytest.approx(by_spin.moment, rel=1e-6)
     assert by_moment.spin == pytest.approx(0.1, rel=1e-5)
 
 
-def test_what_is_worked_is_dissipated(ball):
+def test_rolling_work_equals_dissipation(ball):
     def missing(rolling):
         motion = (*rolling.creepage, rolling.spin)
-        # The spin moves a particle as the middle of its path, half a cell ahead.
+        # The spin displaces a particle as at the midpoint of its path, half a cell ahead.
         moment = rolling.moment + 0.5 * rolling.grid.dx * rolling.force[1]
         assert rolling.work == pytest.approx(np.dot(motion, (*rolling.force, moment)))
         return 1.0 - rolling.dissipation.sum() * rolling.grid.cell_area / rolling.work
 
     given = {"creepage": (0.1, 0.05), "spin": 0.02}
     rolling = ball.problem(**given).solve()
-    # A part that falls with the size of the cells.
+    # The deficit decreases with the cell size.
     assert 0.0 < missing(Ball(48).problem(**given).solve()) < 0.6 * missing(rolling) < 0.12
     against = -sum(q * s for q, s in zip(rolling.traction, rolling.slip, strict=True))
     assert rolling.dissipation == pytest.approx(against) and (against >= 0.0).all()
     assert (against[rolling.zones != ss.Zone.SLIP] == 0.0).all()
 
 
-def test_the_leading_edge_and_the_step_are_chosen(ball):
+def test_rolling_leading_edge_and_step_are_respected(ball):
     along_x = ball.problem(creepage_x=0.1).solve()
     along_y = ball.problem(creepage_y=0.1, leading_edge="plus_y").solve()
     assert along_y.traction[1].T == pytest.approx(along_x.traction[0], abs=1e-6)
@@ -148,33 +148,33 @@ def test_the_leading_edge_and_the_step_are_chosen(ball):
     assert [edge.axis for edge in ss.rolling.LeadingEdge] == ["x", "x", "y", "y"]
 
 
-def test_a_creep_curve_goes_from_nothing_to_sliding(ball):
+def test_creep_curve_reaches_sliding(ball):
     points = np.zeros((11, 3))
     points[:, 0] = 0.03 * np.arange(11)
     solver = ball.problem().solver()
     curve = solver.creep_forces(points)
     force_x, force_y = curve.force
     assert force_x[0] == 0.0 and curve.stick_ratio[-1] == 0.0
-    # Where all slips, not quite along x.
+    # The contact slides, but not exactly along x.
     assert 0.999 * FRICTION < force_x[-1] < FRICTION
     assert (np.diff(force_x, 2) <= 1e-9).all() and np.abs(force_y).max() < 1e-8
     assert (np.diff(curve.stick_ratio) <= 0.0).all() and (curve.creepage[0] == points[:, 0]).all()
     assert len(curve) == 11 and [point.force[0] for point in curve] == list(force_x)
     assert (curve[3].spin, curve[3].moment) == (curve.spin[3], curve.moment[3])
     assert pickle.loads(pickle.dumps(curve)) == curve and pickle.loads(pickle.dumps(curve[3])) == curve[3]
-    # The last point stays prescribed.
+    # The last point remains prescribed.
     assert solver.solve().creepage == (points[-1, 0], 0.0)
     assert isinstance(solver.creep_forces([]), CreepForces) and len(solver.creep_forces(np.empty((0, 3)))) == 0
 
 
-def test_a_problem_comes_back_from_a_pickle(ball):
+def test_rolling_problem_round_trips(ball):
     problem = ball.problem(force_x=0.1, creepage_y=0.01, moment=0.01, leading_edge="minus_x", step=2, tolerance=1e-6)
     again = pickle.loads(pickle.dumps(problem)).solve()
     solution = problem.solve()
     assert (again.traction[0] == solution.traction[0]).all() and again.spin == solution.spin != 0.0
 
 
-def test_what_is_refused_leaves_the_solver_as_it_was(ball):
+def test_rolling_rejected_input_leaves_solver_unchanged(ball):
     solver = ball.problem(creepage_x=0.05).solver()
     before = solver.solve()
     with pytest.raises(ss.BeyondFrictionCapacity) as caught:
@@ -199,7 +199,7 @@ def test_what_is_refused_leaves_the_solver_as_it_was(ball):
     assert after.force == pytest.approx(before.force, rel=1e-7)
 
 
-def test_what_cannot_roll_is_refused(ball):
+def test_rolling_invalid_contacts_are_rejected(ball):
     with pytest.raises(ss.errors.NotPositive, match="step"):
         ball.problem(step=0)
     with pytest.raises(ValueError, match="LeadingEdge is one of 'plus_x'"):
@@ -215,7 +215,7 @@ def test_what_cannot_roll_is_refused(ball):
         RollingProblem(ball.bodies, flat, FRICTION)
 
 
-def test_a_history_that_rolls_on_ends_in_the_steady_state(ball):
+def test_rolling_history_reaches_steady_state(ball):
     motion = {"creepage": (0.05, 0.02), "spin": 0.01}
     history, last = ball.history(), 0.0
     for _ in range(120):
@@ -232,7 +232,7 @@ def test_a_history_that_rolls_on_ends_in_the_steady_state(ball):
     assert step.shift == pytest.approx((120 * 0.05 * ball.bodies.grid.dx, 120 * 0.02 * ball.bodies.grid.dx))
 
 
-def test_the_creepage_of_a_step_follows_its_force(ball):
+def test_rolling_step_with_force_gives_creepage(ball):
     history = ball.history()
     held = history.step(force_x=0.1)
     assert held.creepage is None
@@ -245,7 +245,7 @@ def test_the_creepage_of_a_step_follows_its_force(ball):
     assert kept.creepage == step.creepage
 
 
-def test_a_rolled_step_is_one_by_any_name(ball):
+def test_rolling_step_accepts_all_forms_of_load(ball):
     back = Rolling(2, creepage=(-0.1, 0.0), leading_edge="minus_x")
     ahead = Rolling(2, creepage_x=0.1, leading_edge=ss.rolling.LeadingEdge.PLUS_X)
     one, other = ball.history(), ball.history()
@@ -255,13 +255,13 @@ def test_a_rolled_step_is_one_by_any_name(ball):
     assert one.traction[0][:, ::-1] == pytest.approx(-other.traction[0], abs=1e-6)
     assert load == ss.LoadStep(roll=Rolling(2, creepage_x=-0.1, leading_edge="minus_x")) != ss.LoadStep(roll=ahead)
     assert repr(load) == "LoadStep(roll=Rolling(2, creepage=(-0.1, 0), spin=0, leading_edge='minus_x'))"
-    # Adaptive steps and batches take loads as histories do.
+    # Adaptive steps and batches accept the same loads as histories.
     assert ss.History.step_all([one], [load]) == []
     with pytest.raises(ss.errors.UnsupportedByModel, match="adaptive"):
         ss.history.AdaptiveSteps(one, 0.05).step(one, load)
 
 
-def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
+def test_rolling_failed_step_leaves_history_unchanged(ball):
     history = ball.history()
     before = history.to_bytes()
     for given, error in [
@@ -282,7 +282,7 @@ def test_a_step_that_cannot_roll_leaves_the_history_as_it_was(ball):
         history.step(ss.LoadStep(force_x=0.1), roll=Rolling(1))
 
 
-def test_a_solver_takes_new_loads(ball):
+def test_rolling_solver_accepts_new_loads(ball):
     gap = ss.surface.sphere(ball.bodies.grid, 1.0)
     solver = ball.problem(creepage_x=0.02).solver()
     with pytest.raises(ss.errors.UnsupportedByModel, match="set_normal_solver"):

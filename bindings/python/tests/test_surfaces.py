@@ -1,4 +1,4 @@
-"""Filters of surfaces, and the units that surfaces keep from files and other packages to the gap."""
+"""Filters of surfaces, and units of surfaces from files and other packages, which the gap keeps."""
 
 import pickle
 
@@ -12,7 +12,7 @@ def wave(grid, length, unit=None):
     return ss.Field(grid, np.tile(np.sin(2.0 * np.pi * grid.x / length), (grid.ny, 1)), unit)
 
 
-def test_half_of_a_wave_passes_and_parts_add_up():
+def test_filter_passes_half_of_wave_and_parts_add_up():
     grid = ss.Grid.square(96, 96.0)
     surface = wave(grid, 12.0) + wave(grid, 48.0)
     filtered = ss.surface.gaussian_filter(surface, s=12.0, l=48.0, periodic=True)
@@ -21,7 +21,7 @@ def test_half_of_a_wave_passes_and_parts_add_up():
     assert np.allclose(filtered.heights + filtered.short_waves + filtered.long_waves, surface, rtol=0, atol=1e-12)
     one = ss.surface.gaussian_filter(surface, s=12.0)
     assert one.long_waves is None and one.valid_range == ((6, 90), (6, 90))
-    # Along y it does not change.
+    # The surface is constant along y.
     assert np.allclose(ss.surface.gaussian_filter(surface, l=12.0, along="y").heights, 0.0, atol=1e-12)
     rows = ss.surface.gaussian_filter(surface, s=12.0, along="x", periodic=True).heights
     assert np.allclose(rows, ss.surface.gaussian_filter(surface, s=12.0, periodic=True).heights, rtol=0, atol=1e-12)
@@ -33,7 +33,7 @@ def test_half_of_a_wave_passes_and_parts_add_up():
         ss.surface.gaussian_filter(surface, s=1.5)
 
 
-def test_missing_heights_stay_missing():
+def test_filter_keeps_missing_heights():
     grid = ss.Grid.square(32, 32.0)
     heights = np.full((32, 32), 3.0)
     heights[5:9, 7] = np.nan
@@ -41,7 +41,7 @@ def test_missing_heights_stay_missing():
     assert np.array_equal(filtered.array, heights, equal_nan=True)
 
 
-def test_surfaces_keep_their_unit(tmp_path):
+def test_surfaces_keep_unit(tmp_path):
     grid = ss.Grid.square(16, 16.0)
     rough = wave(grid, 8.0, "um")
     made = [
@@ -68,7 +68,7 @@ def test_surfaces_keep_their_unit(tmp_path):
         rough.to_unit("furlong")
 
 
-def test_surfaces_of_several_units_are_refused():
+def test_surfaces_with_different_units_are_rejected():
     grid = ss.Grid.square(16, 16.0)
     one, two, unknown = wave(grid, 8.0, "um"), wave(grid, 8.0, "nm"), wave(grid, 8.0)
     for call in (lambda a, b: a + b, lambda a, b: a - b, ss.surface.gap_between, lambda a, b: ss.surface.sum([a, b])):
@@ -79,7 +79,7 @@ def test_surfaces_of_several_units_are_refused():
     assert one != two and one == unknown
 
 
-def test_arrays_of_xarray_are_surfaces():
+def test_xarray_arrays_convert_to_surfaces():
     xarray = pytest.importorskip("xarray")
     heights = np.arange(12.0).reshape(3, 4)
     x, y = 5.0 + 0.5 * np.arange(4), 0.25 * np.arange(3)

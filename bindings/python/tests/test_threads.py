@@ -1,4 +1,4 @@
-"""Many threads, many processes, and calls from within calls."""
+"""Multiple threads, multiple processes, and nested calls."""
 
 import concurrent.futures
 import multiprocessing
@@ -18,7 +18,7 @@ TIMEOUT = 60
 
 
 def approach_of(force):
-    # Small, in the calling thread, and large, in the pool.
+    # The small contact is solved on the calling thread, the large contact in the pool.
     return [
         ss.NormalProblem(scene.bodies, scene.ball, force=force).solve().approach for scene in (Scene(32), Scene(96))
     ]
@@ -33,19 +33,19 @@ def expected():
 
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])
-def test_processes_come_to_the_same_bits(method, expected):
-    # The pool of this process is in use already: a forked one must not wait for its threads.
+def test_processes_are_bitwise_identical(method, expected):
+    # The pool of this process is already in use; a forked process must not wait for its threads.
     context = multiprocessing.get_context(method)
     with context.Pool(2) as pool:
         assert pool.map_async(approach_of, FORCES).get(TIMEOUT) == expected
 
 
-def test_threads_come_to_the_same_bits(expected):
+def test_threads_are_bitwise_identical(expected):
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
         assert list(pool.map(approach_of, FORCES, timeout=TIMEOUT)) == expected
 
 
-def test_the_number_of_threads_changes_no_bit(large):
+def test_results_do_not_depend_on_thread_count(large):
     before = ss.num_threads()
     try:
         answers = []
@@ -60,7 +60,7 @@ def test_the_number_of_threads_changes_no_bit(large):
         ss.set_num_threads(before)
 
 
-def test_other_threads_run_while_one_solves(rough):
+def test_other_threads_run_during_solve(rough):
     bodies, gap = rough
     problem = ss.NormalProblem(bodies, gap, force=0.02)
     counted, stop = [0], threading.Event()
@@ -80,7 +80,7 @@ def test_other_threads_run_while_one_solves(rough):
     assert while_solving > 0.1 * elapsed / 1e-3
 
 
-def test_a_history_in_use_refuses_another_thread(rough):
+def test_history_in_use_rejects_second_thread(rough):
     bodies, gap = rough
     history = ss.History(bodies, gap, 0.3)
     refused = []
@@ -112,7 +112,7 @@ def test_progress_is_called_before_each_product(cells):
 
 
 @pytest.mark.parametrize("cells", [48, 96])
-def test_an_exception_in_it_ends_the_solve(cells):
+def test_progress_exception_ends_solve(cells):
     scene = Scene(cells)
     history = scene.history()
     history.step(normal_force=FORCE)
@@ -130,14 +130,14 @@ def test_an_exception_in_it_ends_the_solve(cells):
     assert history.step(force_x=20.0).tangential_force[0] == pytest.approx(20.0)
 
 
-def test_tqdm_shows_it(large, capsys):
+def test_progress_bar_of_tqdm_is_shown(large, capsys):
     pytest.importorskip("tqdm")
     large_contact = ss.NormalProblem(large.bodies, large.ball, force=FORCE).solve(progress=True)
     assert large_contact.report.is_converged
     assert "residual" in capsys.readouterr().err
 
 
-def test_the_environment_sets_the_threads():
+def test_environment_variable_sets_thread_count():
     environment = {**os.environ, "RAYON_NUM_THREADS": "3"}
     code = "import stickslip; print(stickslip.num_threads())"
     answer = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)

@@ -13,25 +13,26 @@ then the shear traction, the stick zone and the slip zone under Coulomb friction
 >>> round(tangential.stick_ratio, 2), normal.pressure.shape
 (0.71, (128, 128))
 
-Any consistent system of units. z points into body 1; pressure is positive in compression; traction and tangential force
-are those that body 2 exerts on body 1; the shift is the rigid motion of body 2 relative to body 1. Fields are arrays of
-shape (ny, nx), x fastest.
+Any consistent system of units can be used. The z axis points into body 1, and pressure is positive in compression.
+Traction and tangential force are those that body 2 exerts on body 1; the shift is the rigid motion of body 2 relative to
+body 1. Fields are arrays of shape (ny, nx), x fastest.
 
-Arrays of solutions are read-only views of their memory. Whatever takes a field takes an array, which it copies, or a
-:class:`Field`, which is made once and shared. The GIL is released while anything is solved; Ctrl-C ends a solve at its
-next product, and leaves the state of solvers and histories as it was.
+Arrays of solutions are read-only views of their memory. Every argument that accepts a field accepts an array, which is
+copied, or a :class:`Field`, which is created once and shared. The GIL is released during solves. Ctrl-C ends a solve at
+its next product and leaves the state of solvers and histories unchanged.
 
-A contact is a :class:`Grid`, two :class:`Material` in a :class:`HalfSpace`, and a gap: a shape of
-:mod:`~stickslip.surface` or an array. :class:`NormalProblem` presses, :class:`TangentialProblem` shears once under the
-pressure found, :class:`CoupledProblem` does both at once for different materials, :class:`History` goes step by step,
-:class:`rolling.RollingProblem <stickslip.rolling.RollingProblem>` rolls steadily.
-``help`` of each has its parameters, units, defaults and exceptions.
+A contact consists of a :class:`Grid`, two :class:`Material` objects in a :class:`HalfSpace`, and a gap: a shape of
+:mod:`~stickslip.surface` or an array. :class:`NormalProblem` solves normal contact. :class:`TangentialProblem` solves one
+tangential load step under a given pressure. :class:`CoupledProblem` solves both simultaneously for different materials.
+:class:`History` computes a load history step by step, and
+:class:`rolling.RollingProblem <stickslip.rolling.RollingProblem>` computes steady rolling. Use ``help`` on a class for
+its parameters, units, defaults and exceptions.
 
-Submodules are those of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`,
-:mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`, :mod:`~stickslip.fft`,
-:mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`, :mod:`~stickslip.layers`,
-:mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`,
-:mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
+The submodules correspond to the modules of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`,
+:mod:`~stickslip.coupled`, :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`,
+:mod:`~stickslip.fft`, :mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`,
+:mod:`~stickslip.layers`, :mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`,
+:mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
 :mod:`~stickslip.plot` draws with matplotlib.
 """
 
@@ -87,7 +88,7 @@ from ._stickslip import (
     num_threads,
     set_num_threads,
 )
-from ._stickslip import Warning as Warning  # noqa: A004 (`import *` leaves the builtin of this name)
+from ._stickslip import Warning as Warning  # noqa: A004 (not in `__all__`: `import *` keeps the builtin)
 from .errors import (
     BeyondFrictionCapacity,
     BeyondHardness,

@@ -1,4 +1,4 @@
-"""Enumerations. Each member is a string, and wherever one is taken its name is too."""
+"""Enumerations. Each member is a string, and every argument that accepts a member also accepts its name."""
 
 from enum import Enum, IntEnum
 
@@ -9,16 +9,16 @@ class _Name(str, Enum):
 
 
 class Axis(_Name):
-    """An axis of the plane."""
+    """Axis of the plane."""
 
     X = "x"
     Y = "y"
 
 
 class TangentialModel(_Name):
-    """Which tractions are found: along the axis of the load ("scalar"), or along x and y in every cell ("vector").
+    """Tractions of the model: along the axis of the load ("scalar"), or along x and y in every cell ("vector").
 
-    Where pressure and traction are found together, both are, whatever the model.
+    If pressure and traction are solved simultaneously, both components are computed, whatever the model.
     """
 
     SCALAR = "scalar"
@@ -26,14 +26,15 @@ class TangentialModel(_Name):
 
 
 class Coupling(_Name):
-    """How much is modelled of the coupling between pressure and traction in bodies of different materials.
+    """Model of the coupling between pressure and traction in bodies of different materials.
 
-    "full": both are found together. "one_way": pressure moves the surfaces tangentially, shear does not change the
-    pressure (Goodman). "neglected": neither moves the other. Of bodies that are not coupled, such as equal materials, all
-    three are the same. Stick ratios depend on the choice, and on whether the load comes in one step or in many.
+    "full": both are solved simultaneously. "one_way": pressure displaces the surfaces tangentially, but shear does not
+    change the pressure (Goodman). "neglected": neither affects the other. All three are equivalent for bodies that are
+    not coupled, such as bodies of the same material. Stick ratios depend on the choice, and on whether the load is
+    applied in one step or in many.
 
-    A history has "full" by default. A tangential problem, whose pressure is given, has "one_way" and refuses "full"; a coupled
-    problem is always "full".
+    The default of a history is "full". The default of a tangential problem, whose pressure is given, is "one_way"; "full"
+    is rejected there. A coupled problem always uses "full".
     """
 
     FULL = "full"
@@ -42,11 +43,12 @@ class Coupling(_Name):
 
 
 class CellValue(_Name):
-    """The meaning of the pressure and the traction of a cell.
+    """Meaning of the pressure and the traction of a cell.
 
-    "uniform": uniform over the cell, as in the paper. "centre": the value at its centre, of a traction that is smooth between
-    the centres; the influence coefficients have the smoothing of uniform cells taken off, and pressures inside a contact are
-    right to a fraction of the error, at no cost. On a grid that repeats along x and y values are those at the centres.
+    "uniform": uniform over the cell, as in the paper. "centre": the value at the centre of the cell, of a traction that
+    is smooth between the centres. For "centre", the smoothing by uniform cells is removed from the influence
+    coefficients. Pressures inside a contact then have only a fraction of the error, at no cost. On a grid that is
+    periodic along x and y, values are those at the centres.
     """
 
     UNIFORM = "uniform"
@@ -54,10 +56,10 @@ class CellValue(_Name):
 
 
 class EntryRule(_Name):
-    """How far a cell that comes into contact within a step follows the motion of the step.
+    """Part of the motion of a step that a cell follows if it comes into contact within the step.
 
-    "since_touch": from the moment it touches, so that a step may press and shear at once.
-    "whole_step": all of it, as in codes that know the start of the step only.
+    "since_touch": the motion since the cell touched, so that a step may press and shear simultaneously. "whole_step": the
+    whole motion, as in codes that use only the state at the start of the step.
     """
 
     SINCE_TOUCH = "since_touch"
@@ -65,7 +67,7 @@ class EntryRule(_Name):
 
 
 class LeadingEdge(_Name):
-    """Where particles enter a contact that rolls: at the largest or the smallest x or y."""
+    """Edge where particles enter a rolling contact: at the largest or the smallest x or y."""
 
     PLUS_X = "plus_x"
     MINUS_X = "minus_x"
@@ -74,20 +76,21 @@ class LeadingEdge(_Name):
 
     @property
     def axis(self) -> Axis:
-        """The axis that particles move along."""
+        """Axis along which the particles move."""
         return Axis(self.value[-1])
 
 
 class Method(_Name):
-    """The iteration that finds the constrained minimum: active sets by preconditioned conjugate gradients, or the single
-    loop of Polonsky and Keer, which solves for pressure or for one traction."""
+    """Iteration for the constrained minimum: active sets with preconditioned conjugate gradients, or the single loop of
+    Polonsky and Keer, which solves for the pressure or for one traction component."""
 
     ACTIVE_SET = "active_set"
     POLONSKY_KEER = "polonsky_keer"
 
 
 class Status(_Name):
-    """Why an iteration ended; "stalled": the residual no longer falls, mostly because the tolerance is below round-off."""
+    """Reason for the end of an iteration. "stalled" means that the residual no longer decreases, usually because the
+    tolerance is below round-off."""
 
     UNSOLVED = "unsolved"
     CONVERGED = "converged"
@@ -98,11 +101,12 @@ class Status(_Name):
 
 
 class EigenvalueBound(_Name):
-    """How the smallest eigenvalue of an operator is known, on which a certified error rests.
+    """Origin of the bound on the smallest eigenvalue of an operator, on which the certified error depends.
 
-    "proven": by a bound from below, computed for the operators of this package and stated by your own. "estimated": by an
-    estimate on the safe side, of stiff coatings on long grids. "unknown": not at all; the bound of the error, the root of the
-    duality gap of the problem, then falls only with the root of the residual.
+    "proven": a lower bound, computed for the operators of this package or stated for a user-defined operator.
+    "estimated": an estimate on the safe side, for stiff coatings on long grids. "unknown": no bound is available. The
+    error bound, the square root of the duality gap of the problem, then decreases only with the square root of the
+    residual.
     """
 
     UNKNOWN = "unknown"
@@ -111,7 +115,7 @@ class EigenvalueBound(_Name):
 
 
 class Regime(_Name):
-    """The regime of a cycle."""
+    """Regime of a cycle."""
 
     FULL_STICK = "full_stick"
     PARTIAL_SLIP = "partial_slip"
@@ -119,7 +123,7 @@ class Regime(_Name):
 
 
 class StopReason(_Name):
-    """Why a fretting loop ended."""
+    """Reason for the end of a fretting loop."""
 
     STEADY = "steady"
     CYCLE_LIMIT = "cycle_limit"
@@ -134,14 +138,14 @@ class Body(_Name):
 
 
 class Amplitudes(_Name):
-    """Amplitudes of the waves of a rough surface: those of the spectrum, or scattered about them."""
+    """Amplitudes of the waves of a rough surface: equal to the spectrum, or scattered about it."""
 
     EXACT = "exact"
     GAUSSIAN = "gaussian"
 
 
 class Direction(_Name):
-    """A direction of a displacement or a traction."""
+    """Direction of a displacement or a traction."""
 
     X = "x"
     Y = "y"
@@ -149,7 +153,7 @@ class Direction(_Name):
 
 
 class Component(_Name):
-    """A component of the influence tensor: displacement first, traction second."""
+    """Component of the influence tensor: direction of the displacement first, direction of the traction second."""
 
     XX = "xx"
     XY = "xy"
@@ -163,7 +167,7 @@ class Component(_Name):
 
 
 class Zone(IntEnum):
-    """What a cell does; the numbers of the arrays of zones."""
+    """State of a cell; the members are the numbers in the arrays of zones."""
 
     SEPARATED = 0
     STICK = 1

@@ -1,4 +1,4 @@
-"""The layout of figures that were given none."""
+"""Layout of figures that have no layout yet."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 
 class SettledLayout(ConstrainedLayoutEngine):
-    """The constrained layout, twice: the names of ticks depend on the size that it gives to axes of true proportions."""
+    """The constrained layout, executed twice, since the tick labels depend on the size that the first pass gives to axes
+    with equal aspect."""
 
     def execute(self, fig: Any) -> Any:
         super().execute(fig)

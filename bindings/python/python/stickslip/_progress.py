@@ -1,4 +1,4 @@
-"""The bar of ``progress=True``."""
+"""Progress bar of ``progress=True``."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class Bar:
-    """Products and residual of a solve, shown by tqdm."""
+    """Progress bar of tqdm that shows products and residual of a solve."""
 
     def __init__(self) -> None:
         try:

@@ -1,4 +1,4 @@
-"""The remarks on solutions as warnings of Python."""
+"""Warnings about solutions, issued through Python's ``warnings``."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from .errors import ContactWarning
 
 
 def warn(remarks: list[tuple[str, str]]) -> None:
-    """Warns of remarks, each its kind and its sentence, at the line from which the package is called.
+    """Issues warnings, given as pairs of kind and sentence, for the line from which the package is called.
 
-    The filters of ``warnings`` know a warning by its sentence. So that a loop of loads does not warn again of the same
-    with another number of cells, a kind that was shown at a place counts as shown there, whatever its numbers.
+    The filters of ``warnings`` identify a warning by its sentence. A loop over loads would therefore repeat a warning
+    whenever its number of cells changes. To avoid this, a kind that was shown at a location counts as shown there,
+    whatever its numbers.
     """
     frame = sys._getframe(1)
     while frame.f_globals.get("__name__", "").split(".")[0] == __package__ and frame.f_back is not None:

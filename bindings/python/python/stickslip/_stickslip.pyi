@@ -1,6 +1,6 @@
 # Written by stubs.py from the hints of the module.
 """
-What the package ``stickslip`` is made of; import that.
+Extension module of the package ``stickslip``; import that package instead.
 """
 from collections.abc import Iterator, Sequence
 from typing import Any, Final, final
@@ -178,22 +178,22 @@ from typing_extensions import disjoint_base
 
 __version__: Final[str]
 """
-The version of the package.
+Version of the package.
 """
 
 @final
 class AdaptiveSteps:
     """
-    Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
-    states.
+    Applies a load in steps short enough for a given tolerance, and estimates the error of a step. Its buffers require the
+    memory of four states.
 
     Parameters
     ----------
     history : History
-        For histories on the grid of this one.
+        A history on the grid of the histories to be stepped.
     tolerance : float
-        Of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
-        settings.
+        Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance
+        of the history's settings.
 
     Raises
     ------
@@ -203,39 +203,40 @@ class AdaptiveSteps:
     def __repr__(self, /) -> str: ...
     def error(self, /, history: History, load: LoadStep) -> StepErrorEstimate:
         """
-        The error that a single step makes with this load; the history is then as it was, but for its last step.
+        Returns the error of a single step with this load. The state of the history is unchanged afterwards, except for
+        its last step.
         """
     def step(self, /, history: History, load: LoadStep, *, cycle: Cycle | None = None, warn: bool = True) -> int:
         """
-        Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the
-        history is then as it was, but for its last step.
+        Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
+        after the current part; the state of the history is then unchanged, except for its last step.
 
         Parameters
         ----------
         history : History
-            The history that takes the load.
+            The history to which the load is applied.
         load : LoadStep
-            What is prescribed at its end, reached in proportion.
+            The load at the end, approached proportionally.
         cycle : Cycle, optional
-            To which each step is added.
+            A cycle to which each step is added.
         warn : bool, default True
-            Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+            Whether the warnings of the last step are also issued through ``warnings``, each kind once per location.
 
         Raises
         ------
         GridMismatch, StepTooLong
-            And what :meth:`History.step` raises.
+            In addition to the exceptions of :meth:`History.step`.
         """
 
 @final
 class BentallJohnson:
     """
-    Cylinders of different materials that roll freely, without a tangential force and with little friction: the limit of
-    Bentall and Johnson's solution for a friction much less than Dundurs' beta.
+    Cylinders of different materials that roll freely, without a tangential force and with little friction: the limit
+    of Bentall and Johnson's solution for a friction coefficient much smaller than Dundurs' beta.
 
-    The pressure stretches the surfaces by different amounts: body 1 slips over body 2, for each length rolled, by
-    s = 2 beta p / E* - xi, and the traction is mu p against the slip. Between bodies of which beta is zero nothing
-    slips. The leading edge is at +x; with that at -x creepage and slip change their signs. Bentall and Johnson (1967);
+    The pressure stretches the surfaces by different amounts. Body 1 therefore slips over body 2, per unit length
+    rolled, by s = 2 beta p / E* - xi, and the traction is mu p against the slip. There is no slip if beta is zero.
+    The leading edge is at +x; if it is at -x, creepage and slip have the opposite sign. Bentall and Johnson (1967);
     Johnson (1985), section 8.2.
 
     Parameters
@@ -262,8 +263,8 @@ class BentallJohnson:
     @property
     def dissipation(self, /) -> float:
         """
-        Energy that slip dissipates for each length rolled (a force per length), 0.1239 mu |beta| P a/R: what keeps the
-        cylinders rolling.
+        Energy dissipated by slip per unit length rolled (a force per length), 0.1239 mu |beta| P a/R. It must be
+        supplied to keep the cylinders rolling.
         """
     @property
     def reversal(self, /) -> float:
@@ -272,28 +273,29 @@ class BentallJohnson:
         """
     def slip(self, /, x: ArrayLike) -> Any:
         """
-        Slip of body 1 over body 2 at x, for each length rolled (dimensionless); zero outside the contact.
+        Returns the slip of body 1 over body 2 at x per unit length rolled (dimensionless); zero outside the contact.
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure) at x, mu p against the slip; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x, mu p against the slip; zero outside the contact.
         """
 
 @final
 class Boundary:
     """
-    What lies beyond the edge of the grid.
+    Boundary condition at the edge of the grid.
 
-    Wherever one is taken, ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)`` are too. On a grid that
-    repeats along x and y the approach is measured from the mean gap, and the shift from the mean plane of the surface.
+    Every argument of this type also accepts ``"non_periodic"``, ``"periodic"`` and ``("periodic_along_y", datum)``. On a
+    grid that is periodic along x and y, the approach is measured from the mean gap and the shift from the mean plane of
+    the surface.
     """
     NON_PERIODIC: Final[Boundary]
     """
-    Unloaded half-space.
+    Unloaded half-space outside the grid.
     """
     PERIODIC: Final[Boundary]
     """
-    The grid repeats along x and y.
+    Grid that is periodic along x and y.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -302,18 +304,19 @@ class Boundary:
     @property
     def datum(self, /) -> float | None:
         """
-        The datum (a length) of a grid that repeats along y alone; else ``None``.
+        The datum (a length) of a grid that is periodic along y only; otherwise ``None``.
         """
     @property
     def name(self, /) -> str:
         """
-        Its name.
+        Name of the boundary condition.
         """
     @staticmethod
     def periodic_along_y(datum: float) -> Boundary:
         """
-        The grid repeats along y alone: cylinders, rollers, line contacts. The datum is the distance along x from a line
-        load at which it moves nothing (a length), at least the length of the grid; approach and shift are relative to it.
+        Returns the boundary of a grid that is periodic along y only, for cylinders, rollers and line contacts. The datum
+        (a length, at least the length of the grid) is the distance along x from a line load at which that load causes no
+        displacement. Approach and shift are relative to it.
         """
 
 @final
@@ -321,9 +324,9 @@ class Carter:
     """
     A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
 
-    The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends there sticks, the rest slips,
-    against the traction; from the creepage xi_s on all slips. For equal bodies, or bodies of which Dundurs' beta is
-    zero. Carter (1926); Johnson (1985), section 8.3.
+    The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends there sticks; the rest
+    slips, against the traction. For creepages of xi_s or more, the whole contact slips. Valid for equal bodies, or
+    bodies with zero Dundurs' beta. Carter (1926); Johnson (1985), section 8.3.
 
     Parameters
     ----------
@@ -351,17 +354,17 @@ class Carter:
     @property
     def sliding_creepage(self, /) -> float:
         """
-        The creepage from which on the whole contact slips (dimensionless), xi_s = 2 mu p_0 / E*.
+        Smallest creepage at which the whole contact slips (dimensionless), xi_s = 2 mu p_0 / E*.
         """
     @property
     def stick_half_width(self, /) -> float:
         """
-        Half-width c of the strip that sticks, at the leading edge (a length).
+        Half-width c of the stick strip at the leading edge (a length).
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure) at x: with the sign of the creepage, mu p_0 sqrt(1 - x^2/a^2), less
-        mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the strip that sticks; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x: with the sign of the creepage, mu p_0 sqrt(1 -
+        x^2/a^2), minus mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the stick strip; zero outside the contact.
         """
 
 @final
@@ -370,9 +373,9 @@ class CattaneoMindlin:
     A sphere in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
 
     With f = |F| / (mu W) a disc of radius c = a (1 - f)^(1/3) sticks. The ring around it slips, opposite to the
-    traction. This is the solution of the scalar model, with traction along x only; with traction along y allowed it is
-    exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo (1938);
-    Mindlin (1949); Johnson (1985), 7.41-7.44.
+    traction. This is the solution of the scalar model, with traction along x only; for tractions along both axes, it
+    is exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo
+    (1938); Mindlin (1949); Johnson (1985), 7.41-7.44.
 
     Parameters
     ----------
@@ -394,8 +397,8 @@ class CattaneoMindlin:
     def __repr__(self, /) -> str: ...
     def displacement(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force), anywhere in the
-        plane: shift and slip inside the contact.
+        Returns the tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force),
+        anywhere in the plane: shift and slip inside the contact.
         """
     @property
     def energy_of_first_quarter(self, /) -> float:
@@ -406,8 +409,8 @@ class CattaneoMindlin:
     @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
-        of the first quarter.
+        Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
+        energy of the first quarter.
         """
     @property
     def force(self, /) -> float:
@@ -432,7 +435,7 @@ class CattaneoMindlin:
         """
     def slip(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
+        Returns the slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
         """
     @property
     def stick_radius(self, /) -> float:
@@ -446,8 +449,9 @@ class CattaneoMindlin:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
-        mu p_0 sqrt(1 - r^2/a^2), less mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
+        contact.
         """
 
 @final
@@ -481,14 +485,14 @@ class CattaneoMindlinEllipse:
     @property
     def energy_of_first_quarter(self, /) -> float:
         """
-        Energy dissipated while the force grows from zero to F (a force times a length, not negative), as
+        Energy dissipated while the force grows from zero to F (a force times a length, not negative); see
         :attr:`CattaneoMindlin.energy_of_first_quarter`.
         """
     @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
-        of the first quarter.
+        Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
+        energy of the first quarter.
         """
     @property
     def force(self, /) -> float:
@@ -503,8 +507,8 @@ class CattaneoMindlinEllipse:
     @property
     def shift(self, /) -> float:
         """
-        Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, 1 - s^2 of that at
-        which the whole contact begins to slide.
+        Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, equal to 1 - s^2
+        times the shift at which the whole contact begins to slide.
         """
     @property
     def sliding_shift(self, /) -> float:
@@ -519,12 +523,13 @@ class CattaneoMindlinEllipse:
     @property
     def stick_semi_axes(self, /) -> tuple[float, float]:
         """
-        Semi-axes of the stick ellipse along x and y (lengths): s times those of the contact.
+        Semi-axes of the stick ellipse along x and y (lengths): s times the semi-axes of the contact.
         """
     def traction(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 + y^2/a_y^2 it is
-        mu p_0 sqrt(1 - rho^2), less mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 +
+        y^2/a_y^2 it is mu p_0 sqrt(1 - rho^2), minus mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the
+        contact.
         """
 
 @final
@@ -533,8 +538,8 @@ class CattaneoMindlinLine:
     A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that
     increases monotonically, with a bulk strain that increases in proportion to it.
 
-    With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction. For
-    equal bodies, or bodies of which Dundurs' beta is zero. Johnson (1985), section 7.2; with bulk strain Nowell &
+    With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction.
+    Valid for equal bodies, or bodies with zero Dundurs' beta. Johnson (1985), section 7.2; with bulk strain Nowell &
     Hills, Int. J. Mech. Sci. 29 (1987) 355.
 
     Parameters
@@ -558,13 +563,13 @@ class CattaneoMindlinLine:
     @property
     def energy_of_first_quarter(self, /) -> float:
         """
-        Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of that of a
-        cycle.
+        Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of the energy
+        per cycle.
         """
     @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy that a cycle of the force between Q and -Q, with the strain in proportion to it, dissipates per length,
+        Energy dissipated per length in a cycle of the force between Q and -Q with the strain in proportion to it,
         ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         """
     @property
@@ -579,9 +584,9 @@ class CattaneoMindlinLine:
         """
     def shift(self, /, datum: ArrayLike) -> Any:
         """
-        Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, relative to
-        the datum d (a length) of :meth:`Boundary.periodic_along_y`; the strain displaces nothing at x = 0: of size
-        (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
+        Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force,
+        relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no displacement at
+        x = 0. The size of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
         """
     @property
     def stick_centre(self, /) -> float:
@@ -595,41 +600,43 @@ class CattaneoMindlinLine:
         """
     def stress(self, /, x: ArrayLike, depth: ArrayLike) -> tuple[tuple[Any, Any, Any], tuple[Any, Any, Any]]:
         """
-        Stresses xx, zz and xz of body 1 and those of body 2, at x and at a depth below the surface of each, a length of
-        zero or more (pressures, positive in tension), bulk stress included. Johnson (1985), 7.2.
+        Returns the stresses xx, zz and xz of body 1 and of body 2 at x and at a depth below the surface of each body
+        (a length, zero or more). Stresses are pressures, positive in tension, and include the bulk stress. Johnson
+        (1985), 7.2.
         """
     def surface_stress(self, /, x: ArrayLike) -> tuple[Any, Any]:
         """
-        Stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension), bulk stress included.
-        In body 1 the largest is at the edge of the contact that the traction pulls away from, x = -a under a positive
-        force, where it rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell &
-        Hills (1987).
+        Returns the stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension),
+        including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect to
+        the traction, x = -a for a positive force, where it rises as a square root. Values on a row of cells therefore
+        converge slowly to it. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), less
-        mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the strip around e that sticks; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
+        mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip around e; zero outside the contact.
         """
     def with_bulk_stress(self, /, stress: Sequence[float] | NDArray[Any]) -> CattaneoMindlinLine:
         """
-        With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
-        the force and strain the bodies in plane strain.
+        Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to the
+        force and strain the bodies in plane strain.
 
         Raises
         ------
         Sample, NotFinite, NotPositive, BelowMinimum
-            As :meth:`with_strain`.
+            See :meth:`with_strain`.
         """
     def with_strain(self, /, strain: float) -> CattaneoMindlinLine:
         """
-        With this strain of body 1 along x less that of body 2, positive where it is stretched. A bulk stress along x
-        in one body strains it by stress (1 - nu^2) / E in plane strain: :meth:`Material.plane_strain_under`.
+        Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. A bulk stress
+        along x in one body causes the strain stress (1 - nu^2) / E in plane strain:
+        :meth:`Material.plane_strain_under`.
 
         Raises
         ------
         NotFinite, NotPositive
         BelowMinimum
-            If the strip that sticks would leave the contact: slip then reverses at one end.
+            If the stick strip would extend beyond the contact. The slip then reverses at one end.
         """
 
 @final
@@ -638,8 +645,8 @@ class Cone:
     A blunt cone pressed on a half-space.
 
     The gap is r tan(beta), with the small angle beta between flank and surface. The mean pressure is independent of
-    the load, so that the contact area is proportional to the load, as that of a rough surface. Sneddon (1965);
-    Johnson (1985), section 5.2.
+    the load, so that the contact area is proportional to the load, as for a rough surface. Sneddon (1965); Johnson
+    (1985), section 5.2.
 
     Parameters
     ----------
@@ -676,14 +683,14 @@ class Cone:
         """
     def displacement(self, /, r: ArrayLike) -> Any:
         """
-        Normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each, at the
-        distance r from the centre: delta - r tan(beta) inside the contact, and outside it
-        (a arcsin(a/r) - r + sqrt(r^2 - a^2)) tan(beta).
+        Returns the normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each,
+        at the distance r from the centre: delta - r tan(beta) inside the contact, and outside it (a arcsin(a/r) - r +
+        sqrt(r^2 - a^2)) tan(beta).
         """
     def gap(self, /, r: ArrayLike) -> Any:
         """
-        Gap u_z + r tan(beta) - delta between the surfaces (a length) at the distance r from the centre; zero in the
-        contact, positive outside.
+        Returns the gap u_z + r tan(beta) - delta between the surfaces (a length) at the distance r from the centre;
+        zero in the contact, positive outside.
         """
     @property
     def load(self, /) -> float:
@@ -702,8 +709,8 @@ class Cone:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Pressure (E* tan(beta) / 2) arcosh(a/r) at the distance r from the centre; infinite at the apex, zero outside
-        the contact.
+        Returns the pressure (E* tan(beta) / 2) arcosh(a/r) at the distance r from the centre; infinite at the apex,
+        zero outside the contact.
         """
     @property
     def slope(self, /) -> float:
@@ -772,8 +779,9 @@ class ConePartialSlip:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
-        (mu E* tan(beta) / 2) arcosh(a/r), less the same with c in the stick disc; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
+        zero outside the contact.
         """
 
 @final
@@ -791,23 +799,23 @@ class ContactSpots:
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of the labels.
+        Grid of the labels.
         """
     @property
     def labels(self, /) -> NDArray[uint32]:
         """
-        The number of the spot of every cell, counted from 1, of shape (ny, nx); 0 outside the contact.
+        Number of the spot of each cell, counted from 1, of shape (ny, nx); 0 outside the contact.
         """
     @property
     def largest(self, /) -> Spot | None:
         """
-        The spot of the largest area.
+        The spot with the largest area.
         """
 
 @final
 class ContactStiffness:
     """
-    All slopes of a contact.
+    Derivatives of all forces of a contact with respect to its motions.
 
     Parameters
     ----------
@@ -818,13 +826,13 @@ class ContactStiffness:
     friction : Friction, float or array_like of shape (ny, nx)
         The friction of the tangential contact.
     shear : TangentialSolution
-        The tangential contact under that pressure.
+        The tangential contact under the pressure of ``normal``.
 
     Raises
     ------
     GridMismatch, BoundaryMismatch, MaterialMismatch, NotFinite, Yielded, NotConverged
     CoupledMaterials
-        For the halves of a coupled solution of dissimilar bodies.
+        If the two solutions are parts of a coupled solution of dissimilar bodies.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -833,29 +841,30 @@ class ContactStiffness:
     @property
     def by_approach(self, /) -> tuple[float, float, float]:
         """
-        By the approach, of the tangential forces and the moment; NaN for those that the model does not have.
+        Derivatives of the tangential forces and the moment with respect to the approach; NaN for components that the
+        model does not have.
         """
     @property
     def normal(self, /) -> NormalStiffness:
         """
-        By the approach, of the normal force.
+        Derivative of the normal force with respect to the approach.
         """
     @property
     def normal_by_motion(self, /) -> tuple[float, float, float]:
         """
-        By shifts along x and y and the twist, of the normal force: zero but where pressure and traction are found together.
-        NaN for motions that the model does not have.
+        Derivatives of the normal force with respect to the shifts along x and y and the twist: zero unless pressure and
+        traction are solved simultaneously. NaN for motions that the model does not have.
         """
     @property
     def tangential(self, /) -> TangentialStiffness:
         """
-        By shifts and twist, of the tangential forces and the moment.
+        Derivatives of the tangential forces and the moment with respect to the shifts and the twist.
         """
 
 @final
 class Convolution(LinearOperator):
     """
-    The convolution with an influence coefficient by fast transforms.
+    The convolution with an influence coefficient by fast Fourier transforms.
 
     Parameters
     ----------
@@ -864,16 +873,17 @@ class Convolution(LinearOperator):
     pair : ElasticPair
         The two bodies.
     component : Component or str
-        Displacement first, traction second.
+        Direction of the displacement first, direction of the traction second.
     periodic : bool, default False
-        Whether the grid repeats along x and y.
+        Whether the grid is periodic along x and y.
     """
     def __new__(cls, /, grid: Grid, pair: ElasticPair, component: Component | str, *, periodic: bool = False) -> Convolution: ...
 
 @final
 class CoupledProblem:
     """
-    Bodies, gap, friction and loads of a contact whose pressure and tractions are found together: from rest, in one step.
+    Bodies, gap, friction and loads of a contact whose pressure and tractions are solved simultaneously, from rest in one
+    step.
 
     Parameters
     ----------
@@ -886,19 +896,19 @@ class CoupledProblem:
     load : TangentialLoad, optional
         The tangential load as an object, instead of by keywords.
     force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-        The tangential load, as of :class:`TangentialLoad`; no force by default.
+        The tangential load; see :class:`TangentialLoad`. No force by default.
     normal_force, approach : float
-        One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-        positive when they come together).
+        Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+        (a length, positive when they move together).
     relative_displacement : RelativeDisplacement, optional
-        A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
-        by default.
+        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
+        none by default.
     hardness : Hardness, float or array_like of shape (ny, nx), optional
-        The largest pressure that the cells carry; no limit by default.
+        The largest pressure that the cells can carry; no limit by default.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -921,18 +931,18 @@ class CoupledProblem:
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
-        Solves from rest; see :meth:`NormalProblem.solve`. A force that slides the contact raises
+        Solves from rest; see :meth:`NormalProblem.solve`. A force that makes the contact slide raises
         :class:`~stickslip.errors.BeyondFrictionCapacity`.
         """
     def solver(self, /) -> CoupledSolver:
         """
-        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
         """
 
 @final
 class CoupledReport:
     """
-    How a coupled solve ended, what it cost, and what its halves certify.
+    Termination and cost of a coupled solve, and the certified error bounds of its normal and tangential parts.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -941,12 +951,13 @@ class CoupledReport:
     @property
     def error_bounds(self, /) -> tuple[float, float] | None:
         """
-        Bounds of the errors of pressure and traction as a whole, where friction is weak enough for them.
+        Bounds on the errors of pressure and traction of the coupled problem; ``None`` unless friction is weak enough for
+        them.
         """
     @property
     def error_estimate(self, /) -> ErrorEstimate | None:
         """
-        What the errors of the whole are likely to be.
+        Estimated errors of the coupled problem, if available.
         """
     @property
     def is_converged(self, /) -> bool:
@@ -961,7 +972,7 @@ class CoupledReport:
     @property
     def pressure_error_bound(self, /) -> float:
         """
-        Bound of the error of the pressure at the tractions as they are.
+        Bound on the error of the pressure for the tractions of the solution.
         """
     @property
     def tangential(self, /) -> Report:
@@ -971,12 +982,12 @@ class CoupledReport:
     @property
     def traction_error_bound(self, /) -> float:
         """
-        Bound of the error of the tractions at the pressure as it is.
+        Bound on the error of the tractions for the pressure of the solution.
         """
     @property
     def work(self, /) -> Report:
         """
-        Why the iteration ended, products with the whole tensor, residual and time.
+        Reason for the end of the iteration, products with the full operator, residual and time.
         """
 
 @final
@@ -984,7 +995,7 @@ class CoupledRollingProblem:
     """
     Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
 
-    Along an axis without a creepage and a force there is no creepage.
+    The creepage is zero along an axis without a given creepage or force.
 
     Parameters
     ----------
@@ -995,16 +1006,16 @@ class CoupledRollingProblem:
     friction : Friction, float or array_like of shape (ny, nx)
         Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
     normal_force, approach : float
-        One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-        positive when they come together).
+        Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+        (a length, positive when they move together).
     creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-        As of :class:`RollingProblem`.
+        See :class:`RollingProblem`.
     leading_edge, step, entry_rule, slip_corrections : optional
-        As of :class:`RollingProblem`.
+        See :class:`RollingProblem`.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -1028,17 +1039,17 @@ class CoupledRollingProblem:
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
-        Solves once; see :meth:`NormalProblem.solve`.
+        Solves the problem once; see :meth:`NormalProblem.solve`.
         """
     def solver(self, /) -> CoupledRollingSolver:
         """
-        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
         """
 
 @final
 class CoupledRollingReport:
     """
-    Report of coupled rolling: ending, cost, passes and certified errors.
+    Report of coupled rolling: termination, cost, number of passes and certified error bounds.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1046,12 +1057,13 @@ class CoupledRollingReport:
     @property
     def coupling_residual(self, /) -> float:
         """
-        Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+        Residual of the coupling: the lift within the contact added by the last pass, relative to the largest normal
+        displacement.
         """
     @property
     def error_estimate(self, /) -> float | None:
         """
-        Estimate of the relative error of the pressure as a whole, if there is one.
+        Estimate of the relative error of the pressure of the coupled problem, if available.
         """
     @property
     def is_converged(self, /) -> bool:
@@ -1071,12 +1083,12 @@ class CoupledRollingReport:
     @property
     def pressure_change(self, /) -> float:
         """
-        Change of the pressure in the last pass, over the pressure (root mean squares).
+        Relative change of the pressure in the last pass (ratio of root mean squares).
         """
     @property
     def pressure_error_bound(self, /) -> float:
         """
-        Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+        Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
         """
     @property
     def rolling(self, /) -> Report:
@@ -1086,56 +1098,56 @@ class CoupledRollingReport:
     @property
     def traction_error_bound(self, /) -> float:
         """
-        Bound of the relative error of the tractions, for the pressure of the solution.
+        Bound on the relative error of the tractions, for the pressure of the solution.
         """
     @property
     def work(self, /) -> Report:
         """
-        Status, steps and products of all passes, and the largest residual of both halves.
+        Status, steps and products of all passes, and the largest residual of the normal and the tangential part.
         """
 
 @final
 class CoupledRollingSolution:
     """
-    Both halves of coupled steady rolling.
+    Normal and rolling solution of coupled steady rolling.
     """
     def __repr__(self, /) -> str: ...
     @property
     def normal(self, /) -> NormalSolution:
         """
-        The normal half; a copy.
+        The normal solution; a copy.
         """
     @property
     def report(self, /) -> CoupledRollingReport:
         """
-        Ending, cost, passes and certified errors.
+        Report with termination, cost, number of passes and certified error bounds.
         """
     @property
     def rolling(self, /) -> RollingSolution:
         """
-        The rolling half; a copy.
+        The rolling solution; a copy.
         """
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on a result that may mislead; empty if there are none.
+        Warnings about a result that might mislead; empty if there are none.
         """
 
 @final
 class CoupledRollingSolver:
     """
-    Solves coupled rolling for one load after the other, each from the last answer; made by
+    Solves coupled rolling for successive loads, each time from the last solution; created by
     :meth:`CoupledRollingProblem.solver`.
     """
     def __repr__(self, /) -> str: ...
     @property
     def report(self, /) -> CoupledRollingReport:
         """
-        How the last solve ended.
+        Report of the last solve.
         """
     def reset(self, /) -> None:
         """
-        Forgets the last answer: the next solve starts as the first did.
+        Discards the last solution, so that the next solve starts like the first.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
@@ -1152,20 +1164,20 @@ class CoupledRollingSolver:
     @property
     def settings(self, /) -> Settings:
         """
-        The settings of the next solve; may be assigned.
+        Settings of the next solve; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
-        Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+        Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
 
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
         progress, warn : optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
 
         Returns
         -------
@@ -1174,28 +1186,29 @@ class CoupledRollingSolver:
         Raises
         ------
         NotFinite, UnsupportedByModel
-            For what is prescribed, which is then unchanged.
+            If the prescribed values are invalid; they are then unchanged.
         EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-            If the contact cannot roll so.
+            If the contact cannot roll under these loads.
         NotConverged
-            With ``report`` and ``last_iterate``.
+            The exception has the attributes ``report`` and ``last_iterate``.
         """
     def stiffness(self, /) -> list[list[float]]:
         """
-        How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
-        last answer, with the pressure that follows the tractions.
+        Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
+        and y and the spin (columns) at the last solution. The pressure follows the tractions.
 
         Raises
         ------
         NotConverged
-            Before the first solve, or if a column is not found.
+            Before the first solve, or if the solve of a column does not converge.
         """
 
 @final
 class CoupledSolution:
     """
-    Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
-    Two are equal if their answers are, however they were found.
+    Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
+    and the arrays share the memory of this object. Two objects are equal if their solutions are equal, whatever the
+    iterations were.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1204,7 +1217,7 @@ class CoupledSolution:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
         """
     @property
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
@@ -1219,67 +1232,68 @@ class CoupledSolution:
     @property
     def normal(self, /) -> NormalSolution:
         """
-        The normal half.
+        The normal solution.
         """
     @property
     def report(self, /) -> CoupledReport:
         """
-        How the solve ended, what it cost, and what is certified.
+        Termination, cost and error bounds of the solve.
         """
     def stiffness(self, /, bodies: HalfSpace, friction: Friction | float | ArrayLike) -> ContactStiffness:
         """
-        The stiffness: the slopes of the forces and the moment by approach, shift and twist, with the friction of the problem.
+        Returns the derivatives of the forces and the moment with respect to approach, shift and twist, with the friction
+        of the problem.
         """
     @property
     def tangential(self, /) -> TangentialSolution:
         """
-        The tangential half.
+        The tangential solution.
         """
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on a result that may mislead; empty if there are none.
+        Warnings about a result that might mislead; empty if there are none.
         """
 
 @final
 class CoupledSolver:
     """
-    Solves coupled contacts again and again, each from the last answer; made by :meth:`CoupledProblem.solver`.
+    Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
     """
     def __repr__(self, /) -> str: ...
     def reset(self, /) -> None:
         """
-        Forgets the last answer: the next solve starts as the first did.
+        Discards the last solution, so that the next solve starts like the first.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Changes the friction of the next solve.
+        Sets the friction of the next solve.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
-        Changes the gap of the next solve (lengths).
+        Sets the gap of the next solve (lengths).
         """
     def set_load(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
-        Changes the loads of the next solve: the tangential one, and one of a normal force (not negative) and an approach (a
+        Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
         length).
         """
     @property
     def settings(self, /) -> Settings:
         """
-        The settings of the next solve; may be assigned.
+        Settings of the next solve; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
-        Solves for the loads, the gap and the friction set; see :meth:`NormalProblem.solve`.
+        Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`.
         """
 
 @final
 class CreepForce:
     """
-    A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
+    Point of a creep curve or a creep surface: creepages, spin and the resulting loads.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1308,13 +1322,13 @@ class CreepForce:
     @property
     def stick_ratio(self, /) -> float:
         """
-        Cells that stick over cells in contact.
+        Ratio of stick cells to contact cells.
         """
 
 @final
 class CreepForces:
     """
-    The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with a number of each
+    The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with one number per
     point, in their order. Vectors are (x, y).
     """
     def __eq__(self, value: object, /) -> bool: ...
@@ -1347,40 +1361,40 @@ class CreepForces:
     @property
     def stick_ratio(self, /) -> NDArray[float64]:
         """
-        Cells that stick over cells in contact.
+        Ratio of stick cells to contact cells.
         """
 
 @final
 class Cycle:
     """
-    Slip, energy and the loop of force and shift, added up over the steps of a cycle, from where the history is. Its arrays
-    are copies.
+    Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
+    The arrays are copies.
 
     Parameters
     ----------
     history : History
-        The history from whose present state it begins.
+        The history in whose present state the cycle starts.
     """
     SUMMARY_NAMES: Final[str]
     """
-    The names of :meth:`summary_as_csv`.
+    Header line of :meth:`summary_as_csv`.
     """
     def __new__(cls, /, history: History) -> Cycle: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def add(self, /, history: History) -> None:
         """
-        Adds the last step of the history: once after each.
+        Adds the last step of the history; call it once after each step.
         """
     def begin(self, /, history: History) -> None:
         """
-        Forgets all steps and begins anew where the history is.
+        Discards all steps and restarts the cycle in the present state of the history.
         """
     @property
     def cyclic_residual(self, /) -> float:
         """
-        How far the cycle is from closing: the largest change of a traction from beginning to end over the largest traction,
-        or that of the shift over its half range, whichever is more.
+        Measure of how far the cycle is from closing, the larger of two ratios: the largest change of a traction from
+        start to end to the largest traction, and the change of the shift to half its range.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -1395,7 +1409,7 @@ class Cycle:
     @property
     def energy_ratio(self, /) -> float:
         """
-        Energy dissipated over that of a rectangle around the loop, of force by shift.
+        Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
         """
     @property
     def force_amplitude(self, /) -> tuple[float, float]:
@@ -1405,16 +1419,16 @@ class Cycle:
     @property
     def points(self, /) -> LoopPoints:
         """
-        The loop of force and shift: the beginning, and the end of each step. A copy.
+        The force-shift loop: the start, and the end of each step. A copy.
         """
     def points_as_csv(self, /) -> str:
         """
-        The loop as CSV.
+        Returns the loop as CSV.
         """
     @property
     def regime(self, /) -> Regime:
         """
-        Whether the contact stuck, slipped in part, or slid.
+        Regime of the cycle: stick, partial slip or sliding.
         """
     @property
     def shift_amplitude(self, /) -> tuple[float, float]:
@@ -1434,54 +1448,55 @@ class Cycle:
     @property
     def slip_pressure(self, /) -> NDArray[float64]:
         """
-        Pressure that each cell slipped under, the mean over its path; zero where nothing slipped.
+        Pressure under which each cell slipped, averaged over its slip path; zero for cells without slip.
         """
     @property
     def steps(self, /) -> int:
         """
-        Steps added.
+        Number of steps added.
         """
     @property
     def stick_ratios(self, /) -> tuple[float, float]:
         """
-        The least and the largest stick ratio.
+        Smallest and largest stick ratio.
         """
     def summary_as_csv(self, /) -> str:
         """
-        The cycle as a line of CSV.
+        Returns the cycle as a line of CSV.
         """
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on its steps.
+        Warnings of the steps.
         """
     @property
     def work_of_loads(self, /) -> float:
         """
-        Work of the tangential force and of the moment (a force times a length): the area that the loop of the points
-        encloses where it closes. The ``work`` of :attr:`energy` has that of a changing relative displacement, such as bulk
-        strain, besides.
+        Work of the tangential force and of the moment (a force times a length), equal to the area enclosed by the loop if
+        it is closed. In contrast, the ``work`` of :attr:`energy` includes the work of a changing relative displacement,
+        such as bulk strain.
         """
 
 @final
 class CycleJump:
     """
-    How many cycles to jump over: as many as a cycle's wear may be taken off at once, without the pressure swinging.
+    Number of cycles to jump over: the largest number for which the wear of a cycle can be multiplied without oscillations
+    of the pressure.
 
     Parameters
     ----------
     bodies : HalfSpace
         The two bodies and the grid.
     cycle : Cycle
-        The cycle that stands for those jumped over.
+        The cycle that represents the skipped cycles.
     depth : Field or array_like of shape (ny, nx)
-        What the cycle removed, of both bodies together (lengths), not negative.
+        Depth that the cycle removed from both bodies together (lengths), not negative.
     largest_depth : float, optional
-        The most that a jump may remove in any cell (a length); without limit by default.
+        The largest depth that a jump may remove in any cell (a length); no limit by default.
     max_residual : float, default 0.25
-        The largest :attr:`Cycle.cyclic_residual` of a cycle that may stand for those that follow.
+        The largest :attr:`Cycle.cyclic_residual` of a cycle that may represent the following cycles.
     cycles_left : float, optional
-        The most cycles to jump over; without limit by default.
+        The largest number of cycles to jump over; no limit by default.
 
     Raises
     ------
@@ -1491,7 +1506,7 @@ class CycleJump:
     def __repr__(self, /) -> str: ...
     def cycles(self, /) -> float:
         """
-        The cycles to jump over, not rounded; infinite without a limit.
+        Returns the number of cycles to jump over, not rounded; infinite without a limit.
 
         Raises
         ------
@@ -1501,13 +1516,13 @@ class CycleJump:
 @final
 class DenseMinimum:
     """
-    What a direct minimisation found.
+    Result of a direct minimisation.
     """
     def __repr__(self, /) -> str: ...
     @property
     def multiplier(self, /) -> float:
         """
-        The multiplier of the total; zero without one.
+        Multiplier of the prescribed total; zero without a total.
         """
     @property
     def x(self, /) -> NDArray[float64]:
@@ -1518,12 +1533,12 @@ class DenseMinimum:
 @final
 class DenseOperator(LinearOperator):
     """
-    An explicit square matrix, of at most 4096 unknowns.
+    An explicit square matrix with at most 4096 unknowns.
 
     Parameters
     ----------
     rows : array_like of shape (n, n)
-        Symmetric.
+        The entries of the symmetric matrix.
 
     Raises
     ------
@@ -1532,18 +1547,18 @@ class DenseOperator(LinearOperator):
     def __new__(cls, /, rows: Any) -> DenseOperator: ...
     def get(self, /, row: int, column: int) -> float | None:
         """
-        The entry of a row and a column; ``None`` outside the matrix.
+        Returns the entry of a row and a column; ``None`` outside the matrix.
         """
     def minimise(self, /, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None) -> DenseMinimum:
         """
-        Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given, directly.
+        Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given, by a direct method.
 
         Parameters
         ----------
         linear : array_like
-            As many numbers as there are unknowns.
+            The linear term, one number per unknown.
         lower, upper : float or array_like, optional
-            Bounds of the unknowns; 0 and infinity by default.
+            Bounds of the unknowns; zero and infinity by default.
         total : float, optional
             Sum of the unknowns; free by default.
 
@@ -1558,18 +1573,19 @@ class DenseOperator(LinearOperator):
     @staticmethod
     def of_half_space(bodies: HalfSpace, component: Component | str) -> DenseOperator:
         """
-        The matrix of one influence coefficient between all cells of a half-space.
+        Creates the matrix of one influence coefficient between all cells of a half-space.
         """
 
 @final
 class Edges:
     """
-    The edge of a contact or of its stick zone, found inside the cells: :meth:`NormalSolution.edges`,
+    The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
     :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 
-    At a distance s from a smooth edge the pressure rises as the root of s and the gap opens as its power 3/2. A quadratic is
-    fitted to the square of the one and the power 2/3 of the other in 7 x 7 cells about each cell at the edge; where it does
-    not fit, the cell keeps its own pressure and has a mean correction of its area.
+    At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the power
+    3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the pressure and to
+    the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area has a mean
+    correction.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1577,52 +1593,54 @@ class Edges:
     @property
     def area(self, /) -> float:
         """
-        Area with the parts of the cells at the edge (a length squared).
+        Area of the contact or stick zone, with the covered parts of the cells at the edge (a length squared).
         """
     def areas_of(self, /, spots: ContactSpots) -> NDArray[float64]:
         """
-        Areas of the spots of the contact, in their order, with the parts of the cells at the edges (lengths squared).
+        Returns the areas of the contact spots, in their order, with the covered parts of the cells at the edges (lengths
+        squared).
         """
     @property
     def cells(self, /) -> NDArray[uint64]:
         """
-        The indices of the cells at the edge, in the flat grid, by rising index.
+        Flat indices of the cells at the edge, in increasing order.
         """
     @property
     def centres(self, /) -> NDArray[float64]:
         """
-        Values at the centres of all cells, shape (ny, nx): of a contact the pressure, of a stick zone what friction could
-        still bear (pressures).
+        Values at the centres of all cells, shape (ny, nx): the pressure for a contact, or the margin to the friction
+        limit for a stick zone (pressures).
         """
     @property
     def covered(self, /) -> NDArray[float64]:
         """
-        The covered parts of these cells, from 0 to 1.
+        Covered fraction of each cell of :attr:`cells`, from 0 to 1.
         """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of the cells.
+        Grid of the cells.
         """
     @property
     def is_fitted(self, /) -> NDArray[bool_]:
         """
-        Whether the edge was fitted in these cells.
+        Whether the edge was fitted, for each cell of :attr:`cells`.
         """
     @property
     def means(self, /) -> NDArray[float64]:
         """
-        Means of the same over the cells, shape (ny, nx).
+        Mean values over the cells, shape (ny, nx), of the quantity of :attr:`centres`.
         """
     @property
     def outline(self, /) -> NDArray[float64]:
         """
-        The edge as straight pieces (lengths): an array of shape (n, 2, 2), of each piece (x, y) of both ends.
+        The edge as line segments (lengths): an array of shape (n, 2, 2), with the coordinates (x, y) of both ends of each
+        segment.
         """
     @property
     def unfitted_fraction(self, /) -> float:
         """
-        The part of the cells at the edge whose fit was refused.
+        Fraction of the cells at the edge whose fit was rejected.
         """
 
 @final
@@ -1633,7 +1651,8 @@ class ElasticPair:
     Parameters
     ----------
     body_1, body_2 : Material
-        z points into body 1; pressure and traction act on it, and on body 2 with the other sign.
+        The two bodies. The z axis points into body 1. Pressure and traction are those that act on body 1; on body 2 they
+        have the opposite sign.
 
     Raises
     ------
@@ -1642,7 +1661,7 @@ class ElasticPair:
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int:
         """
-        Equal pairs have equal ones.
+        Equal pairs have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, body_1: Material, body_2: Material) -> ElasticPair: ...
@@ -1661,17 +1680,17 @@ class ElasticPair:
     @property
     def dundurs_beta(self, /) -> float:
         """
-        Dundurs' second parameter: whether and how strongly pressure and traction are coupled.
+        Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
         """
     @property
     def equivalent_poisson_ratio(self, /) -> float:
         """
-        Poisson's ratio of the one body that is as compliant as both, nu = G (nu_1/G_1 + nu_2/G_2).
+        Poisson's ratio of the single body with the compliance of both bodies, nu = G (nu_1/G_1 + nu_2/G_2).
         """
     @property
     def equivalent_shear_modulus(self, /) -> float:
         """
-        Shear modulus G of the one body that is as compliant as both (a pressure), 1/G = 1/G_1 + 1/G_2.
+        Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2.
         """
     @property
     def hardness(self, /) -> float:
@@ -1681,7 +1700,7 @@ class ElasticPair:
     @property
     def is_coated(self, /) -> bool:
         """
-        Whether a body is coated.
+        Whether one of the bodies is coated.
         """
     @property
     def is_coupled(self, /) -> bool:
@@ -1690,7 +1709,8 @@ class ElasticPair:
         """
     def response(self, /, k: float) -> WaveResponse:
         """
-        The response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one over a length).
+        Returns the response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one
+        over a length).
 
         Raises
         ------
@@ -1705,7 +1725,7 @@ class ElasticPair:
 @final
 class EnergyBalance:
     """
-    Where the work of the tangential load in a step went, or in the steps of a cycle (energies).
+    Energy balance of the work of the tangential load in a step or in the steps of a cycle (energies).
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1714,37 +1734,37 @@ class EnergyBalance:
     @property
     def dissipated_energy(self, /) -> float:
         """
-        Energy dissipated, by the tractions at the end of the step.
+        Dissipated energy, from the tractions at the end of the step.
         """
     @property
     def elastic_after(self, /) -> float:
         """
-        Elastic energy of shear after.
+        Elastic energy of shear after the step or cycle.
         """
     @property
     def elastic_before(self, /) -> float:
         """
-        Elastic energy of shear before.
+        Elastic energy of shear before the step or cycle.
         """
     @property
     def imbalance(self, /) -> float:
         """
-        What is missing in the balance, relative to its largest part.
+        Deficit of the balance, relative to its largest term.
         """
     @property
     def dissipated_energy_midpoint(self, /) -> float:
         """
-        Energy dissipated, by the mean tractions: what closes the balance.
+        Dissipated energy, from the mean tractions of the step; this value closes the balance.
         """
     @property
     def released(self, /) -> float:
         """
-        Energy of the tractions that cells drop as they leave the contact.
+        Energy of the tractions that cells lose when they leave the contact.
         """
     @property
     def residual(self, /) -> float:
         """
-        Work on the motion that the tolerance leaves in stick cells.
+        Work on the motion in stick cells that remains within the tolerance.
         """
     @property
     def work(self, /) -> float:
@@ -1755,7 +1775,7 @@ class EnergyBalance:
 @final
 class ErrorEstimate:
     """
-    Estimated errors of a coupled contact as a whole, each in its energy norm: not bounds.
+    Estimated errors of a coupled contact as a whole, each in its energy norm. The estimates are not bounds.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1764,33 +1784,34 @@ class ErrorEstimate:
     @property
     def pressure(self, /) -> float:
         """
-        Of the pressure.
+        Estimated error of the pressure.
         """
     @property
     def traction(self, /) -> float:
         """
-        Of the traction.
+        Estimated error of the traction.
         """
 
 @final
 class Field:
     """
-    Samples at the cells of a grid, one number a cell: gaps, heights, pressures. It is never changed.
+    Samples at the cells of a grid, one number per cell: gaps, heights, pressures. A field is immutable.
 
-    Whatever takes a field takes an array of shape (ny, nx) too, and copies it; a Field is made once and shared, so that
-    repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]`` a sample. Sums,
-    differences, products and quotients with fields, arrays and numbers, in either order and cell by cell, are fields; other
-    functions of NumPy take it as its array.
+    Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
+    and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]``
+    a sample. Sums, differences, products and quotients with fields, arrays and numbers, in either order, are taken cell
+    by cell and return fields. Other NumPy functions treat a field as its array.
 
     Parameters
     ----------
     grid : Grid
-        Where it lives.
+        Grid of the samples.
     samples : array_like of shape (ny, nx), or float
-        Its values, row-major with x fastest; or one for all cells.
+        The values, row-major with x fastest, or one value for all cells.
     unit : str, optional
-        The unit of the lengths of a surface, such as ``"um"``. What is made of the surface keeps it, and surfaces of
-        several units are refused together; the package computes in any, and asks for none.
+        The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
+        operations on surfaces of different units raise an error. The unit is optional; the package computes in any
+        consistent units.
 
     Examples
     --------
@@ -1806,12 +1827,12 @@ class Field:
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         """
-        What NumPy calls instead of its function where one of the operands is a field.
+        Implements NumPy functions with a field among their operands.
         """
     def __eq__(self, value: object, /) -> bool: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
-        As of :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
+        Indexes :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
         """
     def __mul__(self, other: object, /) -> Field: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1832,49 +1853,49 @@ class Field:
         """
     def get(self, /, ix: int, iy: int) -> float | None:
         """
-        The sample of a cell, by column and row; ``None`` beyond the grid.
+        Returns the sample of a cell, given by column and row; ``None`` outside the grid.
         """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid.
+        Grid of the field.
         """
     def integral(self, /) -> float:
         """
-        The sum of the samples times the area of a cell.
+        Returns the sum of the samples times the area of a cell.
         """
     def max(self, /) -> float:
         """
-        The largest sample; NaN is passed over.
+        Returns the largest sample; NaN is ignored.
         """
     def mean(self, /) -> float:
         """
-        The mean of the samples.
+        Returns the mean of the samples.
         """
     def min(self, /) -> float:
         """
-        The least sample; NaN is passed over.
+        Returns the smallest sample; NaN is ignored.
         """
     @property
     def shape(self, /) -> tuple[int, int]:
         """
-        Its shape as an array, (ny, nx).
+        Shape of the field as an array, (ny, nx).
         """
     def to_unit(self, /, unit: str) -> Field:
         """
-        A surface in another unit: its heights and the sides of its cells, from its own unit.
+        Converts the heights and the cell sides of a surface from its own unit to another unit.
 
-        Units are m, dm, cm, mm, um, nm, pm and A, and the micro sign in the place of u.
+        Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
 
         Raises
         ------
         ValueError
-            If the unit of the surface is not known, or either is none of these.
+            If the unit of the surface is not known, or if either unit is not in this list.
         """
     @property
     def unit(self, /) -> str | None:
         """
-        The unit of the lengths of a surface, if it is known.
+        Unit of the lengths of a surface; ``None`` if it is not known.
         """
 
 @final
@@ -1886,7 +1907,7 @@ class Filled:
     @property
     def filled_cells(self, /) -> int:
         """
-        How many were missing.
+        Number of heights that were missing.
         """
     @property
     def heights(self, /) -> Field:
@@ -1897,28 +1918,29 @@ class Filled:
 @final
 class Filtered:
     """
-    A filtered surface, and what the filter has taken off: the three add up to the surface given.
+    A filtered surface and the removed components: the three add up to the given surface.
     """
     def __repr__(self, /) -> str: ...
     @property
     def heights(self, /) -> Field:
         """
-        The heights that are left (lengths); missing ones stay missing.
+        The remaining heights (lengths); missing heights remain missing.
         """
     @property
     def long_waves(self, /) -> Field | None:
         """
-        The long waves that the L filter has taken off (lengths), the waviness; ``None`` without an L filter.
+        Long waves removed by the L filter (lengths), the waviness; ``None`` without an L filter.
         """
     @property
     def short_waves(self, /) -> Field | None:
         """
-        The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
+        Short waves removed by the S filter (lengths), such as noise; ``None`` without an S filter.
         """
     @property
     def valid_range(self, /) -> tuple[tuple[int, int], tuple[int, int]]:
         """
-        The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
+        Columns and rows that are not affected by an edge: those at least half a nesting index away from each edge, in the
+        form that :func:`crop` accepts.
         """
 
 @final
@@ -1964,13 +1986,13 @@ class FlatPunch:
         """
     def displacement(self, /, r: ArrayLike) -> Any:
         """
-        Normal displacement of the surfaces (a length), summed over the bodies and positive into each, at the
-        distance r from the centre: the approach inside the contact, and outside it (2 delta / pi) arcsin(a/r).
+        Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
+        the distance r from the centre: the approach inside the contact, and outside it (2 delta / pi) arcsin(a/r).
         """
     def full_stick(self, /, friction: float, force: float) -> MindlinFullStick:
         """
-        The punch in full stick under a tangential force along x. Traction and pressure are distributed alike: the
-        whole contact sticks up to the force mu W, and then slides at once.
+        Returns the solution for the punch in full stick under a tangential force along x. Traction and pressure have
+        the same distribution. The whole contact therefore sticks up to the force mu W and then slides.
 
         Parameters
         ----------
@@ -2000,8 +2022,8 @@ class FlatPunch:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound towards the
-        edge; at the edge and outside zero is returned.
+        Returns the pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound
+        towards the edge; at the edge and outside zero is returned.
         """
 
 @final
@@ -2017,7 +2039,7 @@ class Friction:
     max_shear_stress : float, optional
         The shear strength tau_max of the weaker body (a pressure), positive; no limit by default.
     grid : Grid, optional
-        Where an array lives; a Field knows it.
+        Grid of the coefficients; required for an array, since a Field has its own grid.
 
     Raises
     ------
@@ -2030,7 +2052,7 @@ class Friction:
     def __repr__(self, /) -> str: ...
     def limit(self, /, index: int, pressure: float) -> float:
         """
-        The friction limit of a cell (row-major index) under a pressure; NaN beyond the coefficients.
+        Returns the friction limit of a cell (row-major index) under a pressure; NaN if the index is out of range.
         """
 
 @final
@@ -2041,7 +2063,7 @@ class Grid:
     Parameters
     ----------
     nx, ny : int
-        Cells along x and y, at least one.
+        Number of cells along x and y, at least one.
     dx, dy : float
         Sides of a cell along x and y (lengths), positive.
 
@@ -2059,7 +2081,7 @@ class Grid:
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int:
         """
-        Equal grids have equal ones.
+        Equal grids have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, nx: int, ny: int, dx: float, dy: float) -> Grid: ...
@@ -2093,42 +2115,45 @@ class Grid:
     @property
     def extent(self, /) -> tuple[float, float, float, float]:
         """
-        Edges of the grid ``(left, right, bottom, top)`` (lengths), as matplotlib's ``imshow`` takes them.
+        Edges of the grid ``(left, right, bottom, top)`` (lengths), in the order of ``extent`` of matplotlib's ``imshow``.
         """
     @staticmethod
     def line(n: int, dx: float) -> Grid:
         """
-        A line of ``n`` cells along x, each ``dx`` long and one unit of length wide: forces are per length.
+        Returns a line of ``n`` cells along x, each ``dx`` long and one unit of length wide. Forces are then per unit
+        length.
         """
     @property
     def nx(self, /) -> int:
         """
-        Cells along x.
+        Number of cells along x.
         """
     @property
     def ny(self, /) -> int:
         """
-        Cells along y.
+        Number of cells along y.
         """
     @property
     def rows(self, /) -> slice:
         """
-        The rows of the :attr:`whole` grid that it has, a slice: ``array[grid.rows]`` are those of an array of the whole.
+        Slice of the local rows in the :attr:`whole` grid: ``array[grid.rows]`` selects them from an array of the whole
+        grid.
         """
     @property
     def shape(self, /) -> tuple[int, int]:
         """
-        Shape of the arrays on it, (ny, nx).
+        Shape of the arrays on the grid, (ny, nx).
         """
     @staticmethod
     def square(n: int, side: float) -> Grid:
         """
-        ``n`` x ``n`` square cells on a square of this side (a length): the side of the square, not of a cell.
+        Returns a grid of ``n`` x ``n`` square cells. The argument ``side`` (a length) is the side of the grid, not of a
+        cell.
         """
     @property
     def whole(self, /) -> Grid:
         """
-        The grid of which it is some rows, as :meth:`HalfSpace.distributed` deals them out; itself if it is no such part.
+        The whole grid if this grid is a slab of its rows, created by :meth:`HalfSpace.distributed`; otherwise this grid.
         """
     @property
     def x(self, /) -> NDArray[float64]:
@@ -2144,8 +2169,8 @@ class Grid:
 @final
 class HalfSpace:
     """
-    A pair of half-spaces on a grid. What problems need of it is made when first needed, and shared. Two of equal grid,
-    bodies, boundary and meaning of the values are equal.
+    A pair of half-spaces on a grid. Its influence coefficients and buffers are created on first use and shared. Two pairs
+    with equal grid, bodies, boundary and cell value are equal.
 
     Parameters
     ----------
@@ -2154,9 +2179,9 @@ class HalfSpace:
     pair : ElasticPair, two Materials, or Kernel
         The two bodies; z points into the first.
     boundary : Boundary or str, default "non_periodic"
-        What lies beyond the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
+        Boundary condition at the edge of the grid: "non_periodic", "periodic" or ("periodic_along_y", datum).
     cell_value : CellValue or str, default "uniform"
-        The meaning of the pressure and the traction of a cell: "uniform" over it, or that at its "centre".
+        Meaning of the pressure and the traction of a cell: "uniform" over the cell, or the value at its "centre".
 
     Raises
     ------
@@ -2173,7 +2198,7 @@ class HalfSpace:
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self, /) -> int:
         """
-        Equal bodies have equal ones.
+        Equal pairs have equal hashes.
         """
     def __new__(cls, /, grid: Grid, pair: ElasticPair | Kernel | tuple[Material, Material], boundary: Boundary | str | tuple[str, float] | None = None, cell_value: CellValue | str | None = None) -> HalfSpace: ...
     def __reduce__(self, /) -> tuple[type, tuple[Grid, ElasticPair, Boundary, CellValue]]: ...
@@ -2181,35 +2206,38 @@ class HalfSpace:
     @property
     def boundary(self, /) -> Boundary:
         """
-        What lies beyond the edge of the grid.
+        Boundary condition at the edge of the grid.
         """
     @property
     def cell_value(self, /) -> CellValue:
         """
-        The meaning of the pressure and the traction of a cell.
+        Meaning of the pressure and the traction of a cell.
         """
     @staticmethod
     def distributed(grid: Grid, pair: ElasticPair | Kernel | tuple[Material, Material], comm: Any, boundary: Boundary | str | tuple[str, float] | None = None, cell_value: CellValue | str | None = None) -> HalfSpace:
         """
-        Bodies whose rows are dealt out to the ranks of a communicator, which solve together. Every rank makes them, and then
-        the same calls in the same order. Its grid, and all arrays, are those of its rows (:attr:`Grid.rows`); what is said of the
-        whole contact, such as forces, areas, reports and spots, every rank knows. The answers have the bits of one process.
+        Distributes the rows of the bodies over the ranks of a communicator, which solve one contact together. All calls
+        are collective: every rank creates the bodies and then makes the same calls in the same order. Grid and arrays are
+        local, that is, restricted to the rows of the rank (:attr:`Grid.rows`). Results for the whole contact, such as
+        forces, areas, reports and spots, are available on every rank. All results are bitwise identical to those of one
+        process.
 
         Parameters
         ----------
         grid : Grid
-            The whole one.
+            The whole grid.
         pair : ElasticPair, two Materials, or Kernel
             The two bodies; z points into the first.
         comm : mpi4py.MPI.Comm, or any object with three of its methods
-            ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes`` to one rank and returns
-            those of another, of any length, in the order in which they were sent. Nothing else may be received there: give the
-            duplicate of a communicator that is used elsewhere. It is called one call at a time, also on threads of the
-            package. An exception in it is :class:`~stickslip.errors.Ranks`, and goes to `sys.unraisablehook` itself.
+            The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes``
+            to one rank and returns ``bytes`` from another. Messages have any length and must arrive in the order of
+            sending. The communicator must not receive other messages: pass a duplicate of a communicator that is also
+            used elsewhere. Calls are made one at a time, possibly on threads of the package. An exception in a method is
+            raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to `sys.unraisablehook`.
         boundary : Boundary or str, default "non_periodic"
-            As of the class.
+            See the class.
         cell_value : CellValue or str, default "uniform"
-            As of the class.
+            See the class.
 
         Raises
         ------
@@ -2217,7 +2245,7 @@ class HalfSpace:
 
         Notes
         -----
-        Ranks may be threads of one process: each then makes its bodies, and solves, on a thread of its own.
+        Ranks can be threads of one process; each rank then creates its bodies and solves on its own thread.
 
         Examples
         --------
@@ -2235,11 +2263,12 @@ class HalfSpace:
     @property
     def grid(self, /) -> Grid:
         """
-        The grid; of :meth:`distributed` bodies the rows of this rank.
+        The grid; for :meth:`distributed` bodies, the local rows.
         """
     def operator(self, /, component: Component | str) -> LinearOperator:
         """
-        The operator of one component on the whole grid, made at the first call: displacement first, traction second.
+        Returns the operator of one component on the whole grid, created at the first call. The component names the
+        direction of the displacement first and that of the traction second.
 
         Examples
         --------
@@ -2256,25 +2285,24 @@ class HalfSpace:
         """
     def preconditioner(self, /, component: Component | str) -> LinearOperator | None:
         """
-        The circulant preconditioner of one component; ``None`` for all but xx, yy and zz.
+        Returns the circulant preconditioner of one component; ``None`` for all components except xx, yy and zz.
         """
     def tensor_operator(self, /) -> TensorOperator:
         """
-        The operator of all three directions: displacements along x, y and z from tractions along x, y and z.
+        Returns the operator of all three directions: displacements along x, y and z due to tractions along x, y and z.
         """
 
 @final
 class Hardness:
     """
-    The largest pressure that the softer body carries, of all cells or of each. Cells at it yield.
+    The largest pressure that the softer body can carry, for all cells or for each cell. Cells at this pressure yield.
 
     Parameters
     ----------
     limit : float, Field or array_like of shape (ny, nx)
-        The largest pressure: a positive number, or one of each cell that is not negative; where it is zero nothing is
-        carried.
+        The largest pressure: one positive number, or one number per cell, not negative. A cell with zero carries no load.
     grid : Grid, optional
-        Where an array lives; a Field knows it.
+        Grid of the limits; required for an array, since a Field has its own grid.
 
     Raises
     ------
@@ -2287,15 +2315,15 @@ class Hardness:
     def __repr__(self, /) -> str: ...
     def capacity(self, /, grid: Grid) -> float:
         """
-        The largest normal force that the cells of a grid carry.
+        Returns the largest normal force that the cells of a grid can carry.
         """
     def of_cell(self, /, index: int) -> float:
         """
-        The largest pressure of a cell (row-major index); NaN beyond the limits.
+        Returns the largest pressure of a cell (row-major index); NaN if the index is out of range.
         """
     def overlap(self, /, contact: NormalSolution) -> Field:
         """
-        By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths).
+        Returns the overlap of the surfaces of a solved contact in cells whose pressure is at the limit (lengths).
         """
 
 @final
@@ -2351,7 +2379,7 @@ class HertzEllipse:
         """
     def pressure(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
+        Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
         """
     @property
     def radii(self, /) -> tuple[float, float]:
@@ -2376,7 +2404,7 @@ class HertzLine:
     pair : ElasticPair
         The bodies.
     radius : float
-        Radius R of the cylinder (a length), positive; of two cylinders 1/R = 1/R_1 + 1/R_2.
+        Radius R of the cylinder (a length), positive; for two cylinders 1/R = 1/R_1 + 1/R_2.
     load : float
         Normal load P (a force per length), positive.
 
@@ -2391,8 +2419,8 @@ class HertzLine:
     def __repr__(self, /) -> str: ...
     def approach(self, /, datum: ArrayLike) -> Any:
         """
-        Approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a length) of
-        :meth:`Boundary.periodic_along_y`; positive for a datum that is large beside a, as it must be.
+        Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
+        length) of :meth:`Boundary.periodic_along_y`; positive if the datum is large compared with a, as required.
         """
     @property
     def half_width(self, /) -> float:
@@ -2416,7 +2444,7 @@ class HertzLine:
         """
     def pressure(self, /, x: ArrayLike) -> Any:
         """
-        Pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
+        Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
         """
     @property
     def radius(self, /) -> float:
@@ -2425,9 +2453,9 @@ class HertzLine:
         """
     def stress(self, /, x: ArrayLike, depth: ArrayLike) -> tuple[Any, Any, Any]:
         """
-        Stresses xx, zz and xz of body 1 at x and at a depth below its surface, a length of zero or more (pressures,
-        positive in tension); those of body 2 at the same depth differ by the sign of xz. M'Ewen (1949); Johnson (1985),
-        4.49.
+        Returns the stresses xx, zz and xz of body 1 at x and at a depth (a length, zero or more) below its surface
+        (pressures, positive in tension). In body 2 at the same depth, xz has the opposite sign. M'Ewen (1949);
+        Johnson (1985), 4.49.
         """
     def surface_stress(self, /, x: ArrayLike) -> Any:
         """
@@ -2440,15 +2468,15 @@ class HertzSphere:
     """
     A sphere pressed on a half-space, or a paraboloid of revolution.
 
-    The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it holds while the contact is small beside R. Johnson
-    (1985), 4.22-4.24.
+    The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it is valid if the contact is small compared with R.
+    Johnson (1985), 4.22-4.24.
 
     Parameters
     ----------
     pair : ElasticPair
         The bodies.
     radius : float
-        Radius R of the sphere (a length), positive; of two spheres 1/R = 1/R_1 + 1/R_2.
+        Radius R of the sphere (a length), positive; for two spheres 1/R = 1/R_1 + 1/R_2.
     load : float
         Normal load W (a force), positive.
 
@@ -2478,13 +2506,13 @@ class HertzSphere:
         """
     def displacement(self, /, r: ArrayLike) -> Any:
         """
-        Normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each, at the
-        distance r from the centre, inside and outside the contact. Johnson (1985), 3.41a and 3.42a.
+        Returns the normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each,
+        at the distance r from the centre, inside and outside the contact. Johnson (1985), 3.41a and 3.42a.
         """
     def gap(self, /, r: ArrayLike) -> Any:
         """
-        Gap u_z + r^2 / 2R - delta between the surfaces (a length) at the distance r from the centre; zero in the
-        contact, positive outside.
+        Returns the gap u_z + r^2 / 2R - delta between the surfaces (a length) at the distance r from the centre; zero
+        in the contact, positive outside.
         """
     @property
     def load(self, /) -> float:
@@ -2508,8 +2536,8 @@ class HertzSphere:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact. Johnson (1985),
-        3.39.
+        Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact.
+        Johnson (1985), 3.39.
         """
     @property
     def radius(self, /) -> float:
@@ -2520,10 +2548,10 @@ class HertzSphere:
 @final
 class History:
     """
-    Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
+    Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
 
-    Its arrays are copies, since the next step changes them; :meth:`state` is a snapshot whose arrays are views. One thread
-    at a time may use it. A step that fails, or that Ctrl-C ends, leaves it as it was.
+    The arrays are copies, since the next step changes the data; :meth:`state` is a snapshot whose arrays are views. One
+    thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history unchanged.
 
     Parameters
     ----------
@@ -2536,23 +2564,24 @@ class History:
     axis : Axis or str, default "x"
         The axis of tangential load and tractions in the scalar model; the vector model has none.
     model : TangentialModel or str, default "scalar"
-        "scalar" finds the traction along the axis; "vector" both components, and takes loads of any direction and twist.
+        "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
+        direction and twist.
     coupling : Coupling or str, default "full"
-        Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
-        surfaces tangentially, "neglected" neither.
+        Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
+        the tangential displacements due to pressure only; "neglected" omits both.
     entry_rule : EntryRule or str, default "since_touch"
-        How far a cell that comes into contact within a step follows its motion: "since_touch" from the moment it touches,
-        "whole_step" all of it.
+        Part of the motion of a step that a cell follows if it comes into contact within the step: with "since_touch" the
+        motion since it touched, with "whole_step" all of it.
     relative_displacement : RelativeDisplacement, optional
-        The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
+        The pattern of a displacement that is not caused by the contact. Steps prescribe its factor; none by default.
     hardness : Hardness, float or array_like of shape (ny, nx), optional
-        The largest pressure that the cells carry; no limit by default.
+        The largest pressure that the cells can carry; no limit by default.
     permanent_set : bool, default False
-        Whether what yields under the hardness stays, and is added to the gap of later steps.
+        Whether the yielded depth remains and is added to the gap of later steps.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -2591,21 +2620,22 @@ class History:
     @property
     def bodies(self, /) -> HalfSpace:
         """
-        The bodies.
+        The two bodies and the grid.
         """
     @property
     def boundary(self, /) -> Boundary:
         """
-        What lies beyond the edge of the grid.
+        Boundary condition at the edge of the grid.
         """
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
         """
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Displacement of body 1 relative to body 2 by the tractions along x and y (lengths): one product.
+        Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is
+        one product.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -2614,27 +2644,28 @@ class History:
         """
     def edges(self, /) -> TangentialEdges:
         """
-        The edges of the contact and of the stick zone inside the cells after the last step, under the friction as last set.
+        Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
+        friction.
         """
     @property
     def friction(self, /) -> Friction:
         """
-        The friction.
+        The friction of later steps.
         """
     @property
     def friction_capacity(self, /) -> float:
         """
-        Largest tangential force that friction holds.
+        Largest tangential force that friction can carry.
         """
     @staticmethod
     def from_bytes(bodies: HalfSpace, bytes: bytes) -> History:
         """
-        A history from its bytes, on the bodies it had; it continues to the same bits.
+        Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results.
         """
     @staticmethod
     def from_state(bodies: HalfSpace, state: State) -> History:
         """
-        A history that continues from a state, on the bodies it belongs to.
+        Creates a history that continues from a state, on the bodies of that state.
         """
     @property
     def gap(self, /) -> NDArray[float64]:
@@ -2649,12 +2680,12 @@ class History:
     @property
     def last_step(self, /) -> StepResult:
         """
-        What the last step did.
+        Result of the last step.
         """
     @staticmethod
     def load(bodies: HalfSpace, path: str | PathLike[str]) -> History:
         """
-        A history from a file of :meth:`save`, on the bodies it had.
+        Loads a history from a file written by :meth:`save`, on the same bodies.
         """
     @property
     def moment(self, /) -> float:
@@ -2664,30 +2695,30 @@ class History:
     @property
     def normal(self, /) -> NormalSolution:
         """
-        The normal contact, a copy.
+        The normal solution, a copy.
         """
     def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
         """
-        Takes a load in as many steps of equal growth of the contact as a tolerance needs. A contact of dissimilar bodies must
-        be pressed so: which cells stick and slip depends on how the contact grows.
+        Applies a load in as many steps of equal growth of the contact as a tolerance requires. A contact of dissimilar
+        bodies must be pressed in this way, because the stick and slip zones depend on the growth of the contact.
 
-        It takes the load in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from those of half as many
-        steps by no more than the tolerance. A call that fails, or that Ctrl-C ends, leaves the state unchanged; the last step is
-        then the last one that succeeded.
+        The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
+        for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
+        leaves the state unchanged; the last step is then the last step that succeeded.
 
         Parameters
         ----------
         load : LoadStep, optional
-            The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
+            The load as an object, instead of by keywords. All prescribed quantities are approached proportionally.
         tolerance : float
-            Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
-            0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
+            Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
+            1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
         normal_force, approach : optional
-            As of :class:`LoadStep`.
+            See :class:`LoadStep`.
         progress : callable or bool, optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
         warn : bool, default True
-            If true, the warnings of the last step are issued through ``warnings`` too.
+            Whether the warnings of the last step are also issued through ``warnings``.
 
         Returns
         -------
@@ -2697,7 +2728,7 @@ class History:
         Raises
         ------
         Tolerance, StepTooLong
-            And what :meth:`step` raises.
+            In addition to the exceptions of :meth:`step`.
         """
     @property
     def pressure(self, /) -> NDArray[float64]:
@@ -2706,28 +2737,28 @@ class History:
         """
     def save(self, /, path: str | PathLike[str]) -> None:
         """
-        Saves the state in a file, which is replaced as a whole or not at all.
+        Saves the state to a file. An existing file is replaced completely or not at all.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Changes the friction of later steps.
+        Sets the friction of later steps.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
-        Changes the gap of later steps (lengths), as wear does.
+        Sets the gap of later steps (lengths), for example after wear.
         """
     def set_relative_displacement(self, /, pattern: RelativeDisplacement) -> None:
         """
-        Changes the pattern of the relative displacement.
+        Sets the pattern of the relative displacement.
         """
     def set_state(self, /, state: State) -> None:
         """
-        Returns to a state, of this history or of another on equal bodies.
+        Restores a state of this history or of a history on equal bodies.
         """
     @property
     def settings(self, /) -> Settings:
         """
-        Method, tolerance and limits of later steps; may be assigned.
+        Method, tolerance and limits of later steps; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
@@ -2744,35 +2775,35 @@ class History:
     @property
     def spots(self, /) -> ContactSpots:
         """
-        The contact spots, with their stick ratios. All ranks that share the history ask for them.
+        The contact spots, with their stick ratios. With distributed bodies, the call is collective.
         """
     def state(self, /) -> State:
         """
-        A snapshot of the state.
+        Returns a snapshot of the state.
         """
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
-        Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held. Dissimilar bodies are pressed by
-        :meth:`press`.
+        Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held constant.
+        Dissimilar bodies must be pressed by :meth:`press`.
 
-        A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
-        less friction cannot carry it: name the force in each step to keep it.
+        A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
+        pressure or friction cannot carry it. To keep the force constant, prescribe it in each step.
 
         Parameters
         ----------
         load : LoadStep, optional
             The step as an object, instead of by keywords.
         normal_force, approach, force, shift, spring, force_x, ..., roll : optional
-            As of :class:`LoadStep`.
+            See :class:`LoadStep`.
         progress : callable or bool, optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
         warn : bool, default True
-            Whether the remarks on the step go to ``warnings`` too, each kind once a place.
+            Whether the warnings of the step are also issued through ``warnings``, each kind once per location.
 
         Returns
         -------
         StepResult
-            Its fields last until the next step; see :meth:`StepResult.keep`.
+            The result, whose fields are available until the next step; see :meth:`StepResult.keep`.
 
         Raises
         ------
@@ -2782,21 +2813,21 @@ class History:
     @staticmethod
     def step_all(histories: Sequence[History], loads: Sequence[LoadStep], *, warn: bool = True) -> list[tuple[int, Any]]:
         """
-        Takes a step of each of many histories, at once.
+        Takes one step of each of several histories in parallel.
 
         Parameters
         ----------
         histories : sequence of History
-            Each named once.
+            The histories, each listed once.
         loads : sequence of LoadStep
-            One of each history.
+            One load per history.
         warn : bool, default True
-            Whether the remarks on the steps go to ``warnings`` too, each kind once a place.
+            Whether the warnings of the steps are also issued through ``warnings``, each kind once per location.
 
         Returns
         -------
         list of (int, StickslipError)
-            The places and errors of those whose step has failed; they are as they were.
+            Indices and errors of the histories whose step failed; these histories are unchanged.
 
         Raises
         ------
@@ -2805,19 +2836,19 @@ class History:
     @property
     def steps(self, /) -> int:
         """
-        Steps taken since the start.
+        Number of steps since the start.
         """
     def stiffness(self, /, *, next_step: bool = False) -> ContactStiffness:
         """
-        The stiffness: the slopes of the forces and the moment by approach, shift and twist.
+        Returns the derivatives of the forces and the moment with respect to approach, shift and twist.
 
         Parameters
         ----------
         next_step : bool, default False
-            If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the present
-            state. Otherwise they are derivatives of the last step. In the next step cells that stick resist fully, also
-            those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
-            contact further under the same normal load needs this.
+            If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the
+            present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
+            fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
+            simulation that continues to shear the contact under the same normal load needs these derivatives.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -2826,7 +2857,7 @@ class History:
         """
     def to_bytes(self, /) -> bytes:
         """
-        Its bytes: all that the next step needs but the bodies.
+        Returns the state as bytes, with all data that the next step needs except the bodies.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -2841,15 +2872,15 @@ class History:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        The zone of every cell: 0 separated, 1 stick, 2 slip.
+        Zone of each cell: 0 separated, 1 stick, 2 slip.
         """
 
 @final
 class Iteration:
     """
-    One step of an iteration, as a progress callback receives it.
+    One step of an iteration, as passed to a progress callback.
 
-    Residual and free entries are the last measured ones.
+    Residual and number of free entries are the most recently measured values.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -2858,17 +2889,17 @@ class Iteration:
     @property
     def double_precision_products(self, /) -> int:
         """
-        Products with the operator in double precision so far.
+        Number of products with the operator in double precision so far.
         """
     @property
     def free(self, /) -> int:
         """
-        Entries strictly between their bounds: contact cells, or cells that stick.
+        Number of entries strictly between their bounds: contact cells, or cells that stick.
         """
     @property
     def iteration(self, /) -> int:
         """
-        Conjugate-gradient steps so far.
+        Number of conjugate-gradient steps so far.
         """
     @property
     def residual(self, /) -> float:
@@ -2878,7 +2909,7 @@ class Iteration:
     @property
     def single_precision_products(self, /) -> int:
         """
-        Products in single precision so far.
+        Number of products in single precision so far.
         """
 
 @final
@@ -2889,8 +2920,8 @@ class JaegerSuperposition:
     Parameters
     ----------
     full, stick : NormalSolution
-        The contact under its load W, and the same bodies under the load W - F / mu for a tangential force F: its contact
-        is the stick zone.
+        The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential force
+        F. The contact area of the second is the stick zone.
     pair : ElasticPair
         The bodies. The coupling between pressure and traction of different materials is neglected.
     friction : float
@@ -2920,27 +2951,27 @@ class JaegerSuperposition:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        The zone of every cell, as of :attr:`TangentialSolution.zones`.
+        Zone of each cell; see :attr:`TangentialSolution.zones`.
         """
 
 @final
 class KalkerCoefficients:
     """
-    Kalker's creepage and spin coefficients: the forces of an elliptic contact that rolls along x with creepages so
-    small that it sticks but at its trailing edge.
+    Kalker's creepage and spin coefficients, which give the forces of an elliptic contact that rolls along x. The
+    creepages are so small that the contact sticks everywhere except at its trailing edge.
 
-    With the semi-axes a along x and b along y, c = sqrt(a b), and the shear modulus G of two equal bodies, creepages xi
-    along x and eta along y and the spin phi cause on body 1 F_x = G c^2 C11 xi, F_y = G c^2 (C22 eta + c C23 phi) and
-    M = G c^3 (C32 eta + c C33 phi). The values are those of solves of this package, right to about 0.1 % (C33 to
-    0.3 %). Kalker (1990), table E.3.
+    With the semi-axes a along x and b along y, c = sqrt(a b), and the shear modulus G of two equal bodies, creepages
+    xi along x and eta along y and the spin phi cause on body 1 F_x = G c^2 C11 xi, F_y = G c^2 (C22 eta + c C23 phi)
+    and M = G c^3 (C32 eta + c C33 phi). The values were computed with this package and are accurate to about 0.1 %
+    (C33 to 0.3 %). Kalker (1990), table E.3.
 
     Parameters
     ----------
     ratio : float
         a/b, from 1/16 to 16.
     poisson_ratio : float
-        Poisson's ratio of both bodies, from 0 to 1/2; of bodies that differ with Dundurs' beta zero, that of the one
-        that is as compliant, and G is twice its modulus.
+        Poisson's ratio of both bodies, from 0 to 1/2. For different bodies with zero Dundurs' beta, it is the ratio
+        of the single body with the same compliance, and G is twice the modulus of that body.
 
     Raises
     ------
@@ -2954,34 +2985,34 @@ class KalkerCoefficients:
     @property
     def c11(self, /) -> float:
         """
-        Force along x by the creepage along x.
+        Coefficient of the force along x due to the creepage along x.
         """
     @property
     def c22(self, /) -> float:
         """
-        Force along y by the creepage along y.
+        Coefficient of the force along y due to the creepage along y.
         """
     @property
     def c23(self, /) -> float:
         """
-        Force along y by the spin.
+        Coefficient of the force along y due to the spin.
         """
     @property
     def c32(self, /) -> float:
         """
-        Moment by the creepage along y, -C23.
+        Coefficient of the moment due to the creepage along y, -C23.
         """
     @property
     def c33(self, /) -> float:
         """
-        Moment by the spin.
+        Coefficient of the moment due to the spin.
         """
 
 @final
 class Kernel:
     """
-    Two bodies by a response of your own, in place of the pair of a :class:`HalfSpace`: made by :meth:`isotropic`,
-    :meth:`tabulated` or :meth:`operators`. It is not pickled, nor are the bodies made of it.
+    Two bodies with a user-defined response, in place of the material pair of a :class:`HalfSpace`. A kernel is created by
+    :meth:`isotropic`, :meth:`tabulated` or :meth:`operators`. Kernels cannot be pickled, nor can bodies that use them.
 
     Examples
     --------
@@ -3005,20 +3036,22 @@ class Kernel:
     @staticmethod
     def isotropic(near: ElasticPair, thickness: float, response: Any) -> Kernel:
         """
-        Bodies without a direction in their plane.
+        Creates bodies whose response is isotropic in the plane of the surface.
 
         Parameters
         ----------
         near : ElasticPair
-            The homogeneous half-spaces that waves much shorter than the thickness see, to 1e-10 for k > 20 / thickness; they
-            lend hardness and moduli. Grids that repeat along both axes take the response as it is.
+            The homogeneous half-spaces that give the response to waves much shorter than the thickness. Their response
+            must agree with ``response`` to 1e-10 for k > 20 / thickness. Hardness and moduli are taken from this pair.
+            Grids that are periodic along both axes use ``response`` unchanged.
         thickness : float
-            Of the outermost layer (a length), positive.
+            Thickness of the outermost layer (a length), positive.
         response : callable
-            Of a wave number k > 0 (one over a length), as a float: the displacements by waves of traction of that number
-            (lengths over pressures, not times k): normal by pressure, along and across the wave by traction, and the coupling.
-            It is called many times, under the GIL, on many threads; where it raises an exception, it counts as not a number,
-            which is refused, and the exception goes to `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
+            A function of the wave number k > 0 (one over a length, a float). It returns the displacements under waves of
+            traction of that wave number (lengths over pressures, not multiplied by k): normal due to pressure, along and
+            across the wave due to traction, and the coupling. It is called many times, under the GIL, on many threads. If
+            it raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
+            `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
 
         Raises
         ------
@@ -3027,30 +3060,33 @@ class Kernel:
     @staticmethod
     def operators(near: ElasticPair, grid: Grid, operators: dict[str, Any], *, lower_bounds: dict[str, Any] | None = None) -> Kernel:
         """
-        Bodies by operators on the cells of a grid, of any boundary: whatever displacements they compute from tractions.
+        Creates bodies from operators on the cells of a grid, which compute displacements from tractions, for any
+        boundary.
 
-        A contact is solved on all cells of the grid: no window, no coarser grids. A problem takes the operator that has all
-        directions it asks for and the fewest others: normal problems ask for "z", tangential ones for "x", "y" or both, and
-        all three are found together where ``near`` is coupled. Rolling, ranks, dense matrices, edges inside the cells and
-        stresses refuse such bodies.
+        A contact is solved on all cells of the grid, without a window or coarser grids. A problem uses the operator with
+        the fewest directions among those that have all required directions. Normal problems require "z"; tangential
+        problems require "x", "y" or both. If ``near`` is coupled, all three directions are solved simultaneously.
+        Rolling, ranks, dense matrices, edges inside the cells and stresses are not available for such bodies.
 
         Parameters
         ----------
         near : ElasticPair
-            The homogeneous half-spaces that they resemble for waves of a few cells, whose inverse preconditions the solves: they
-            converge the faster the better it fits, to the same answer. It lends hardness and moduli, and says whether pressure
-            and traction are coupled.
+            Homogeneous half-spaces that approximate the bodies for wavelengths of a few cells. Their inverse
+            preconditions the solves: a better approximation gives faster convergence to the same solution. The pair also
+            provides hardness and moduli, and determines whether pressure and traction are coupled.
         grid : Grid
             The cells.
         operators : dict
-            By the directions that it couples, as "z", "xy" or "xyz", a callable or a :class:`~stickslip.cgm.LinearOperator`,
-            symmetric and positive. A callable is given an array of tractions of shape (directions, ny, nx), pressures in the
-            direction z, and returns as many displacements of body 1 relative to body 2 in the same order (lengths). A
-            LinearOperator has as many unknowns: :class:`~stickslip.dense.DenseOperator` takes the compliance matrix of a
-            finite-element code. On a grid that repeats along both axes uniform tractions must displace nothing.
+            Callables or :class:`~stickslip.cgm.LinearOperator` objects, symmetric and positive, by the directions that
+            they couple, such as "z", "xy" or "xyz". A callable receives an array of tractions of shape (directions, ny,
+            nx), where the z direction is the pressure. It returns the displacements of body 1 relative to body 2 in the
+            same shape and order (lengths). A LinearOperator has the same number of unknowns;
+            :class:`~stickslip.dense.DenseOperator` accepts the compliance matrix of a finite-element code. On a grid that
+            is periodic along both axes, uniform tractions must cause no displacement.
         lower_bounds : dict, optional
-            By the names of callables, lower bounds of their smallest eigenvalues, by which errors are certified; 0 by default.
-            Without one pressure and traction are not found together, nor stiffness. A LinearOperator has its own.
+            Lower bounds on the smallest eigenvalues of the callables, by name; 0 by default. Errors are certified with
+            these bounds. Without a bound, coupled contacts cannot be solved and the stiffness is not available. A
+            LinearOperator provides its own bound.
 
         Raises
         ------
@@ -3058,12 +3094,12 @@ class Kernel:
 
         Notes
         -----
-        A callable runs under the GIL, on a thread of the package where a grid is large. An exception in it ends the solve, which
-        raises it and leaves solvers and histories as they were.
+        A callable runs under the GIL, for a large grid on a thread of the package. An exception in it ends the solve,
+        which raises the exception again; solvers and histories remain unchanged.
 
         Examples
         --------
-        A bed of springs, of which each cell yields by 0.5 under a unit of pressure:
+        A bed of springs, in which each cell deforms by 0.5 under unit pressure:
 
         >>> import math, stickslip as ss
         >>> near = ss.ElasticPair(ss.Material(1.0, 0.5), ss.Material.rigid())
@@ -3077,24 +3113,24 @@ class Kernel:
     @property
     def pair(self, /) -> ElasticPair:
         """
-        The pair that lends hardness and moduli, marked as that of this kernel.
+        The pair from which hardness and moduli are taken, marked as the pair of this kernel.
         """
     @staticmethod
     def tabulated(near: ElasticPair, sides: Sequence[float] | NDArray[Any], coefficients: dict[str, Any]) -> Kernel:
         """
-        Bodies by their influence coefficients, for grids that do not repeat.
+        Creates bodies from their influence coefficients, for non-periodic grids.
 
         Parameters
         ----------
         near : ElasticPair
-            Homogeneous bodies that lend hardness and moduli.
+            Homogeneous bodies from which hardness and moduli are taken.
         sides : (float, float)
-            Sides of a cell along x and y (lengths): those of the grids.
+            Sides of a cell along x and y (lengths), equal to those of the grids.
         coefficients : dict
-            By the name of a component, "zz" and others, an array of shape (ny, nx): the displacement at the centre of a cell,
-            j cells further along y and i along x, by a unit traction on one (lengths over pressures). Distances of the other
-            sign follow from the parity. "xy", "zx" and "zy" are zero where they are not given, and "yx", "xz" and "yz" are
-            theirs.
+            Arrays of shape (ny, nx) by the name of a component, such as "zz". An entry is the displacement at the centre
+            of a cell that is j cells further along y and i cells further along x than a cell with unit traction (lengths
+            over pressures). Distances of the other sign follow from the parity. The components "xy", "zx" and "zy" are
+            zero by default; "yx", "xz" and "yz" follow from them.
 
         Raises
         ------
@@ -3104,7 +3140,7 @@ class Kernel:
 @final
 class Layer:
     """
-    An elastic, isotropic layer bonded to what lies below it.
+    An elastic, isotropic layer bonded to the layer or body below it.
 
     Parameters
     ----------
@@ -3130,7 +3166,7 @@ class Layer:
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int:
         """
-        Equal layers have equal ones.
+        Equal layers have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, thickness: float) -> Layer: ...
@@ -3166,34 +3202,34 @@ class Levelled:
     @property
     def form(self, /) -> Field:
         """
-        What was taken off (lengths).
+        The removed form (lengths).
         """
     @property
     def heights(self, /) -> Field:
         """
-        The heights left (lengths).
+        The remaining heights (lengths).
         """
 
 @disjoint_base
 class LinearOperator:
     """
-    A linear operator from tractions to displacements, one number a cell.
+    A linear operator from tractions to displacements, with one number per cell.
 
-    Made by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
+    Created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
     :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
     """
     def __call__(self, /, x: Any) -> NDArray[float64]: ...
     def __repr__(self, /) -> str: ...
     def apply(self, /, x: Any, out: Any | None = None) -> NDArray[float64]:
         """
-        The product with an array of as many numbers as there are cells, which is read where it lies.
+        Applies the operator to an array with one number per cell, which is read in place.
 
         Parameters
         ----------
         x : array_like
-            Tractions (pressures), as many numbers as there are cells.
+            Tractions (pressures), one number per cell.
         out : ndarray, optional
-            Where the result goes: C-contiguous, of float64, not overlapping ``x``.
+            Output array, C-contiguous, of type float64, not overlapping ``x``.
 
         Returns
         -------
@@ -3203,24 +3239,25 @@ class LinearOperator:
     @property
     def cells(self, /) -> int:
         """
-        Unknowns.
+        Number of unknowns.
         """
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        How that is known: "proven", "estimated" (stiff coatings on long grids), or "unknown", which is zero.
+        Origin of the lower bound: "proven", "estimated" (stiff coatings on long grids), or "unknown", in which case the
+        bound is zero.
         """
     @property
     def lower_bound(self, /) -> float:
         """
-        A lower bound of the smallest eigenvalue.
+        Lower bound on the smallest eigenvalue.
         """
 
 @final
 class LoadPath:
     """
-    A cycle of a tangential load in the plane, as the values (x, y) at the ends of its steps: forces or shifts, as the
-    caller means them. It is a sequence of pairs.
+    A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses them
+    as forces or as shifts. A path is a sequence of pairs.
 
     Parameters
     ----------
@@ -3247,64 +3284,64 @@ class LoadPath:
     def __repr__(self, /) -> str: ...
     def cycles(self, /, count: int) -> list[tuple[float, float]]:
         """
-        The values of so many cycles, one after the other.
+        Returns the values of the given number of consecutive cycles.
         """
     @staticmethod
     def ellipse(amplitudes: Sequence[float] | NDArray[Any], phase: float, steps: int) -> LoadPath:
         """
-        Around an ellipse of amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y (the phase in
-        radians), in a multiple of four steps.
+        Returns a path around an ellipse with the amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t +
+        phase) along y (the phase in radians), in a multiple of four steps.
         """
     @property
     def end(self, /) -> tuple[float, float]:
         """
-        The value where a cycle ends, and the next begins.
+        Value at the end of a cycle, where the next cycle starts.
         """
     @staticmethod
     def sine(amplitude: Sequence[float] | NDArray[Any], steps: int) -> LoadPath:
         """
-        To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from zero to the
-        amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
+        Returns a sinusoidal path along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from
+        zero to the amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
         """
     @property
     def steps(self, /) -> NDArray[float64]:
         """
-        The values of one cycle, of shape (steps, 2).
+        Values of one cycle, of shape (steps, 2).
         """
     @staticmethod
     def triangle(amplitude: Sequence[float] | NDArray[Any], steps: int) -> LoadPath:
         """
-        To and fro along a line at a constant rate, in a multiple of four steps.
+        Returns a path back and forth along a line at a constant rate, in a multiple of four steps.
         """
 
 @final
 class LoadStep:
     """
-    What a step of a history prescribes at its end; all that is not named is held.
+    Load prescribed at the end of a step of a history. Every quantity without a keyword is held constant.
 
     Parameters
     ----------
     normal_force, approach : float, optional
-        One of the two, the normal force (not negative) or the approach of the bodies from the datum of the gap (a length,
-        positive when they come together); without either the pressure is held.
+        The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive when
+        they move together). At most one of the two may be given; without either, the pressure is held constant.
     force, shift : pair of float, optional
-        Along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts on body 1; the
-        shift of body 2 relative to body 1 (lengths).
+        Components along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts
+        on body 1, or the shift of body 2 relative to body 1 (lengths).
     spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
-        over a length, positive).
+        Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
+        force over a length, positive).
     force_x, force_y, shift_x, shift_y : float, optional
-        The same along one axis.
+        Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        The same along one axis.
+        Spring along one axis.
     twist : float, optional
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
     relative_displacement : float, optional
-        Amount of the relative displacement of the history: a factor of its pattern.
+        Factor by which the pattern of the relative displacement of the history is multiplied.
     roll : stickslip.history.Rolling, optional
-        With rolling: the memory of the particles moves through the contact, and body 2 creeps over body 1 on the way. Along
-        an axis of which the step names the force the creepage follows; it names no shift, no spring and no twist. Normal
-        load, gap and friction may change in the same step.
+        Rolling during the step: the memory of the particles moves through the contact, and body 2 creeps over body 1
+        meanwhile. Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a
+        twist is not allowed in such a step. Normal load, gap and friction may change in the same step.
 
     Examples
     --------
@@ -3320,13 +3357,13 @@ class LoadStep:
     @staticmethod
     def of(load: TangentialLoad) -> LoadStep:
         """
-        The tangential half alone, with the twist of the load; the pressure is held.
+        Returns a step with the tangential load and its twist only; the pressure is held constant.
         """
 
 @final
 class LoopPoint:
     """
-    A point of the loop of force and shift.
+    Point of the force-shift loop.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -3356,8 +3393,8 @@ class LoopPoint:
 @final
 class LoopPoints:
     """
-    The loop of force and shift of a cycle, its beginning and the end of each step: a sequence of :class:`LoopPoint`, and
-    arrays with a number of each point. Vectors are (x, y).
+    The force-shift loop of a cycle, from its start to the end of each step: a sequence of :class:`LoopPoint`, and arrays
+    with one number per point. Vectors are (x, y).
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __getitem__(self, index: int, /) -> LoopPoint: ...
@@ -3434,7 +3471,7 @@ class LubkinTorsion:
     @property
     def stick_radius(self, /) -> float:
         """
-        Radius c of the stick disc (a length), positive: where beta = (mu p_0 / 2G) (K - E), with the complete elliptic
+        Radius c of the stick disc (a length), positive, from beta = (mu p_0 / 2G) (K - E) with the complete elliptic
         integrals of the parameter 1 - c^2/a^2.
         """
     @property
@@ -3444,8 +3481,8 @@ class LubkinTorsion:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre, along the circle
-        of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
+        Returns the traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre,
+        along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
         """
     @property
     def twist(self, /) -> float:
@@ -3465,8 +3502,8 @@ class Material:
     poisson_ratio : float
         Poisson's ratio, in (-1, 0.5].
     hardness : float, optional
-        The hardness (a pressure), positive; none by default. Solutions that press harder warn, and nothing else changes: a
-        problem whose pressure is to be limited takes a ``hardness`` of its own.
+        The hardness (a pressure), positive; none by default. It only causes a warning if a solution exceeds it. To limit
+        the pressure, pass ``hardness`` to the problem.
 
     Raises
     ------
@@ -3482,7 +3519,7 @@ class Material:
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int:
         """
-        Equal materials have equal ones.
+        Equal materials have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, *, hardness: float | None = None) -> Material: ...
@@ -3490,14 +3527,14 @@ class Material:
     def __repr__(self, /) -> str: ...
     def coated(self, /, layers: Sequence[Layer]) -> Material:
         """
-        This body under layers that are bonded to it, the outermost first; over those it has. On a rigid body they are a bed on
-        a rigid base. The moduli of a coated body are those of what lies below the layers, and a hardness stated before is
-        kept.
+        Returns this body with layers bonded on top of it and of its existing layers, outermost first. On a rigid body,
+        the layers are elastic layers on a rigid base. The moduli of a coated body are the moduli of the body below the
+        layers. A hardness stated before is kept.
 
         Parameters
         ----------
         layers : sequence of Layer
-            At most eight in all.
+            The layers; at most eight in total.
 
         Raises
         ------
@@ -3506,32 +3543,32 @@ class Material:
     @staticmethod
     def from_shear_modulus(shear_modulus: float, poisson_ratio: float) -> Material:
         """
-        From the shear modulus (a pressure) instead of Young's.
+        Creates a material from its shear modulus (a pressure) instead of Young's modulus.
         """
     @property
     def hardness(self, /) -> float:
         """
-        The hardness stated (a pressure); infinite if none is.
+        The stated hardness (a pressure); infinite if it is not stated.
         """
     @property
     def is_coated(self, /) -> bool:
         """
-        Whether it is coated.
+        Whether the body is coated.
         """
     @property
     def is_rigid(self, /) -> bool:
         """
-        Whether it is rigid.
+        Whether the body is rigid.
         """
     @property
     def layers(self, /) -> list[Layer]:
         """
-        The layers of a coated body, the outermost first.
+        The layers of a coated body, outermost first.
         """
     def plane_strain_under(self, /, stress: float) -> float:
         """
-        The strain along x under a stress along x (a pressure) of a body that cannot contract along y,
-        stress (1 - nu^2) / E; positive where it is stretched.
+        Returns the strain along x under a stress along x (a pressure) of a body that cannot contract along y, stress (1 -
+        nu^2) / E; positive in tension.
         """
     @property
     def poisson_ratio(self, /) -> float:
@@ -3541,7 +3578,7 @@ class Material:
     @staticmethod
     def rigid() -> Material:
         """
-        A body that does not deform.
+        Returns a body that does not deform.
         """
     @property
     def shear_modulus(self, /) -> float:
@@ -3559,11 +3596,11 @@ class MindlinDeresiewicz:
     """
     A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
 
-    From zero to the first reversal it is :class:`CattaneoMindlin`. Every reversal adds twice that solution for half the
-    change of force since. When the force returns to an earlier reversal it closes a loop, and the contact continues
-    as if that loop had not occurred. This is the solution of the scalar model, with traction along x only. The coupling
-    between pressure and traction of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
-    (1985), 7.52-7.57.
+    From zero to the first reversal, the solution is :class:`CattaneoMindlin`. Every reversal adds twice that solution
+    for half of the change of force since the reversal. When the force returns to the value of an earlier reversal, it
+    closes a loop, and the contact continues as if the loop had not occurred. This is the solution of the scalar
+    model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
+    Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
 
     Parameters
     ----------
@@ -3572,8 +3609,8 @@ class MindlinDeresiewicz:
     friction : float
         Coefficient of friction mu (dimensionless), not negative.
     path : sequence of float
-        Values that the tangential force on body 1 along x takes in turn, from zero (forces, of either sign, at most
-        mu W); none is no force.
+        Successive values of the tangential force on body 1 along x, starting from zero (forces, of either sign, at
+        most mu W). An empty path has no force.
 
     Raises
     ------
@@ -3591,8 +3628,8 @@ class MindlinDeresiewicz:
         """
     def displacement(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Tangential displacement u_x of body 1 relative to body 2 (a length), anywhere in the plane, superposed as the
-        class says.
+        Returns the tangential displacement u_x of body 1 relative to body 2 (a length), anywhere in the plane, by the
+        superposition of the class description.
         """
     @property
     def dissipated_energy(self, /) -> float:
@@ -3602,8 +3639,8 @@ class MindlinDeresiewicz:
     @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy that one full cycle of the force between F_0 and -F_0 dissipates (a force times a length),
-        (4/5) mu W delta_0 (1 - c/a)^3 (1 + 3 c/a + c^2/a^2) with c = a (1 - F_0 / (mu W))^(1/3).
+        Energy dissipated in one full cycle of the force between F_0 and -F_0 (a force times a length), (4/5) mu W
+        delta_0 (1 - c/a)^3 (1 + 3 c/a + c^2/a^2) with c = a (1 - F_0 / (mu W))^(1/3).
         """
     @property
     def force(self, /) -> float:
@@ -3627,8 +3664,8 @@ class MindlinDeresiewicz:
         """
     def slip(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Slip u_x - delta_x (a length): the motion of the surface of body 1 over that of body 2 since before the first
-        loading; zero outside the contact, and where the surfaces have never slipped.
+        Returns the slip u_x - delta_x (a length): the motion of the surface of body 1 over that of body 2 since
+        before the first loading; zero outside the contact and wherever the surfaces have never slipped.
         """
     @property
     def stick_radius(self, /) -> float:
@@ -3638,8 +3675,8 @@ class MindlinDeresiewicz:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure) at the distance r from the centre, superposed as the class says; zero
-        outside the contact.
+        Returns the traction on body 1 along x (a pressure) at the distance r from the centre, by the superposition of
+        the class description; zero outside the contact.
         """
 
 @final
@@ -3647,9 +3684,9 @@ class MindlinFullStick:
     """
     A contact circle in full stick under a tangential force along x.
 
-    For a sphere it is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it holds up
-    to sliding. The circle moves along x only, whatever nu. The coupling between pressure and traction of dissimilar bodies
-    is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+    For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it is
+    valid up to sliding. The circle moves along x only, for any nu. The coupling between pressure and traction of
+    dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
 
     Parameters
     ----------
@@ -3676,9 +3713,9 @@ class MindlinFullStick:
         """
     def displacement(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force), anywhere in
-        the plane: the shift inside the contact; at the distance r and the angle theta outside it
-        F / (4 pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
+        Returns the tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force),
+        anywhere in the plane: the shift inside the contact; at the distance r and the angle theta outside it F / (4
+        pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
         """
     @property
     def force(self, /) -> float:
@@ -3697,39 +3734,40 @@ class MindlinFullStick:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at the distance r
-        from the centre. It grows without bound towards the edge; at the edge and outside zero is returned.
+        Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at
+        the distance r from the centre. It grows without bound towards the edge; at the edge and outside zero is
+        returned.
         """
 
 @final
 class Minimum:
     """
-    A constrained minimum.
+    Constrained minimum of a quadratic form.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def multiplier(self, /) -> float:
         """
-        The multiplier of the total; zero without one.
+        Multiplier of the prescribed total; zero without a total.
         """
     @property
     def report(self, /) -> Report:
         """
-        How the solve ended.
+        Report of the solve.
         """
     @property
     def x(self, /) -> NDArray[float64]:
         """
-        The unknowns, a read-only view.
+        The unknowns, as a read-only view.
         """
 
 @final
 class NoSlipPunch:
     """
-    A flat-ended round punch pressed without any slip, as by friction without limit.
+    A flat-ended round punch pressed without any slip, as for infinite friction.
 
-    Where pressure and traction are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
+    If pressure and traction are coupled (Dundurs' beta is not zero), sticking makes the contact stiffer by the factor
     artanh(beta) / beta. Mossakovskii (1954); Borodich & Keer, Proc. R. Soc. Lond. A 460 (2004) 507.
 
     Parameters
@@ -3769,9 +3807,10 @@ class NoSlipPunch:
 @final
 class NoSlipSphere:
     """
-    A sphere pressed by a growing load without any slip: a point that has come into contact sticks.
+    A sphere pressed by a growing load without any slip: every point that has come into contact sticks.
 
-    Without coupling between pressure and traction it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
+    Without coupling between pressure and traction, the solution is that of Hertz. Spence, Proc. R. Soc. Lond. A 305
+    (1968) 55.
 
     Parameters
     ----------
@@ -3824,15 +3863,15 @@ class NormalProblem:
     gap : Field or array_like of shape (ny, nx)
         The gap before loading (lengths). An array is copied, a Field is shared.
     force, approach : float
-        One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-        positive when they come together). On a grid that repeats along x and y the approach is the mean of the initial gap
-        less that of the gap under load, and must stay below the mean gap.
+        Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+        (a length, positive when they move together). On a grid that is periodic along x and y, the approach is the mean
+        initial gap minus the mean gap under load, and must be less than the mean initial gap.
     hardness : Hardness, float or array_like of shape (ny, nx), optional
-        The largest pressure that the cells carry; no limit by default.
+        The largest pressure that the cells can carry; no limit by default.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -3855,15 +3894,15 @@ class NormalProblem:
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> NormalSolution:
         """
-        Solves once.
+        Solves the problem once.
 
         Parameters
         ----------
         progress : callable or bool, optional
-            Called with an :class:`Iteration` before each product; what it raises ends the solve. ``True`` shows a bar of
-            tqdm.
+            A function that is called with an :class:`Iteration` before each product; an exception in it ends the solve.
+            ``True`` shows a progress bar of tqdm.
         warn : bool, default True
-            Whether the remarks of the solution go to ``warnings`` too, each kind once a place.
+            Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
 
         Returns
         -------
@@ -3872,18 +3911,18 @@ class NormalProblem:
         Raises
         ------
         NotConverged
-            With ``report`` and ``last_iterate``.
+            The exception has the attributes ``report`` and ``last_iterate``.
         """
     def solver(self, /) -> NormalSolver:
         """
-        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
         """
 
 @final
 class NormalSolution:
     """
-    Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two are equal if their answers
-    are, however they were found.
+    Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
+    their solutions are equal, whatever the iterations were.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -3891,41 +3930,42 @@ class NormalSolution:
     @property
     def approach(self, /) -> float:
         """
-        Approach of the bodies from the datum of the initial gap (a length). On a grid that repeats along x and y: the mean of
-        the initial gap less that of the gap under load.
+        Approach of the bodies from the datum of the initial gap (a length). On a grid that is periodic along x and y, it
+        is the mean initial gap minus the mean gap under load.
         """
     @property
     def boundary(self, /) -> Boundary:
         """
-        What lies beyond the edge of the grid.
+        Boundary condition at the edge of the grid.
         """
     @property
     def cell_value(self, /) -> CellValue:
         """
-        The meaning of the value of a cell.
+        Meaning of the value of a cell.
         """
     @property
     def centre_of_pressure(self, /) -> tuple[float, float] | None:
         """
-        Where the normal force acts (lengths); ``None`` without contact.
+        Point where the normal force acts (lengths); ``None`` without contact.
         """
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive. They are what ``contact_cells``
-        and ``contact_area`` count; a copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. The properties
+        ``contact_cells`` and ``contact_area`` count these cells. A copy.
         """
     @property
     def contact_area(self, /) -> float:
         """
-        Contact area by counting cells: that of the discrete contact, on which ``mean_pressure``, the stick ratio and the areas
-        of spots are based. It reads high, by about 0.3 cell sides over the contact radius.
+        Contact area from counting cells. The properties ``mean_pressure``, the stick ratio and the areas of spots are
+        based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
+        contact radius.
         """
     @property
     def contact_area_corrected(self, /) -> float:
         """
-        Contact area less the excess of counting along the perimeter: the one to compare with theory and with other grids,
-        nearer to the continuum by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
+        Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
+        with other grids; its error is smaller by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
         """
     @property
     def contact_cells(self, /) -> int:
@@ -3935,26 +3975,26 @@ class NormalSolution:
     @property
     def contact_extent(self, /) -> tuple[float, float] | None:
         """
-        Sides of the contact's bounding box along x and y (lengths); ``None`` without contact.
+        Sides of the bounding box of the contact along x and y (lengths); ``None`` without contact.
         """
     @property
     def discretisation_estimate(self, /) -> float | None:
         """
-        An estimate of the discretisation error of the pressure: the sum over the cells of its differences from the exact means,
-        relative to the sum of the pressure; ``None`` without contact.
+        Estimate of the discretisation error of the pressure: the sum of the absolute differences from the exact cell
+        means, relative to the sum of the pressure; ``None`` without contact, or for one slab of a distributed grid.
         """
     def displacement(self, /, bodies: HalfSpace) -> NDArray[float64]:
         """
-        Normal displacement of all cells by the pressure, that of body 1 plus that of body 2 (lengths, positive where the
-        surfaces give way), shape (ny, nx): one product.
+        Computes the normal displacement of all cells due to the pressure, summed over both bodies (lengths, positive into
+        each body), shape (ny, nx). The cost is one product.
         """
     def edges(self, /) -> Edges:
         """
-        The edge of the contact inside the cells, and the pressure there.
+        Returns the edge of the contact inside the cells, and the pressure there.
         """
     def elastic_energy(self, /, bodies: HalfSpace) -> float:
         """
-        Elastic energy of the normal contact (a force times a length): one product.
+        Computes the elastic energy of the normal contact (a force times a length). The cost is one product.
         """
     @property
     def force(self, /) -> float:
@@ -3964,17 +4004,17 @@ class NormalSolution:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        Gap under load (lengths), shape (ny, nx): zero in the contact up to the residual, negative where cells yield.
+        Gap under load (lengths), shape (ny, nx): zero in the contact up to the residual, negative in cells that yield.
         """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of its fields.
+        Grid of the fields.
         """
     @property
     def mean_pressure(self, /) -> float:
         """
-        Normal force over contact area; zero without contact.
+        Ratio of normal force to contact area; zero without contact.
         """
     @property
     def moments(self, /) -> tuple[float, float]:
@@ -3994,35 +4034,36 @@ class NormalSolution:
     @property
     def report(self, /) -> Report:
         """
-        How the solve ended, what it cost, how large its error can be.
+        Termination, cost and error bound of the solve.
         """
     @property
     def spots(self, /) -> ContactSpots:
         """
-        The contact spots, one by one. All ranks that share the contact ask for them.
+        The individual contact spots. With distributed bodies, the call is collective.
         """
     def stiffness(self, /, bodies: HalfSpace) -> NormalStiffness:
         """
-        The normal stiffness, the slope of the force by the approach (a force over a length): one solve on the contact cells.
+        Computes the normal stiffness, the derivative of the force with respect to the approach (a force over a length).
+        The cost is one solve on the contact cells.
         """
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on a result that may mislead; empty if there are none.
+        Warnings about a result that might mislead; empty if there are none.
         """
     @property
     def yielded_cells(self, /) -> int:
         """
-        Cells at their hardness.
+        Number of cells at their hardness.
         """
 
 @final
 class NormalSolver:
     """
-    Solves normal contacts on one grid again and again, each time from the last answer. Takes what
-    :class:`NormalProblem` takes; load and gap may change between calls.
+    Solves normal contacts on one grid repeatedly, each time from the last solution. The arguments are those of
+    :class:`NormalProblem`; load and gap may change between calls.
 
-    One thread at a time may use it. The memory of a solution that nobody holds any more is used again.
+    One thread at a time may use a solver. The memory of a solution is reused once the caller has dropped it.
 
     Examples
     --------
@@ -4037,35 +4078,35 @@ class NormalSolver:
     def __repr__(self, /) -> str: ...
     def reset(self, /) -> None:
         """
-        Forgets the last answer: the next solve starts as the first did.
+        Discards the last solution, so that the next solve starts like the first.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
-        Changes the gap of the next solve, as wear does.
+        Sets the gap of the next solve, for example after wear.
         """
     def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
         """
-        Changes the load of the next solve.
+        Sets the load of the next solve.
         """
     @property
     def settings(self, /) -> Settings:
         """
-        The settings of the next solve; may be assigned.
+        Settings of the next solve; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, force: float | None = None, approach: float | None = None, gap: Field | ArrayLike | None = None, progress: Any | None = None, warn: bool = True) -> NormalSolution:
         """
-        Solves, for this load and gap if they are given, else for the last ones.
+        Solves for the given load and gap; an omitted load or gap keeps its last value.
 
         Parameters
         ----------
         force, approach : float, optional
-            At most one of the two, as of :class:`NormalProblem`.
+            At most one of the two; see :class:`NormalProblem`.
         gap : Field or array_like of shape (ny, nx), optional
             The gap before loading (lengths); copied.
         progress, warn : optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
 
         Returns
         -------
@@ -4074,15 +4115,16 @@ class NormalSolver:
         Raises
         ------
         GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
-            For load and gap; both are then as they were.
+            If load or gap are invalid; both are then unchanged.
         NotConverged
-            With ``report`` and ``last_iterate``.
+            The exception has the attributes ``report`` and ``last_iterate``.
         """
 
 @final
 class NormalStiffness:
     """
-    The slope of the normal force by the approach (a force over a length), with a bound of its relative error.
+    Derivative of the normal force with respect to the approach (a force over a length), with a bound on its relative
+    error.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __float__(self, /) -> float: ...
@@ -4091,12 +4133,12 @@ class NormalStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of its relative error; infinite where pressure and traction are found together.
+        Bound on the relative error; infinite if pressure and traction are solved simultaneously.
         """
     @property
     def value(self, /) -> float:
         """
-        The slope (a force over a length), zero without contact.
+        Value of the derivative (a force over a length); zero without contact.
         """
 
 @final
@@ -4104,20 +4146,20 @@ class Persson:
     """
     A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
 
-    It is erf((sqrt(pi)/2) kappa P) under the reduced pressure P = mean_pressure / (E* rms_slope), which is kappa P for
-    light loads. kappa is sqrt(8/pi) in Persson's theory, the default, and sqrt(2 pi) in that of Bush, Gibson and Thomas;
-    simulations give 2.0 to 2.2. A mean over infinite surfaces whose shortest waves are resolved. Persson (2001); Bush,
-    Gibson and Thomas (1975).
+    The contact fraction is erf((sqrt(pi)/2) kappa P), where P = mean_pressure / (E* rms_slope) is the reduced
+    pressure. For light loads it is kappa P. The coefficient kappa is sqrt(8/pi) in Persson's theory (the default) and
+    sqrt(2 pi) in the theory of Bush, Gibson and Thomas; simulations give 2.0 to 2.2. The fraction is a mean over
+    infinite surfaces whose shortest waves are resolved. Persson (2001); Bush, Gibson and Thomas (1975).
 
     Parameters
     ----------
     pair : ElasticPair
         The bodies.
     rms_slope : float
-        Root mean square of the gradient (Sdq, dimensionless), positive: sqrt(2) times the slope of profiles of an
-        isotropic surface.
+        Root mean square of the gradient (Sdq, dimensionless), positive: for an isotropic surface, sqrt(2) times the
+        rms slope of profiles.
     mean_pressure : float
-        Load over nominal area, positive.
+        Ratio of the load to the nominal area, positive.
 
     Raises
     ------
@@ -4136,8 +4178,8 @@ class Persson:
     @staticmethod
     def area_law(reduced_pressure: float, area_coefficient: float) -> float:
         """
-        The contact fraction of any surface at a reduced pressure P (not negative), with a coefficient kappa (positive;
-        both dimensionless).
+        Returns the contact fraction of any surface at a reduced pressure P (not negative) for a coefficient kappa
+        (positive; both dimensionless).
         """
     @property
     def contact_fraction(self, /) -> float:
@@ -4147,7 +4189,7 @@ class Persson:
     @property
     def mean_pressure(self, /) -> float:
         """
-        Mean pressure: the load over the nominal area.
+        Mean pressure, the ratio of the load to the nominal area.
         """
     @property
     def pair(self, /) -> ElasticPair:
@@ -4166,15 +4208,16 @@ class Persson:
         """
     def stick_ratio(self, /, friction: float, mean_traction: float) -> float:
         """
-        Fraction of the real contact area that sticks: the contact area under 1 - f of the load over that under all of
-        it, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998); Jaeger (1998).
+        Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
+        the load to the contact area under the full load, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998);
+        Jaeger (1998).
 
         Parameters
         ----------
         friction : float
             Coefficient of friction mu (dimensionless), not negative.
         mean_traction : float
-            Tangential force over nominal area, of either sign.
+            Ratio of the tangential force to the nominal area, of either sign.
 
         Raises
         ------
@@ -4182,20 +4225,20 @@ class Persson:
         """
     def with_area_coefficient(self, /, area_coefficient: float) -> Persson:
         """
-        The same contact with another coefficient kappa (dimensionless, positive).
+        Returns the same contact with a different coefficient kappa (dimensionless, positive).
         """
 
 @final
 class Plane:
     """
-    Stress, and displacement if it was asked for, at the cell centres of a plane below the surface. Arrays are views,
-    those of derived stresses are new.
+    Stress, and displacement if requested, at the cell centres of a plane below the surface. Arrays are views, except for
+    derived stresses, which are new arrays.
     """
     def __repr__(self, /) -> str: ...
     @property
     def body(self, /) -> Body:
         """
-        The body.
+        The body that contains the plane.
         """
     @property
     def depth(self, /) -> float:
@@ -4205,16 +4248,16 @@ class Plane:
     @property
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]] | None:
         """
-        Displacement along x, y and z (lengths), if it was asked for.
+        Displacement along x, y and z (lengths); ``None`` if it was not requested.
         """
     def get(self, /, ix: int, iy: int) -> Stress | None:
         """
-        The stress of a cell, by column and row; ``None`` beyond the grid.
+        Returns the stress of a cell, given by column and row; ``None`` outside the grid.
         """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid.
+        Grid of the plane.
         """
     @property
     def hydrostatic(self, /) -> NDArray[float64]:
@@ -4244,8 +4287,8 @@ class Plane:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks that a value may mislead: on a plane nearer to the surface than a side of a cell, if shear tractions end at
-        the edge of a contact; empty if there are none.
+        Warnings about values that might mislead: on a plane nearer to the surface than a side of a cell, if shear
+        tractions end at the edge of a contact. Empty if there are none.
         """
     @property
     def z(self, /) -> float:
@@ -4256,8 +4299,8 @@ class Plane:
 @final
 class Planes:
     """
-    Stresses on planes at chosen depths below each body, by fast transforms; the kernels of a depth are made when it is
-    first solved, and kept.
+    Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. The kernels
+    of a depth are created at its first solve and kept.
 
     Parameters
     ----------
@@ -4266,7 +4309,7 @@ class Planes:
     depths : array_like
         Depths below the surface of each body (lengths), not negative.
     displacements : bool, default False
-        Whether displacements are found too.
+        Whether displacements are also computed.
 
     Raises
     ------
@@ -4290,33 +4333,33 @@ class Planes:
     @property
     def depths(self, /) -> NDArray[float64]:
         """
-        The depths (lengths).
+        Depths of the planes (lengths).
         """
     def solve(self, /, index: int, body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None, warn: bool = True) -> Plane:
         """
-        The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of
-        :func:`at_points`.
+        Computes the plane at the depth with this index in a body. A negative index counts from the end. The tractions are
+        those of :func:`at_points`.
 
         Parameters
         ----------
         uniform_stress : Stress, optional
-            As of :func:`at_points`: bulk stress, which is added.
+            Bulk stress that is added; see :func:`at_points`.
         warn : bool, default True
-            Whether :attr:`Plane.warnings` go to ``warnings`` too, each kind once a place.
+            Whether :attr:`Plane.warnings` are also issued through ``warnings``, each kind once per location.
 
         Raises
         ------
         IndexError
-            If there is no such depth.
+            If the index is out of range.
         RigidBody, Memory, GridMismatch, BoundaryMismatch, MaterialMismatch, Sample
         """
     def solve_all(self, /, body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None, warn: bool = True) -> list[Plane]:
         """
-        The planes of all depths in a body, as of :meth:`solve`.
+        Computes the planes of all depths in a body; see :meth:`solve`.
         """
     def write_vti(self, /, path: str | PathLike[str], body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None) -> None:
         """
-        Writes the stresses of all depths in a body as a volume for ParaView, as of :meth:`solve`.
+        Writes the stresses of all depths in a body as a volume for ParaView; see :meth:`solve`.
         """
 
 @final
@@ -4325,9 +4368,9 @@ class PopovLimitingShape:
     The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear has
     ceased.
 
-    The disc of radius c that sticks does not wear. The ring around it wears until it carries no pressure and the
-    surfaces just touch there. The law of wear decides how fast this shape is reached, but not the shape. Exact where
-    Dundurs' beta is zero and the stick disc stays round. Popov (2014).
+    The stick disc of radius c does not wear. The ring around it wears until it carries no pressure and the surfaces
+    just touch there. The wear law determines how fast this shape is reached, but not the shape itself. The solution
+    is exact if Dundurs' beta is zero and the stick disc remains round. Popov (2014).
 
     Parameters
     ----------
@@ -4338,8 +4381,8 @@ class PopovLimitingShape:
     approach : float
         Approach d of the bodies (a length), positive.
     stick_radius : float
-        Radius c of the stick disc (a length), not negative, at most the contact radius sqrt(R d) before wear; zero is
-        gross sliding.
+        Radius c of the stick disc (a length), not negative, at most the contact radius sqrt(R d) before wear; zero
+        means gross sliding.
 
     Raises
     ------
@@ -4367,12 +4410,12 @@ class PopovLimitingShape:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r from the centre;
-        zero outside the stick disc, towards whose edge it grows without bound.
+        Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r
+        from the centre; zero outside the stick disc. The pressure grows without bound towards the edge of the disc.
         """
     def profile(self, /, r: ArrayLike) -> Any:
         """
-        Gap without load (a length) at the distance r from the centre, zero at the centre: in the ring
+        Returns the gap without load (a length) at the distance r from the centre, zero at the centre: in the ring
         (2/pi) ((r^2/2 arcsin(c/r) - c/2 sqrt(r^2 - c^2)) / R + d (pi/2 - arcsin(c/r))), elsewhere r^2 / 2R.
         """
     @property
@@ -4387,13 +4430,13 @@ class PopovLimitingShape:
         """
     def wear_depth(self, /, r: ArrayLike) -> Any:
         """
-        Wear depth (a length), summed over the bodies, at the distance r from the centre: positive in the ring, zero
-        elsewhere.
+        Returns the wear depth (a length), summed over the bodies, at the distance r from the centre: positive in the
+        ring, zero elsewhere.
         """
     @property
     def worn_radius(self, /) -> float:
         """
-        Radius within which the surfaces are worn (a length), larger than that of the contact before wear.
+        Radius within which the surfaces are worn (a length), larger than the contact radius before wear.
         """
     @property
     def worn_volume(self, /) -> float:
@@ -4404,12 +4447,12 @@ class PopovLimitingShape:
 @final
 class PowerSpectrum:
     """
-    The radial average of the power spectrum of a surface that repeats.
+    The radial average of the power spectrum of a periodic surface.
 
     Parameters
     ----------
     heights : Field or topography
-        Lengths, none missing.
+        The heights (lengths), without missing values.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4418,7 +4461,7 @@ class PowerSpectrum:
     @property
     def modes(self, /) -> NDArray[uint64]:
         """
-        Wave vectors in each ring; q and -q are two.
+        Number of wave vectors in each ring; q and -q are counted separately.
         """
     @property
     def moments(self, /) -> tuple[float, float, float]:
@@ -4450,7 +4493,7 @@ class PowerSpectrum:
 @final
 class Principal:
     """
-    Principal stresses, the largest first, and the unit vector of each.
+    Principal stresses, the largest first, with their unit vectors.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4459,7 +4502,7 @@ class Principal:
     @property
     def directions(self, /) -> list[list[float]]:
         """
-        The unit vector of each.
+        Unit vectors of the principal stresses, in the same order.
         """
     @property
     def values(self, /) -> tuple[float, float, float]:
@@ -4475,7 +4518,7 @@ class Rectangle:
     Parameters
     ----------
     a, b : float
-        Half sides along x and y (lengths), positive.
+        Half-sides along x and y (lengths), positive.
 
     Raises
     ------
@@ -4485,24 +4528,25 @@ class Rectangle:
     def __repr__(self, /) -> str: ...
     def pair_tensor(self, /, pair: ElasticPair, x: float, y: float) -> Tensor:
         """
-        The coefficients of a pair at a position from the centre (lengths).
+        Returns the coefficients of a pair at a position relative to the centre (lengths).
         """
     def tensor(self, /, material: Material, x: float, y: float) -> Tensor:
         """
-        The coefficients of a body at a position from the centre (lengths).
+        Returns the coefficients of a body at a position relative to the centre (lengths).
         """
 
 @final
 class RelativeDisplacement:
     """
-    A displacement of body 1 relative to body 2 that the contact does not cause: bulk strain, thermal expansion.
+    A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
+    expansion.
 
     Parameters
     ----------
     along_x, along_y : Field or array_like of shape (ny, nx)
         Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
     grid : Grid, optional
-        Where arrays live; Fields know it.
+        Grid of the arrays; required for arrays, since Fields have their own grid.
 
     Raises
     ------
@@ -4516,21 +4560,21 @@ class RelativeDisplacement:
     @staticmethod
     def bulk_strain(grid: Grid, strain: Sequence[Sequence[float]] | NDArray[Any]) -> RelativeDisplacement:
         """
-        That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
-        1 is stretched); zero at the origin of the grid.
+        Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
+        of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
         """
     @property
     def fields(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Its components along x and y (lengths).
+        Components along x and y (lengths).
         """
 
 @final
 class Report:
     """
-    How a solve ended, what it cost and how large its error can be.
+    Termination, cost and error bound of a solve.
 
-    Every number is recomputed from a fresh product with the returned iterate, whatever the status.
+    All error measures are recomputed from a fresh product with the returned iterate, whatever the status.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4539,7 +4583,7 @@ class Report:
     @property
     def double_precision_products(self, /) -> int:
         """
-        Products with the operator in double precision, with the final check.
+        Number of products with the operator in double precision, including the final check.
         """
     @property
     def duality_gap(self, /) -> float:
@@ -4549,19 +4593,19 @@ class Report:
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        How the smallest eigenvalue is known that :attr:`duality_gap` rests on, and what else is certified beside it: "proven";
-        "estimated", on the safe side, of stiff coatings on long grids; or "unknown": the bound of the error, the root of the
-        duality gap of the problem, then falls only with the root of the residual.
+        Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "estimated", on the
+        safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
+        the duality gap of the problem, decreases only with the square root of the residual.
         """
     @property
     def energy_error_bound(self, /) -> float:
         """
-        Certified bound on the relative error in the energy norm, the root of the duality gap.
+        Certified bound on the relative error in the energy norm, the square root of the duality gap.
         """
     @property
     def history(self, /) -> list[Iteration]:
         """
-        Every iterate whose residual was measured, in order.
+        All iterates whose residual was measured, in order.
         """
     @property
     def is_converged(self, /) -> bool:
@@ -4571,17 +4615,17 @@ class Report:
     @property
     def iterations(self, /) -> int:
         """
-        Conjugate-gradient steps.
+        Number of conjugate-gradient steps.
         """
     @property
     def load_error(self, /) -> float:
         """
-        Relative error of the prescribed total; zero when none is prescribed.
+        Relative error of the prescribed total; zero if no total is prescribed.
         """
     @property
     def products(self, /) -> int:
         """
-        Products of both precisions.
+        Number of products in both precisions.
         """
     @property
     def residual(self, /) -> float:
@@ -4591,12 +4635,12 @@ class Report:
     @property
     def single_precision_products(self, /) -> int:
         """
-        Products in single precision.
+        Number of products in single precision.
         """
     @property
     def status(self, /) -> Status:
         """
-        Why the iteration ended.
+        Reason for the end of the iteration.
         """
     @property
     def time(self, /) -> float:
@@ -4621,13 +4665,13 @@ class PointResult:
     @property
     def stress(self, /) -> Stress:
         """
-        Stress.
+        Stress at the point.
         """
 
 @final
 class PointResults:
     """
-    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with a number of each point, in the
+    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
     order of the points.
     """
     def __eq__(self, value: object, /) -> bool: ...
@@ -4671,24 +4715,24 @@ class PointResults:
 @final
 class Rolling:
     """
-    How the bodies roll in a step of a history: by how many cells, where their particles enter the contact, and what body 2
-    moves over body 1 on the way. Without creepage and spin they roll freely.
+    Rolling of the bodies in a step of a history: the number of cells, the edge where particles enter the contact, and the
+    creepage of body 2 over body 1. Without creepage and spin, the bodies roll freely.
 
     Parameters
     ----------
     cells : int
-        Cells by which the particles of both surfaces move through the contact, one or more.
+        Number of cells by which the particles of both surfaces move through the contact, one or more.
     creepage : pair of float, optional
-        The creepages along x and y, which body 2 moves over body 1 for each length rolled (dimensionless, default zero). A
-        positive creepage causes a positive force. Along an axis of which the step names the force the creepage follows, and
-        must not be given here.
+        The creepages along x and y, the motion of body 2 over body 1 per unit length rolled (dimensionless, default
+        zero). A positive creepage causes a positive force. Along an axis with a prescribed force, the creepage follows
+        from the force and must not be given here.
     creepage_x, creepage_y : float, optional
-        The same along one axis.
+        Creepage along one axis.
     spin : float, default 0
-        Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
-        positive from x to y). The vector model alone has it.
+        Rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
+        positive from x to y). It requires the vector model.
     leading_edge : LeadingEdge or str, default "plus_x"
-        Where particles enter the contact.
+        The edge where particles enter the contact.
 
     Examples
     --------
@@ -4711,9 +4755,9 @@ class Rolling:
 @final
 class RollingProblem:
     """
-    Bodies, normal contact, friction, and what is prescribed of their steady rolling.
+    Bodies, normal contact, friction and controls of steady rolling.
 
-    Along an axis of which nothing is said there is no creepage.
+    The creepage is zero along an axis without a given creepage or force.
 
     Parameters
     ----------
@@ -4724,28 +4768,28 @@ class RollingProblem:
     friction : Friction, float or array_like of shape (ny, nx)
         Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
     creepage, creepage_x, creepage_y : pair of float, float, optional
-        The creepages, which body 2 moves over body 1 for each length rolled (dimensionless). A positive creepage causes a
-        positive force.
+        The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage causes
+        a positive force.
     force, force_x, force_y : pair of float, float, optional
-        The tangential force that body 2 exerts on body 1, less than friction holds; the creepage follows.
+        The tangential force that body 2 exerts on body 1, less than the friction capacity; the creepage follows from it.
     spin : float, default 0
-        Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+        Rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
         positive from x to y).
     moment : float, optional
-        In place of the spin, which follows: the moment on body 1 about the origin of the grid (a force times a length,
-        positive from x to y), less than friction holds.
+        The moment on body 1 about the origin of the grid (a force times a length, positive from x to y), less than the
+        friction capacity. It replaces the spin, which follows from it.
     leading_edge : LeadingEdge or str, default "plus_x"
-        Where particles enter the contact.
+        The edge where particles enter the contact.
     step : int, default 1
-        Cells that a particle passes in a step. Longer steps cost less and are less accurate.
+        Number of cells that a particle passes in a step. Longer steps cost less and are less accurate.
     entry_rule : EntryRule or str, default "since_touch"
-        How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+        Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
     slip_corrections : int, default 0
         Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -4770,18 +4814,18 @@ class RollingProblem:
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves once; see :meth:`NormalProblem.solve`.
+        Solves the problem once; see :meth:`NormalProblem.solve`.
         """
     def solver(self, /) -> RollingSolver:
         """
-        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
         """
 
 @final
 class RollingSolution:
     """
-    Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of its
-    memory, those of the zones and the dissipation copies.
+    Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
+    its memory, except for the zones and the dissipation, which are copies.
     """
     def __repr__(self, /) -> str: ...
     @property
@@ -4792,8 +4836,9 @@ class RollingSolution:
     @property
     def dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that slip dissipates in each cell for each length rolled (a pressure): what wear follows. Between bodies of
-        the same material its integral is less than the work by a part that falls with the size of the cells.
+        Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
+        Between bodies of the same material, its integral is less than the work by a part that decreases with the cell
+        size.
         """
     @property
     def force(self, /) -> tuple[float, float]:
@@ -4803,7 +4848,7 @@ class RollingSolution:
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of its fields.
+        Grid of the fields.
         """
     @property
     def moment(self, /) -> float:
@@ -4813,13 +4858,14 @@ class RollingSolution:
     @property
     def report(self, /) -> Report:
         """
-        How the solve ended, what it cost, how large its error can be.
+        Termination, cost and error bound of the solve.
         """
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Slip of the surface of body 1 over that of body 2 along x and y for each length rolled (dimensionless), over the
-        step that brought the particles here: against the traction in slip cells, zero elsewhere.
+        Slip of the surface of body 1 over the surface of body 2 along x and y per unit length rolled (dimensionless),
+        averaged over the step that brought the particles to the cell. It is opposite to the traction in slip cells and
+        zero elsewhere.
         """
     @property
     def spin(self, /) -> float:
@@ -4829,7 +4875,7 @@ class RollingSolution:
     @property
     def stick_ratio(self, /) -> float:
         """
-        Cells that stick over cells in contact; zero without contact.
+        Ratio of stick cells to contact cells; zero without contact.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -4839,118 +4885,120 @@ class RollingSolution:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on a result that may mislead; empty if there are none.
+        Warnings about a result that might mislead; empty if there are none.
         """
     @property
     def work(self, /) -> float:
         """
-        Work of creepages and spin for each length rolled (a force). The spin moves particles as the middles of their
-        paths, so that its moment is taken there. Between bodies of the same material all of the work is dissipated.
-        Between others the pressure does work as well, which is not included.
+        Work of creepages and spin per unit length rolled (a force). The spin displaces particles as at the midpoints of
+        their paths, so its moment is taken there. Between bodies of the same material, all of the work is dissipated.
+        Between bodies of different materials, the pressure also does work, which is not included.
         """
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+        Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
         """
 
 @final
 class RollingSolver:
     """
-    Solves for one creepage, force or spin after the other, each from the last answer; made by
+    Solves for successive creepages, forces or spins, each time from the last solution; created by
     :meth:`RollingProblem.solver`.
     """
     def __repr__(self, /) -> str: ...
     def creep_forces(self, /, points: ArrayLike) -> CreepForces:
         """
-        The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
-        row by row. The last point stays prescribed. All are checked before the first is solved, and Ctrl-C acts once the last
-        is.
+        Computes the loads at all points, each time from the solution of the previous point: a creep curve, or a creep
+        surface row by row. The last point remains prescribed. All points are checked before the first solve; Ctrl-C takes
+        effect after the last solve.
 
         Parameters
         ----------
         points : array_like of shape (n, 3)
-            Each ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Neighbours in the
-            order should be neighbours in the plane.
+            Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
+            points should be close to each other.
 
         Returns
         -------
         CreepForces
-            Of each point in turn, and arrays of all.
+            The points with their loads, as a sequence and as arrays.
 
         Raises
         ------
         NotFinite, UnsupportedByModel
-            For any of the points; all is then as it was.
+            If any of the points is invalid; the solver is then unchanged.
         NotConverged
-            At the first point that fails, which stays prescribed.
+            At the first point that fails, which remains prescribed.
         """
     @property
     def friction_capacity(self, /) -> float:
         """
-        Largest tangential force that friction holds: the integral of the friction limit.
+        Largest tangential force that friction can carry: the integral of the friction limit.
         """
     @property
     def report(self, /) -> Report:
         """
-        How the last solve ended.
+        Report of the last solve.
         """
     def reset(self, /) -> None:
         """
-        Forgets the last answer: the next solve starts as the first did.
+        Discards the last solution, so that the next solve starts like the first.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Changes the friction of the next solve.
+        Sets the friction of the next solve.
         """
     def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
         """
-        Sets the normal load of the next solve, and solves for its pressure from the last one. Needs
+        Sets the normal load of the next solve, and computes the pressure starting from the last pressure. Requires
         :meth:`set_normal_solver`.
 
         Parameters
         ----------
         force, approach : float, optional
-            One of the two, as of :class:`NormalProblem`.
+            Exactly one of the two; see :class:`NormalProblem`.
 
         Raises
         ------
         UnsupportedByModel
             Without a normal solver.
         NegativeOrNotFinite, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-            The solver is then unchanged.
+            The solver is unchanged after an exception.
         """
     def set_normal_solver(self, /, solver: NormalSolver) -> None:
         """
-        Sets the solver that finds the pressure of a new load; copied, with its gap, hardness and settings.
+        Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
+        settings.
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
-        Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``entry_rule="whole_step"``.
+        Sets the pressure of the next solve. A field contains no gap, so it requires a solver with
+        ``entry_rule="whole_step"``.
 
         Raises
         ------
         UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
         GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
-            The pressure is then unchanged.
+            The pressure is unchanged after an exception.
         """
     @property
     def settings(self, /) -> Settings:
         """
-        The settings of the next solve; may be assigned.
+        Settings of the next solve; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+        Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
 
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
         progress, warn : optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
 
         Returns
         -------
@@ -4959,16 +5007,17 @@ class RollingSolver:
         Raises
         ------
         NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
-            For what is prescribed, which is then as it was.
+            If the prescribed values are invalid; they are then unchanged.
         NotConverged
-            With ``report`` and ``last_iterate``.
+            The exception has the attributes ``report`` and ``last_iterate``.
         """
     def stiffness(self, /) -> list[list[float]]:
         """
-        How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
-        last answer: forces, with the spin forces times lengths, in the row of the moment once more times a length. Cells
-        that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
-        coefficients, times G a b and lengths.
+        Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
+        and y and the spin (columns) at the last solution. The entries are forces; the column of the spin and the row of
+        the moment each add a factor of length. Stick cells follow the change and slip cells remain at their limits.
+        Before the first solve, all cells stick, and the entries are Kalker's coefficients times G a b and powers of a
+        length.
         """
 
 @final
@@ -4976,9 +5025,10 @@ class RoughSphere:
     """
     A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
 
-    Where the pressure of the smooth sphere is p, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is
-    in contact; the ratio is the mean over the Hertz circle. It holds where the roughness is small beside the approach and
-    fine beside the circle. kappa is 2 by default. After Müser (2016).
+    At a pressure p of the smooth sphere, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is in
+    contact; the result is the mean of this fraction over the Hertz circle. It is valid if the heights of the
+    roughness are small compared with the approach and its wavelengths are small compared with the circle. The default
+    of kappa is 2. After Müser (2016).
 
     Parameters
     ----------
@@ -5004,8 +5054,8 @@ class RoughSphere:
     @staticmethod
     def area_law(reduced_pressure: float, area_coefficient: float) -> float:
         """
-        The relative area of any rough sphere at a reduced pressure P (not negative), with a coefficient kappa (positive;
-        both dimensionless).
+        Returns the relative contact area of any rough sphere at a reduced pressure P (not negative) for a coefficient
+        kappa (positive; both dimensionless).
         """
     @property
     def contact_area(self, /) -> float:
@@ -5025,7 +5075,7 @@ class RoughSphere:
     @property
     def relative_contact_area(self, /) -> float:
         """
-        Area of real contact over that of the Hertz circle, between 0 and 1.
+        Ratio of the real contact area to the area of the Hertz circle, between 0 and 1.
         """
     @property
     def rms_slope(self, /) -> float:
@@ -5034,8 +5084,8 @@ class RoughSphere:
         """
     def with_area_coefficient(self, /, area_coefficient: float) -> RoughSphere:
         """
-        The same contact with another coefficient kappa (dimensionless, positive), for example one of those that
-        :class:`Persson` lists.
+        Returns the same contact with a different coefficient kappa (dimensionless, positive), for example one of the
+        values listed in :class:`Persson`.
         """
 
 @final
@@ -5054,12 +5104,12 @@ class RoughSurface:
     @property
     def heights(self, /) -> Field:
         """
-        Its heights (lengths), of zero mean.
+        The heights (lengths), with zero mean.
         """
     @property
     def iterations(self, /) -> int:
         """
-        Iterations that a prescribed skewness or kurtosis took.
+        Number of iterations for a prescribed skewness or kurtosis.
         """
     @property
     def kurtosis(self, /) -> float:
@@ -5118,36 +5168,37 @@ class RoundedPunch:
         """
     def pressure(self, /, x: ArrayLike) -> Any:
         """
-        Pressure at the distance x from the middle; zero outside the contact.
+        Returns the pressure at the distance x from the middle; zero outside the contact.
         """
 
 @final
 class SelfAffine:
     """
-    A recipe of self-affine roughness. With a cut-off wavelength it stays the same surface when the grid is refined.
+    Parameters of self-affine roughness. With a given cut-off wavelength, the surface does not change when the grid is
+    refined.
 
     Parameters
     ----------
     rms_height, rms_slope : float
-        One of the two: the root mean square of the heights (a length), or that of the gradient (dimensionless).
+        Exactly one of the two: the root mean square of the heights (a length) or of the gradient (dimensionless).
     hurst : float, default 0.8
-        The Hurst exponent, in [0, 1]; the fractal dimension is 3 less this.
+        The Hurst exponent H, in [0, 1]; the fractal dimension is 3 - H.
     longest_wavelength : float, optional
-        Where the spectrum begins (a length); the longer side of the grid by default.
+        Upper end of the spectrum (a length); the longer side of the grid by default.
     roll_off_wavelength : float, optional
-        Where the plateau of the spectrum ends and it begins to fall (a length); the longest wavelength by default, without
-        plateau.
+        Wavelength at which the plateau of the spectrum ends and the spectrum begins to fall (a length). The default is
+        the longest wavelength, without a plateau.
     cut_off_wavelength : float, optional
-        Where the spectrum ends (a length), at least two cells; eight cells, of their longer side, by default.
+        Lower end of the spectrum (a length), at least two cells; by default eight times the longer side of a cell.
     amplitudes : Amplitudes or str, default "exact"
         "exact" gives each wave the amplitude of the spectrum, and only its phase is random; "gaussian" scatters the
         amplitudes too, as filtered white noise does.
     cropped : bool, default False
-        Whether the surface is the middle of a larger one, and does not repeat.
+        Whether the surface is the middle of a larger surface and therefore not periodic.
     skewness, kurtosis : float, optional
-        Of the heights (kurtosis 3 of Gaussian heights); as they follow from the phases by default.
+        Skewness and kurtosis of the heights (Gaussian heights have kurtosis 3). By default they follow from the phases.
     seed : int, default 0
-        Not negative; another seed is another surface.
+        Seed of the random numbers, not negative; each seed gives a different surface.
 
     Examples
     --------
@@ -5164,7 +5215,7 @@ class SelfAffine:
     def __repr__(self, /) -> str: ...
     def generate(self, /, grid: Grid) -> RoughSurface:
         """
-        The surface on a grid.
+        Generates the surface on a grid.
 
         Raises
         ------
@@ -5172,43 +5223,43 @@ class SelfAffine:
         """
     def generate_on(self, /, bodies: HalfSpace) -> Field:
         """
-        The heights on the grid of bodies (lengths).
+        Generates the heights on the grid of bodies (lengths).
         """
 
 @final
 class PvdWriter:
     """
-    A series of images over time for ParaView, listed in a PVD file, which is replaced.
+    A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
 
     Parameters
     ----------
     path : path_like
-        The PVD file; the images are written beside it.
+        The PVD file; the images are written to the same folder.
     """
     def __len__(self, /) -> int: ...
     def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
     def __repr__(self, /) -> str: ...
     def write(self, /, time: float, fields: dict[str, Any], *, grid: Grid | None = None) -> None:
         """
-        Writes fields and vectors at a time, as of :func:`stickslip.io.vti.write`, and lists them.
+        Writes fields and vectors at a time as :func:`stickslip.io.vti.write` does, and adds them to the list.
         """
 
 @final
 class Settings:
     """
-    Method, tolerance and limits of an iteration, as every problem, solver and history takes them: together as
-    ``settings``, or one by one by the same keywords.
+    Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
+    or individually by the same keywords.
 
     Parameters
     ----------
     tolerance : float, default 1e-8
-        Bounds the certified error in the energy norm and the largest residual.
+        Upper limit for the certified error in the energy norm and for the largest residual.
     method : Method or str, default "active_set"
-        "active_set", or "polonsky_keer" for one unknown a cell.
+        "active_set", or "polonsky_keer" for problems with one unknown per cell.
     max_iterations : int, default 10000
-        Conjugate-gradient steps allowed.
+        Maximum number of conjugate-gradient steps.
     time_limit : float, optional
-        Wall time allowed a solve (s).
+        Maximum wall time of a solve (s).
 
     Raises
     ------
@@ -5222,32 +5273,32 @@ class Settings:
     @property
     def max_iterations(self, /) -> int:
         """
-        Conjugate-gradient steps allowed.
+        Maximum number of conjugate-gradient steps.
         """
     @property
     def method(self, /) -> Method:
         """
-        Which iteration.
+        Method of the iteration.
         """
     @property
     def time_limit(self, /) -> float | None:
         """
-        Wall time allowed (s), or ``None``.
+        Maximum wall time (s), or ``None``.
         """
     @property
     def tolerance(self, /) -> float:
         """
-        Error accepted.
+        Tolerance of the error.
         """
 
 @final
 class SpencePressing:
     """
-    How far bodies of different materials stick when they are pressed together by a growing load alone.
+    The stick zone of bodies of different materials that are pressed together by a growing load alone.
 
-    The surfaces slip inwards near the rim of the contact; friction holds the part within k times its radius or half-width.
-    Shear does not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section
-    5.4. Made by :meth:`round` and :meth:`plane`.
+    The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
+    not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
+    Created by :meth:`round` and :meth:`plane`.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5256,18 +5307,19 @@ class SpencePressing:
     @staticmethod
     def plane(pair: ElasticPair, friction: float) -> SpencePressing:
         """
-        The contact of a cylinder or strip in plane strain, with this coefficient of friction (dimensionless, not negative).
+        Returns the solution for a cylinder or strip in plane strain with this coefficient of friction (dimensionless, not
+        negative).
         """
     @staticmethod
     def round(pair: ElasticPair, friction: float) -> SpencePressing:
         """
-        The contact of a body of revolution, with this coefficient of friction (dimensionless, not negative).
+        Returns the solution for a body of revolution with this coefficient of friction (dimensionless, not negative).
         """
     @property
     def stick_radius(self, /) -> float:
         """
-        Radius or half-width of the stick zone over that of the contact, k in [0, 1]: one without coupling, zero without
-        friction.
+        Ratio k of the radius or half-width of the stick zone to that of the contact, in [0, 1]: one without coupling,
+        zero without friction.
         """
 
 @final
@@ -5282,49 +5334,49 @@ class Spot:
     @property
     def area(self, /) -> float:
         """
-        Its area (a length squared).
+        Area of the spot (a length squared).
         """
     @property
     def cells(self, /) -> int:
         """
-        Its cells.
+        Number of cells of the spot.
         """
     @property
     def centroid(self, /) -> tuple[float, float]:
         """
-        Mean position of its cells (lengths).
+        Mean position of the cells (lengths).
         """
     @property
     def load(self, /) -> float:
         """
-        The force it carries.
+        Force that the spot carries.
         """
     @property
     def max_pressure(self, /) -> float:
         """
-        The largest pressure in it.
+        Largest pressure in the spot.
         """
     @property
     def mean_pressure(self, /) -> float:
         """
-        Load over area.
+        Ratio of load to area.
         """
     @property
     def perimeter(self, /) -> float:
         """
-        Length of its edge along the sides of cells.
+        Length of the edge of the spot along the sides of cells.
         """
     @property
     def stick_ratio(self, /) -> float | None:
         """
-        Stick cells over its cells; ``None`` without shear.
+        Ratio of stick cells to all cells of the spot; ``None`` without a tangential contact.
         """
 
 @final
 class State:
     """
-    A state of a history: what to return to, to continue from, or to save. Arrays are read-only views of its memory,
-    those of the zones a copy; vectors are (x, y).
+    A state of a history, which can be restored, continued or saved. Arrays are read-only views of its memory, except for
+    the zones, which are copies. Vectors are (x, y).
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -5346,17 +5398,17 @@ class State:
     @property
     def boundary(self, /) -> Boundary:
         """
-        What lies beyond the edge of the grid.
+        Boundary condition at the edge of the grid.
         """
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
         """
     @property
     def coupling(self, /) -> Coupling:
         """
-        How much is modelled of the coupling between pressure and traction.
+        Coupling between pressure and traction in the model.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -5366,32 +5418,32 @@ class State:
     @property
     def friction(self, /) -> Friction:
         """
-        The friction.
+        The friction of the history.
         """
     @staticmethod
     def from_bytes(bytes: bytes) -> State:
         """
-        A state from its bytes.
+        Restores a state from its bytes.
         """
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, with what the surfaces have yielded.
+        The gap before loading (lengths), as last set, plus the yielded depth.
         """
     @property
     def grid(self, /) -> Grid:
         """
-        The grid.
+        Grid of the fields.
         """
     @property
     def hardness(self, /) -> Hardness | None:
         """
-        The largest pressure of the cells, if it is limited.
+        The largest pressure of the cells; ``None`` if it is not limited.
         """
     @property
     def is_pressure_stale(self, /) -> bool:
         """
-        Whether the pressure is still that of an older gap.
+        Whether the pressure was computed for an earlier gap.
         """
     @property
     def moment(self, /) -> float:
@@ -5401,7 +5453,7 @@ class State:
     @property
     def normal(self, /) -> NormalSolution:
         """
-        The normal contact, which shares the memory of the state.
+        The normal solution, which shares the memory of the state.
         """
     @property
     def pair(self, /) -> ElasticPair:
@@ -5436,7 +5488,7 @@ class State:
     @property
     def steps(self, /) -> int:
         """
-        Steps taken since the start.
+        Number of steps since the start.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -5445,12 +5497,12 @@ class State:
         """
     def to_bytes(self, /) -> bytes:
         """
-        Its bytes, which this and later versions read.
+        Returns the state as bytes, which this and later versions can read.
         """
     @property
     def entry_rule(self, /) -> EntryRule:
         """
-        How far a cell that comes into contact within a step follows its motion.
+        Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -5465,23 +5517,23 @@ class State:
     @property
     def yielded(self, /) -> NDArray[float64] | None:
         """
-        How deep the surfaces have yielded since the start (lengths, not negative); ``None`` unless that stays.
+        Yielded depth of the surfaces since the start (lengths, not negative); ``None`` without a permanent set.
         """
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        The zone of every cell: 0 separated, 1 stick, 2 slip.
+        Zone of each cell: 0 separated, 1 stick, 2 slip.
         """
 
 @final
 class Statistics:
     """
-    Parameters of a surface after ISO 25178-2.
+    Parameters of a surface according to ISO 25178-2.
 
     Parameters
     ----------
     heights : Field or topography
-        Lengths, none missing.
+        The heights (lengths), without missing values.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5506,12 +5558,12 @@ class Statistics:
     @property
     def finite_difference_rms_slope(self, /) -> float:
         """
-        Root mean square slope by differences of neighbours, Sdq.
+        Root mean square slope from finite differences of neighbouring cells, Sdq.
         """
     @property
     def height_range(self, /) -> float:
         """
-        Highest peak and deepest valley together, Sz (a length).
+        Sum of the highest peak and the deepest valley, Sz (a length).
         """
     @property
     def highest_peak(self, /) -> float:
@@ -5521,7 +5573,7 @@ class Statistics:
     @property
     def kurtosis(self, /) -> float:
         """
-        Kurtosis Sku; 3 of Gaussian heights.
+        Kurtosis Sku; 3 for Gaussian heights.
         """
     @property
     def mean_height(self, /) -> float:
@@ -5546,13 +5598,13 @@ class Statistics:
     @property
     def spectral_rms_slope(self, /) -> float:
         """
-        Root mean square slope by the spectrum, of a surface that repeats.
+        Root mean square slope from the spectrum, for a periodic surface.
         """
 
 @final
 class StepErrorEstimate:
     """
-    What one step differs by from the same load in two.
+    Difference between the result of one step and the result of the same load in two steps.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5561,7 +5613,7 @@ class StepErrorEstimate:
     @property
     def dissipated_energy(self, /) -> float:
         """
-        Difference of the energy dissipated.
+        Difference of the dissipated energy.
         """
     @property
     def force(self, /) -> tuple[float, float]:
@@ -5576,38 +5628,38 @@ class StepErrorEstimate:
     @property
     def traction(self, /) -> float:
         """
-        Sum of the lengths of the differences of the tractions, over the sum of the friction limits.
+        Sum of the magnitudes of the traction differences, relative to the sum of the friction limits.
         """
 
 @final
 class StepResult:
     """
-    What a step of a history did: its numbers, and its fields for as long as it is the last one, also after a step that
-    failed; after an attempt of :class:`AdaptiveSteps` that failed, the last step is that of the attempt. :meth:`keep` copies
-    them, for good. Vectors are (x, y).
+    Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
+    the history, also after a failed step. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last step.
+    :meth:`keep` copies the fields permanently. Vectors are (x, y).
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def approach(self, /) -> float:
         """
-        Approach at its end (a length).
+        Approach at the end of the step (a length).
         """
     @property
     def creepage(self, /) -> tuple[float, float] | None:
         """
-        The creepages along x and y of a step that rolled, prescribed or caused by the force (dimensionless); ``None`` if it
-        did not roll.
+        The creepages along x and y of a rolling step, prescribed or caused by the force (dimensionless); ``None`` without
+        rolling.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipates, by its traction at the end (forces times lengths, not negative).
+        Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
         """
     @property
     def energy(self, /) -> EnergyBalance:
         """
-        Work, elastic energy and dissipation.
+        Work, elastic energy and dissipation of the step.
         """
     @property
     def is_gross_slip(self, /) -> bool:
@@ -5616,32 +5668,32 @@ class StepResult:
         """
     def keep(self, /) -> StepResult:
         """
-        The same with a copy of the fields, which stay when the history goes on.
+        Returns the same result with a copy of the fields, which remain available when the history continues.
         """
     @property
     def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipates, by the mean of its tractions before and after (forces times lengths).
+        Energy dissipated in each cell, from the mean of its tractions before and after the step (forces times lengths).
         """
     @property
     def moment(self, /) -> float:
         """
-        Moment about z at its end (a force times a length, positive from x to y).
+        Moment about z at the end of the step (a force times a length, positive from x to y).
         """
     @property
     def normal_force(self, /) -> float:
         """
-        Normal force at its end.
+        Normal force at the end of the step.
         """
     @property
     def normal_report(self, /) -> Report | None:
         """
-        How the normal contact was solved; ``None`` if the pressure was held.
+        Report of the normal solve; ``None`` if the pressure was held constant.
         """
     @property
     def shift(self, /) -> tuple[float, float]:
         """
-        Shift of body 2 relative to body 1 along x and y at its end (lengths).
+        Shift of body 2 relative to body 1 along x and y at the end of the step (lengths).
         """
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -5656,36 +5708,36 @@ class StepResult:
     @property
     def stick_ratio(self, /) -> float:
         """
-        Stick cells over contact cells at its end.
+        Ratio of stick cells to contact cells at the end of the step.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
         """
-        Tangential force on body 1 along x and y at its end.
+        Tangential force on body 1 along x and y at the end of the step.
         """
     @property
     def tangential_report(self, /) -> Report | None:
         """
-        How the tangential contact was solved; ``None`` before anything has touched.
+        Report of the tangential solve; ``None`` before the first contact.
         """
     @property
     def twist(self, /) -> float:
         """
-        Rotation at its end (radians, positive from x to y).
+        Rotation at the end of the step (radians, positive from x to y).
         """
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``single_load_step`` and those on contacts and zones of too few cells. Warnings of
-        contact spots are in ``history.normal.warnings``: a step does not search for spots.
+        Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
+        ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots are
+        in ``history.normal.warnings``, since a step does not search for spots.
         """
 
 @final
 class Stress:
     """
-    The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses add, subtract and
-    scale by numbers.
+    The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses can be added,
+    subtracted and multiplied by numbers.
 
     Parameters
     ----------
@@ -5702,12 +5754,12 @@ class Stress:
     """
     def __add__(self, other: object, /) -> Stress:
         """
-        The sum with another stress.
+        Adds a stress.
         """
     def __eq__(self, value: object, /) -> bool: ...
     def __mul__(self, factor: object, /) -> Stress:
         """
-        So many times the stress.
+        Multiplies the stress by a number.
         """
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, *, xx: float = ..., yy: float = ..., zz: float = ..., xy: float = ..., xz: float = ..., yz: float = ...) -> Stress: ...
@@ -5718,7 +5770,7 @@ class Stress:
     def __rsub__(self, other: object, /) -> Stress: ...
     def __sub__(self, other: object, /) -> Stress:
         """
-        The difference from another stress.
+        Subtracts a stress.
         """
     @property
     def hydrostatic(self, /) -> float:
@@ -5733,7 +5785,7 @@ class Stress:
     @property
     def principal(self, /) -> Principal:
         """
-        Principal stresses and their directions.
+        Principal stresses with their directions.
         """
     @property
     def von_mises(self, /) -> float:
@@ -5774,7 +5826,7 @@ class Stress:
 @final
 class Table:
     """
-    One influence coefficient at all distances of cells of a grid.
+    One influence coefficient for all distances between cells of a grid.
 
     Parameters
     ----------
@@ -5783,29 +5835,29 @@ class Table:
     pair : ElasticPair
         The two bodies.
     component : Component or str
-        Displacement first, traction second.
+        Direction of the displacement first, direction of the traction second.
     """
     def __new__(cls, /, grid: Grid, pair: ElasticPair, component: Component | str) -> Table: ...
     def __repr__(self, /) -> str: ...
     @property
     def component(self, /) -> Component:
         """
-        The component.
+        Component of the table.
         """
     def get(self, /, i: int, j: int) -> float | None:
         """
-        The coefficient at a distance of so many cells along x and y, of either sign; ``None`` beyond the table.
+        Returns the coefficient at a distance in cells along x and y, of either sign; ``None`` outside the table.
         """
     @property
     def size(self, /) -> tuple[int, int]:
         """
-        Distances along x and y, those of one sign.
+        Number of distances along x and y, of one sign.
         """
 
 @final
 class TangentialEdges:
     """
-    The edges of a contact in partial slip: of the contact and of its stick zone.
+    The edges of a contact in partial slip and of its stick zone.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5818,12 +5870,12 @@ class TangentialEdges:
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of the cells.
+        Grid of the cells.
         """
     @property
     def mean_traction(self, /) -> NDArray[float64]:
         """
-        Its means over the cells, shape (ny, nx).
+        Means of the traction over the cells, shape (ny, nx).
         """
     @property
     def peak_traction(self, /) -> float:
@@ -5833,7 +5885,7 @@ class TangentialEdges:
     @property
     def slip_area(self, /) -> float:
         """
-        Area of the contact less that of the stick zone.
+        Contact area minus stick area.
         """
     @property
     def stick(self, /) -> Edges:
@@ -5843,12 +5895,12 @@ class TangentialEdges:
     @property
     def stick_area(self, /) -> float:
         """
-        Area of the stick zone, with the parts of the cells at its edge (a length squared).
+        Area of the stick zone, with the covered parts of the cells at its edge (a length squared).
         """
     @property
     def stick_ratio(self, /) -> float:
         """
-        Stick area over contact area.
+        Ratio of stick area to contact area.
         """
     @property
     def traction(self, /) -> NDArray[float64]:
@@ -5861,21 +5913,21 @@ class TangentialLoad:
     """
     A tangential load from rest.
 
-    Along an axis of which nothing is said, it is zero, of the kind of the other. The scalar model takes a load along one
-    axis, the vector model any.
+    An axis without a keyword has the control of the other axis with the value zero. The scalar model supports a load
+    along one axis only; the vector model supports any load.
 
     Parameters
     ----------
     force, shift : pair of float, optional
-        Along x and y, of either sign: the force that body 2 exerts on body 1; the shift of body 2 relative to body 1
-        (lengths).
+        Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift of body 2 relative
+        to body 1 (lengths).
     spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, by the position of their far ends (lengths) and their stiffness (a force
-        over a length, positive): the force is stiffness (position - shift).
+        Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
+        force over a length, positive). The force is stiffness (position - shift).
     force_x, force_y, shift_x, shift_y : float, optional
-        The same along one axis.
+        Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        The same along one axis.
+        Spring along one axis.
     twist : float, default 0
         Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). The vector model
         alone has it.
@@ -5887,14 +5939,14 @@ class TangentialLoad:
     def __repr__(self, /) -> str: ...
     def control(self, /, axis: Axis | str) -> tuple[str, Any]:
         """
-        What is prescribed along an axis: ``("force", value)``, ``("shift", value)`` or
+        Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
         ``("spring", (position, stiffness))``.
         """
 
 @final
 class TangentialProblem:
     """
-    Bodies, pressure, friction and tangential load: one monotonic step from the unsheared state.
+    Bodies, pressure, friction and tangential load of one monotonic step from the unsheared state.
 
     Parameters
     ----------
@@ -5907,19 +5959,19 @@ class TangentialProblem:
     load : TangentialLoad, optional
         The tangential load as an object, instead of by keywords.
     force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-        The tangential load, as of :class:`TangentialLoad`; no force by default.
+        The tangential load; see :class:`TangentialLoad`. No force by default.
     model : TangentialModel or str, default "scalar"
-        "scalar" finds the traction along the axis of the load, "vector" both components.
+        "scalar" computes the traction along the axis of the load, "vector" both components.
     coupling : Coupling or str, default "one_way"
-        Of bodies of different materials: "one_way" has the pressure move the surfaces tangentially, "neglected" does not;
-        "full" is refused, since the pressure is given.
+        Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
+        "neglected" omits them. "full" is rejected, since the pressure is given.
     relative_displacement : RelativeDisplacement, optional
-        A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
-        by default.
+        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
+        none by default.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
 
     Raises
     ------
@@ -5946,23 +5998,23 @@ class TangentialProblem:
     @property
     def friction_capacity(self, /) -> float:
         """
-        Largest tangential force that friction holds: the integral of the friction limit.
+        Largest tangential force that friction can carry: the integral of the friction limit.
         """
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
-        Solves once; see :meth:`NormalProblem.solve`.
+        Solves the problem once; see :meth:`NormalProblem.solve`.
         """
     def solver(self, /) -> TangentialSolver:
         """
-        A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+        Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
         """
 
 @final
 class TangentialSolution:
     """
-    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); the scalar model leaves the component
-    across the load at zero. Arrays are read-only views of its memory, those of the zones a copy. Two are equal if their
-    answers are, however they were found.
+    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
+    the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two objects are
+    equal if their solutions are equal, whatever the iterations were.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -5970,27 +6022,29 @@ class TangentialSolution:
     @property
     def axis(self, /) -> Axis | None:
         """
-        The axis of the load in the scalar model, ``None`` in the vector model.
+        The axis of the load in the scalar model; ``None`` in the vector model.
         """
     @property
     def boundary(self, /) -> Boundary:
         """
-        What lies beyond the edge of the grid.
+        Boundary condition at the edge of the grid.
         """
     @property
     def cell_value(self, /) -> CellValue:
         """
-        The meaning of the value of a cell.
+        Meaning of the value of a cell.
         """
     @property
     def discretisation_estimate(self, /) -> float | None:
         """
-        An estimate of the discretisation error of the tractions: the sum over the cells of the differences from the exact
-        means, relative to the sum of their magnitudes; ``None`` without traction.
+        Estimate of the discretisation error of the tractions: the sum over the cells of the magnitudes of the differences
+        from the exact means, relative to the sum of the magnitudes of the tractions; ``None`` without traction, or for
+        one slab of a distributed grid.
         """
     def displacement(self, /, bodies: HalfSpace) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Displacement of body 1 relative to body 2 by the tractions along x and y, of all cells (lengths): one product.
+        Computes the displacement of body 1 relative to body 2 due to the tractions along x and y, for all cells
+        (lengths). The cost is one product.
         """
     @property
     def dissipated_energy(self, /) -> float:
@@ -5999,11 +6053,12 @@ class TangentialSolution:
         """
     def edges(self, /, normal: NormalSolution, friction: Friction | float | ArrayLike) -> TangentialEdges:
         """
-        The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem.
+        Returns the edges of the contact and of the stick zone inside the cells, for the pressure and the friction of the
+        problem.
         """
     def elastic_energy(self, /, bodies: HalfSpace) -> float:
         """
-        Elastic energy of shear (a force times a length): one product.
+        Computes the elastic energy of shear (a force times a length). The cost is one product.
         """
     @property
     def force(self, /) -> tuple[float, float]:
@@ -6013,7 +6068,7 @@ class TangentialSolution:
     @property
     def grid(self, /) -> Grid:
         """
-        The grid of its fields.
+        Grid of the fields.
         """
     @property
     def is_gross_slip(self, /) -> bool:
@@ -6028,7 +6083,7 @@ class TangentialSolution:
     @property
     def report(self, /) -> Report:
         """
-        How the solve ended, what it cost, how large its error can be.
+        Termination, cost and error bound of the solve.
         """
     @property
     def shift(self, /) -> tuple[float, float]:
@@ -6038,30 +6093,30 @@ class TangentialSolution:
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Slip of the surface of body 1 over that of body 2 along x and y (lengths); exactly zero in stick cells.
+        Slip of the surface of body 1 over the surface of body 2 along x and y (lengths); exactly zero in stick cells.
         """
     @property
     def slip_area(self, /) -> float:
         """
-        Area of the slip zone, by counting cells.
+        Area of the slip zone, from counting cells.
         """
     def spots(self, /, normal: NormalSolution) -> ContactSpots:
         """
-        The contact spots of the normal contact below it, with their stick ratios.
+        Returns the contact spots of the underlying normal contact, with their stick ratios.
         """
     @property
     def stick_area(self, /) -> float:
         """
-        Area of the stick zone, by counting cells.
+        Area of the stick zone, from counting cells.
         """
     @property
     def stick_ratio(self, /) -> float:
         """
-        Stick area over contact area, by counting cells.
+        Ratio of stick area to contact area, from counting cells.
         """
     def stiffness(self, /, bodies: HalfSpace) -> TangentialStiffness:
         """
-        The tangential stiffness, on loading and at reversal.
+        Computes the tangential stiffness, for continued loading and at reversal.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -6076,59 +6131,59 @@ class TangentialSolution:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Remarks on a result that may mislead; empty if there are none.
+        Warnings about a result that might mislead; empty if there are none.
         """
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+        Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
         """
 
 @final
 class TangentialSolver:
     """
-    Solves tangential contacts again and again, each time from the last answer; made by
-    :meth:`TangentialProblem.solver`. Load, friction and pressure may change between calls. It does not remember slip.
+    Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
+    Load, friction and pressure may change between calls. Slip is not carried over from one solve to the next.
     """
     def __repr__(self, /) -> str: ...
     @property
     def friction_capacity(self, /) -> float:
         """
-        Largest tangential force that friction holds: the integral of the friction limit.
+        Largest tangential force that friction can carry: the integral of the friction limit.
         """
     def reset(self, /) -> None:
         """
-        Forgets the last answer: the next solve starts as the first did.
+        Discards the last solution, so that the next solve starts like the first.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Changes the friction of the next solve.
+        Sets the friction of the next solve.
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
-        Changes the pressure of the next solve.
+        Sets the pressure of the next solve.
         """
     def set_relative_displacement(self, /, relative: RelativeDisplacement) -> None:
         """
-        Changes the relative displacement of the next solve.
+        Sets the relative displacement of the next solve.
         """
     @property
     def settings(self, /) -> Settings:
         """
-        The settings of the next solve; may be assigned.
+        Settings of the next solve; assignable.
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
-        Solves, for this load if one is given, else for the last one.
+        Solves for the given load, or for the last load if none is given.
 
         Parameters
         ----------
         load, force, shift, spring, force_x, ... : optional
-            As of :class:`TangentialProblem`.
+            See :class:`TangentialProblem`.
         progress, warn : optional
-            As of :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`.
 
         Returns
         -------
@@ -6137,18 +6192,18 @@ class TangentialSolver:
         Raises
         ------
         NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
-            For the load, which is then as it was.
+            If the load is invalid; it is then unchanged.
         NotConverged
-            With ``report`` and ``last_iterate``.
+            The exception has the attributes ``report`` and ``last_iterate``.
         """
 
 @final
 class TangentialStiffness:
     """
-    Slopes of the tangential forces along x and y and of the moment (rows) by the shifts along x and y and by the twist
-    (columns), under a load that goes on and at its reversal. Forces over lengths in the first two rows and columns, the
-    moment over radians in the last place. NaN for loads and motions that the model does not have: in the scalar model what
-    is across its axis and the twist, on grids that repeat the twist.
+    Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
+    and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
+    lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
+    motion: in the scalar model, the direction across its axis and the twist; on periodic grids, the twist.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6156,8 +6211,8 @@ class TangentialStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound of the errors, relative to the root of the product of the two entries on the diagonal; infinite where
-        pressure and traction are found together.
+        Bound on the errors, relative to the square root of the product of the two diagonal entries; infinite if pressure
+        and traction are solved simultaneously.
         """
     @property
     def loading(self, /) -> list[list[float]]:
@@ -6174,13 +6229,14 @@ class TangentialStiffness:
         """
     def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """
-        The stiffness behind springs along x and y (forces over lengths).
+        Returns the stiffness in series with springs along x and y (forces over lengths).
         """
 
 @final
 class Tensor:
     """
-    The nine influence coefficients at a point, displacement first, traction second (lengths over pressures).
+    The nine influence coefficients at a point, with the direction of the displacement first and that of the traction
+    second (lengths over pressures).
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6188,7 +6244,7 @@ class Tensor:
     @property
     def rows(self, /) -> list[list[float]]:
         """
-        As rows, displacement first.
+        The coefficients as rows; the row is the direction of the displacement.
         """
     @property
     def xx(self, /) -> float:
@@ -6239,30 +6295,31 @@ class Tensor:
 @final
 class TensorOperator:
     """
-    Displacements along x, y and z from tractions along x, y and z; made by :meth:`HalfSpace.tensor_operator`. One thread
-    at a time may use it.
+    Operator that computes displacements along x, y and z from tractions along x, y and z; created by
+    :meth:`HalfSpace.tensor_operator`. One thread at a time may use it.
     """
     def __repr__(self, /) -> str: ...
     def apply(self, /, tractions: Sequence[Any]) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
         """
-        The product with three arrays, tractions along x, y and z (pressures), which are read where they lie; returns the
+        Applies the operator to three arrays, tractions along x, y and z (pressures), which are read in place. Returns the
         displacements along x, y and z (lengths).
         """
     @property
     def cells(self, /) -> int:
         """
-        Cells of each component.
+        Number of cells of each component.
         """
 
 @final
 class VermeulenJohnson:
     """
-    Creep forces of an elliptic contact that rolls along x, without spin: the curve of Vermeulen and Johnson with
-    Kalker's slope.
+    Creep forces of an elliptic contact that rolls along x without spin, from the creep curve of Vermeulen and Johnson
+    with the initial slope of Kalker.
 
-    With the force f without slip, by :class:`KalkerCoefficients`, and x = |f| / (mu P), the force has the size
-    mu P (1 - (1 - x/3)^3) along f, and mu P from x = 3 on. An approximation, some per cent below the solved force. For
-    equal bodies, or bodies of which Dundurs' beta is zero. Vermeulen and Johnson (1964); Johnson (1985), section 8.4.
+    Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has the
+    magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below the
+    computed force. It is valid for equal bodies, or bodies with zero Dundurs' beta. Vermeulen and Johnson (1964);
+    Johnson (1985), section 8.4.
 
     Parameters
     ----------
@@ -6295,16 +6352,16 @@ class VermeulenJohnson:
     @property
     def relative_creepage(self, /) -> float:
         """
-        The force without slip over the friction limit, x (dimensionless): 3 or more where the whole contact slips.
+        Ratio x of the force without slip to the friction limit (dimensionless); 3 or more if the whole contact slips.
         """
 
 @final
 class Warning:
     """
-    A remark on a converged solution that may mislead.
+    A warning about a converged solution that might mislead.
 
-    ``kind`` names it: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``, ``contact_spans_grid``,
-    ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
+    The attribute ``kind`` is its name: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``,
+    ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
     ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
     ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
     """
@@ -6317,23 +6374,23 @@ class Warning:
     @property
     def cells(self, /) -> int | None:
         """
-        The cells it is about, if it counts any.
+        Number of affected cells; ``None`` if the warning does not count cells.
         """
     @property
     def kind(self, /) -> str:
         """
-        Its name.
+        Name of the warning.
         """
     @property
     def message(self, /) -> str:
         """
-        What it says, and what to do.
+        Text of the warning, with a remedy.
         """
 
 @final
 class WaveResponse:
     """
-    The effect of a wave of traction on the surface of two bodies (lengths over pressures):
+    Displacements of the surface of two bodies under a wave of traction (lengths over pressures), returned by
     :meth:`ElasticPair.response <stickslip.ElasticPair.response>`.
     """
     def __eq__(self, value: object, /) -> bool: ...
@@ -6342,22 +6399,23 @@ class WaveResponse:
     @property
     def across(self, /) -> float:
         """
-        Tangential displacement across the wave vector by traction across it.
+        Tangential displacement across the wave vector due to traction across it.
         """
     @property
     def along(self, /) -> float:
         """
-        Tangential displacement along the wave vector by traction along it.
+        Tangential displacement along the wave vector due to traction along it.
         """
     @property
     def coupling(self, /) -> float:
         """
-        Normal displacement by traction along the wave vector, and displacement along it by pressure, up to i.
+        Normal displacement due to traction along the wave vector, and displacement along it due to pressure, up to a
+        factor i.
         """
     @property
     def normal(self, /) -> float:
         """
-        Normal displacement by pressure.
+        Normal displacement due to pressure.
         """
 
 @final
@@ -6377,7 +6435,7 @@ class Westergaard:
     wavelength : float
         Wavelength lambda (a length), positive.
     mean_pressure : float
-        Load over nominal area, positive.
+        Ratio of the load to the nominal area, positive.
 
     Raises
     ------
@@ -6396,8 +6454,8 @@ class Westergaard:
     @property
     def approach(self, /) -> float:
         """
-        Approach of the mean planes of the two surfaces since first touch (a length):
-        amplitude R (1 - ln(R)) with R = mean_pressure / p*, and the amplitude in full contact.
+        Approach of the mean planes of the two surfaces since first touch (a length): amplitude R (1 - ln(R)) with R =
+        mean_pressure / p*; in full contact, the amplitude.
         """
     @property
     def contact_fraction(self, /) -> float:
@@ -6407,8 +6465,8 @@ class Westergaard:
     @property
     def contact_half_width(self, /) -> float:
         """
-        Half-width of a contact strip, a = (lambda/pi) arcsin(sqrt(mean_pressure / p*)) (a length); half the wavelength
-        in full contact.
+        Half-width of a contact strip, a = (lambda/pi) arcsin(sqrt(mean_pressure / p*)) (a length); half the
+        wavelength in full contact.
         """
     @property
     def full_contact_pressure(self, /) -> float:
@@ -6417,22 +6475,23 @@ class Westergaard:
         """
     def gap(self, /, x: ArrayLike) -> Any:
         """
-        Gap between the surfaces (a length) at the distance x from a crest; zero in the contact, positive outside.
+        Returns the gap between the surfaces (a length) at the distance x from a crest; zero in the contact, positive
+        outside.
         """
     @property
     def is_full_contact(self, /) -> bool:
         """
-        Whether the surfaces touch everywhere: the mean pressure is at least p*.
+        Whether the surfaces touch everywhere, that is, whether the mean pressure is at least p*.
         """
     @property
     def max_pressure(self, /) -> float:
         """
-        Pressure at the crests: 2 sqrt(mean_pressure p*), in full contact mean_pressure + p*.
+        Pressure at the crests: 2 sqrt(mean_pressure p*); in full contact mean_pressure + p*.
         """
     @property
     def mean_pressure(self, /) -> float:
         """
-        Mean pressure: the load over the nominal area.
+        Mean pressure, the ratio of the load to the nominal area.
         """
     @property
     def pair(self, /) -> ElasticPair:
@@ -6441,8 +6500,8 @@ class Westergaard:
         """
     def pressure(self, /, x: ArrayLike) -> Any:
         """
-        Pressure at the distance x from a crest: 2 p* cos(pi x / lambda) sqrt(sin^2(pi a / lambda) - sin^2(pi x / lambda)),
-        zero outside the contact; in full contact mean_pressure + p* cos(2 pi x / lambda).
+        Returns the pressure at the distance x from a crest: 2 p* cos(pi x / lambda) sqrt(sin^2(pi a / lambda) -
+        sin^2(pi x / lambda)), zero outside the contact; in full contact mean_pressure + p* cos(2 pi x / lambda).
         """
     @property
     def wavelength(self, /) -> float:
@@ -6455,10 +6514,11 @@ class WestergaardPartialSlip:
     """
     A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases monotonically.
 
-    The traction is mu times the difference between the pressure and that under 1 - f of the load, whose contact strips
-    stick, f = |mean_traction| / (mu mean_pressure). A full contact sticks everywhere, under a uniform traction, until
-    1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and traction of
-    dissimilar bodies, which is neglected. Ciavarella (1998); Jaeger (1998).
+    The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, f =
+    |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
+    everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
+    every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
+    (1998); Jaeger (1998).
 
     Parameters
     ----------
@@ -6467,7 +6527,7 @@ class WestergaardPartialSlip:
     friction : float
         Coefficient of friction mu (dimensionless), not negative.
     mean_traction : float
-        Tangential force on body 1 along x over nominal area, of either sign, at most mu mean_pressure.
+        Tangential force on body 1 along x per nominal area, of either sign, at most mu mean_pressure.
 
     Raises
     ------
@@ -6486,7 +6546,7 @@ class WestergaardPartialSlip:
     @property
     def mean_traction(self, /) -> float:
         """
-        Mean traction on body 1, positive along +x: the tangential force over the nominal area.
+        Mean traction on body 1, positive along +x: the tangential force per nominal area.
         """
     @property
     def stick_half_width(self, /) -> float:
@@ -6500,41 +6560,41 @@ class WestergaardPartialSlip:
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a crest; zero
-        outside the contact.
+        Returns the traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a
+        crest; zero outside the contact.
         """
 
 def _from_bytes(kind: type, *arguments: Any) -> Any:
     """
-    What pickle calls for what has bytes of its own.
+    Restores objects with their own byte format; called by pickle.
     """
 
 def _restore(kind: str, version: str, bytes: bytes) -> Any:
     """
-    What pickle calls. Pickles are read by the version that wrote them alone; histories have bytes of their own,
-    which later versions read too.
+    Restores an object; called by pickle. A pickle can only be read by the version that wrote it. Histories have
+    their own byte format, which later versions can also read.
     """
 
 def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_distance: Field | ArrayLike, *, depth: Field | ArrayLike | None = None, grid: Grid | None = None) -> NDArray[float64]:
     """
-    Archard's law: the depth ``coefficient * pressure * slip_distance`` (lengths).
+    Computes the wear depth by Archard's law, ``coefficient * pressure * slip_distance`` (lengths).
 
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per normal force and sliding distance, of the body or the sum of both (one over a pressure), not
+        Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
         negative.
     pressure, slip_distance : Field or array_like of shape (ny, nx)
-        Pressure, and the length that each cell slipped under it (lengths), not negative: those of a step or of a cycle.
+        Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
     depth : Field or array_like of shape (ny, nx), optional
-        What has been removed before (lengths), which is added; zero by default.
+        Depth removed before (lengths), to which the result is added; zero by default.
     grid : Grid, optional
-        That of arrays, which do not know theirs; the law does not depend on the size of the cells, and needs none.
+        The grid of arrays; not required, since the law does not depend on the size of the cells.
 
     Returns
     -------
     ndarray of shape (ny, nx)
-        Depths (lengths).
+        Wear depths (lengths).
 
     Raises
     ------
@@ -6543,17 +6603,17 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
 
 def asc_parse(bytes: bytes) -> Field:
     """
-    A surface from the bytes of an ASC file (lengths in metres).
+    Reads a surface from the bytes of an ASC file (lengths in metres).
     """
 
 def asc_read(path: str | PathLike[str]) -> Field:
     """
-    A surface from an ASC file (lengths in metres).
+    Reads a surface from an ASC file (lengths in metres).
     """
 
 def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> PointResults:
     """
-    Stress and displacement at points, by sums over all cells.
+    Computes stress and displacement at points by summing over all cells.
 
     Parameters
     ----------
@@ -6562,34 +6622,35 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
     body : Body or str
         "one" or "two".
     tractions : solution, (normal, shear), State, History, array_like or (array_like, (array_like, array_like))
-        Those of a solution of any kind or of both halves, or fields: a pressure, or a pressure and tractions along x and y.
+        The tractions of a solution of any kind or of a pair of a normal and a tangential solution, or fields: a pressure,
+        or a pressure and the tractions along x and y.
     points : array_like of shape (n, 3)
-        Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
+        Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body.
     uniform_stress : Stress, optional
-        A uniform stress of the body, such as bulk stress, which is added to that of the tractions everywhere; none by
-        default. Displacements are those of the tractions alone.
+        A uniform stress of the body, such as a bulk stress, which is added to the stress of the tractions everywhere;
+        none by default. Displacements are due to the tractions only.
 
     Returns
     -------
     PointResults
-        Of each point in turn, and arrays of all.
+        The results of the points, as a sequence and as arrays.
     """
 
 def bisinusoidal(grid: Grid, amplitude: float, wavelengths: Sequence[float] | NDArray[Any]) -> Field:
     """
-    The gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product of waves
-    (lengths), zero on its crests.
+    Returns the gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product
+    of waves (lengths), zero on its crests.
     """
 
 def cone(grid: Grid, slope: float) -> Field:
     """
-    The gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
+    Returns the gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
     """
 
 def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, int]) -> Field:
     """
-    The part of a surface in the columns ``columns[0]`` to before ``columns[1]`` and the rows ``rows[0]`` to before
-    ``rows[1]``, on a grid of its own around the origin.
+    Returns the part of a surface in the half-open ranges of columns ``columns[0]`` to ``columns[1]`` and of rows
+    ``rows[0]`` to ``rows[1]``, on a separate grid centred on the origin.
 
     Raises
     ------
@@ -6598,27 +6659,27 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
 
 def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
     """
-    A field from the bytes of a matrix in text; see :func:`read`.
+    Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
     """
 
 def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
     """
-    A field from a matrix in text.
+    Reads a field from a text file that contains a matrix.
 
     Parameters
     ----------
     path : path_like
         The file.
     cell, size : pair of float
-        One of the two: sides of a cell, or of the grid (lengths).
+        Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that stands for a missing point; none by default.
+        The value that marks a missing point; none by default.
     skip_rows : int, default 0
-        Rows before the matrix.
+        Number of rows before the matrix.
     skip_columns : int, default 0
-        Cells to leave out at the beginning of each row, for names or numbers of rows.
+        Number of columns to skip at the start of each row, such as names or row numbers.
     without_labels : bool, default False
-        Whether a first row or column that counts 0, 1, 2 holds heights; otherwise it is rejected.
+        Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
 
     Raises
     ------
@@ -6627,43 +6688,44 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
 
 def csv_to_bytes(field: Field | ArrayLike) -> bytes:
     """
-    A field as a matrix in text.
+    Returns a field as the text of a matrix.
     """
 
 def csv_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
     """
-    Writes a field as a matrix in text.
+    Writes a field to a text file as a matrix.
     """
 
 def cylinder(grid: Grid, radius: float) -> Field:
     """
-    The gap ``x^2 / (2 radius)`` under a cylinder of this radius (a length), whose axis is along y.
+    Returns the gap ``x^2 / (2 radius)`` under a cylinder of this radius (a length) whose axis is along y.
     """
 
 def ellipsoid(grid: Grid, radius_x: float, radius_y: float) -> Field:
     """
-    The gap ``x^2 / (2 radius_x) + y^2 / (2 radius_y)`` under a paraboloid of these radii of curvature (lengths).
+    Returns the gap ``x^2 / (2 radius_x) + y^2 / (2 radius_y)`` under a paraboloid with these radii of curvature
+    (lengths).
     """
 
 def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: Field | ArrayLike | None = None, grid: Grid | None = None) -> NDArray[float64]:
     """
-    The energy law: the depth ``coefficient * energy / cell area`` (lengths).
+    Computes the wear depth by the energy law, ``coefficient * energy / cell area`` (lengths).
 
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per energy dissipated, of the body or the sum of both (one over a pressure), not negative.
+        Volume removed per dissipated energy, of one body or of both together (one over a pressure), not negative.
     energy : Field or array_like of shape (ny, nx)
-        Dissipated by each cell in a step or a cycle (forces times lengths), not negative.
+        Energy dissipated in each cell in a step or a cycle (forces times lengths), not negative.
     depth : optional
-        As of :func:`archard`.
+        See :func:`archard`.
     grid : Grid, optional
-        Needed where no Field is given, for the area of a cell: ``history.grid``.
+        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
 
     Returns
     -------
     ndarray of shape (ny, nx)
-        Depths (lengths).
+        Wear depths (lengths).
 
     Raises
     ------
@@ -6672,12 +6734,12 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
     """
-    Fills missing heights, which are NaN, by the smoothest surface through the rim of each hole (Laplace's equation).
+    Fills missing heights, which are NaN, with the smoothest surface through the rim of each hole (Laplace's equation).
 
     Raises
     ------
     Sample
-        For an infinite height.
+        If a height is infinite.
     Undetermined
         If all heights are missing.
     NotConverged
@@ -6685,46 +6747,47 @@ def fill_missing(heights: Field | ArrayLike) -> Filled:
 
 def flat_punch(grid: Grid, radius: float, recess: float) -> Field:
     """
-    The gap under a flat punch of this radius: zero in the cells whose centre is below it, the recess in the others
-    (lengths). The recess only has to be deeper than the displacements.
+    Returns the gap under a flat punch of this radius: zero in cells whose centre is below it, the recess in all
+    others (lengths). The recess only has to be deeper than the displacements.
     """
 
 def gap_between(upper: Field | ArrayLike, lower: Field | ArrayLike) -> Field:
     """
-    The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
-    Surfaces must be in one unit.
+    Returns the gap between two rough bodies that touch at one point. Heights are positive outwards from their body; both
+    surfaces are given as viewed from body 1. Both surfaces must have the same unit.
     """
 
 def gap_from_heights(heights: Field | ArrayLike) -> Field:
     """
-    The gap of a rough body against a flat one: the largest height less each height (lengths, non-negative).
+    Returns the gap of a rough body against a flat body: the largest height minus each height (lengths, non-negative).
     """
 
 def gaussian_filter(heights: Field | ArrayLike, *, s: float | None = None, l: float | None = None, periodic: bool = False, along: str = "xy") -> Filtered:
     """
-    Takes short waves, long waves or both off a surface by Gaussian filters (ISO 16610-61; of lines ISO 16610-21).
+    Removes short waves, long waves or both from a surface with Gaussian filters (ISO 16610-61; along lines ISO 16610-21).
 
-    Of a wave of the length of a nesting index half passes, of others 2 to the power of -(index/length)^2. Missing heights
-    (NaN) have no weight and stay missing: filter before :func:`fill_missing`. At an edge the mean is that of the heights
-    that are there: level the surface first; heights nearer to an edge or a hole than half an index are affected.
+    The mean of a filter transmits half of a wave whose length equals the nesting index, and the fraction
+    2^(-(index/length)^2) of other waves. Missing heights (NaN) have no weight and remain missing; therefore filter before
+    :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights; heights nearer to it than
+    half an index are affected. Level the surface first.
 
     Parameters
     ----------
     heights : Field or topography
-        Lengths.
+        The heights (lengths).
     s, l : float, optional
-        Nesting indices, which are cut-off wavelengths (lengths): of the S filter, which takes off what is shorter, such as
-        noise, and of the L filter, which takes off what is longer, the waviness. With both, the S-L surface is left.
+        Nesting indices, that is, cut-off wavelengths (lengths). The S filter removes shorter waves, such as noise; the L
+        filter removes longer waves, the waviness. With both, the result is the S-L surface.
     periodic : bool, default False
         Whether the surface continues periodically beyond its edges.
     along : "xy", "x" or "y", default "xy"
-        Whether heights are averaged over the area, or along rows or columns.
+        Whether heights are averaged over the area ("xy") or along one axis only.
 
     Raises
     ------
     NotPositive, BelowMinimum
-        For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
-        of a longer index than that of the L filter.
+        If a nesting index is not positive, shorter than two cells or longer than the surface, or if the index of the S
+        filter exceeds the index of the L filter.
     Sample, Undetermined, NotFinite, Memory
 
     Examples
@@ -6739,24 +6802,24 @@ def gaussian_filter(heights: Field | ArrayLike, *, s: float | None = None, l: fl
 
 def identity(cells: int) -> LinearOperator:
     """
-    The operator that changes nothing.
+    Returns the identity operator.
     """
 
 def inverted(heights: Field | ArrayLike) -> Field:
     """
-    Heights turned upside down (lengths).
+    Returns the heights turned upside down (lengths).
     """
 
 def level(heights: Field | ArrayLike, form: Any) -> Levelled:
     """
-    Takes a form off a surface, by least squares.
+    Removes a form from a surface by least squares.
 
     Parameters
     ----------
     heights : Field or topography
-        Lengths.
+        The heights (lengths).
     form : "mean", "plane" or int
-        A number is the degree of a polynomial in x and y.
+        The form; a number is the degree of a polynomial in x and y.
 
     Raises
     ------
@@ -6765,7 +6828,8 @@ def level(heights: Field | ArrayLike, form: Any) -> Levelled:
 
 def linear_stick_ratio(load: float, friction: float, force: float) -> float:
     """
-    Stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero without friction.
+    Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero
+    without friction.
 
     Parameters
     ----------
@@ -6783,24 +6847,25 @@ def linear_stick_ratio(load: float, friction: float, force: float) -> float:
 
 def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_distance: Field | ArrayLike) -> float:
     """
-    Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end:
-    ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of wear k and slip s.
+    Returns the number of cycles whose wear by Archard's law can be removed in one update before the pressure oscillates
+    with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of
+    wear k and slip s.
 
     Parameters
     ----------
     bodies : HalfSpace
         The two bodies and the grid.
     coefficient : float, Field or array_like of shape (ny, nx)
-        As of :func:`archard`, the sum of both bodies (one over a pressure); for the energy law its coefficient times that of
-        friction.
+        Coefficient of :func:`archard` for both bodies together (one over a pressure). For the energy law, pass its
+        coefficient times the coefficient of friction.
     slip_distance : Field or array_like of shape (ny, nx)
-        The length that each cell slips in one cycle (lengths), not negative: :attr:`Cycle.slip_distance`.
+        Length of the slip path of each cell in one cycle (lengths), not negative: :attr:`Cycle.slip_distance`.
 
     Returns
     -------
     float
-        A number of cycles, not rounded; infinite where nothing slips. No pattern of pressure changes sign below half of it,
-        where :class:`CycleJump` stays.
+        The number of cycles, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of
+        pressure changes sign; :class:`CycleJump` remains below this limit.
 
     Raises
     ------
@@ -6823,29 +6888,30 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
     Parameters
     ----------
     operator : LinearOperator or callable
-        The symmetric operator C; a callable is given an array of the unknowns and returns their product.
+        The symmetric operator C; a callable receives an array of the unknowns and returns its product with C.
     linear : array_like
-        The linear term, as many numbers as there are unknowns.
+        The linear term, one number per unknown.
     lower, upper : float or array_like, optional
-        Bounds of the unknowns; 0 and infinity by default.
+        Bounds of the unknowns; zero and infinity by default.
     total : float, optional
         Sum of the unknowns; free by default.
     spring : (far_end, compliance), optional
-        Instead of a total: the multiplier is ``far_end - compliance * sum(x)``.
+        Replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
     diagonal : float or array_like, optional
-        Numbers that are not negative, added to the diagonal of C; none by default.
+        Non-negative numbers that are added to the diagonal of C; none by default.
     preconditioner : LinearOperator, optional
         An approximation of the inverse of C without ``diagonal``; none by default.
     lower_bound : float, default 0
-        A lower bound of the smallest eigenvalue of a callable, by which the error is certified.
+        A lower bound on the smallest eigenvalue of the operator, if it is a callable. The error bound is computed from
+        it.
     start : array_like, optional
-        Where the iteration starts; zero by default.
+        Initial iterate; zero by default.
     settings : Settings, optional
-        Method, tolerance and limits; those of ``Settings()`` by default.
+        Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
-        As of :class:`Settings`; they take precedence over ``settings``.
+        See :class:`Settings`; these arguments take precedence over ``settings``.
     progress : callable or bool, optional
-        As of :meth:`NormalProblem.solve`.
+        See :meth:`NormalProblem.solve`.
 
     Returns
     -------
@@ -6867,54 +6933,54 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
 
 def mirror_x(heights: Field | ArrayLike) -> Field:
     """
-    Heights with x mirrored, as the surface of a body that is turned over is seen.
+    Returns the heights with x mirrored, as for a body that is turned over.
     """
 
 def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Grid:
     """
-    The grid of an NPY file, whose samples are not read.
+    Returns the grid of an NPY file without reading its samples.
     """
 
 def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
     """
-    A field from the bytes of an NPY file.
+    Reads a field from the bytes of an NPY file.
     """
 
 def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
     """
-    A field from an NPY file, on cells of the sides ``cell`` or a grid of the sides ``size`` (pairs of lengths).
+    Reads a field from an NPY file, with either the cell sides ``cell`` or the grid sides ``size`` (pairs of lengths).
     """
 
 def npy_to_bytes(field: Field | ArrayLike) -> bytes:
     """
-    A field as the bytes of an NPY file.
+    Returns a field as the bytes of an NPY file.
     """
 
 def npy_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
     """
-    Writes a field as NPY.
+    Writes a field to an NPY file.
     """
 
 def num_threads() -> int:
     """
-    The number of threads of a solve.
+    Returns the number of threads of a solve.
     """
 
 def paraboloid(grid: Grid, curvatures: Sequence[float] | NDArray[Any]) -> Field:
     """
-    The gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid of curvatures ``(k_xx, k_xy, k_yy)``
-    (one over lengths), of which no principal curvature is negative.
+    Returns the gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid with the curvatures
+    ``(k_xx, k_xy, k_yy)`` (one over lengths). No principal curvature may be negative.
     """
 
 def read(path: str | PathLike[str]) -> Field:
     """
-    A surface from a file, by its ending: ASC, SDF, SUR, X3P, XYZ. Lengths are in metres, but in the
-    unit of the file for XYZ.
+    Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
+    except for XYZ, where they are in the unit of the file.
     """
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
     """
-    A surface at the cell centres of another grid, by cubic interpolation along x and y.
+    Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y.
 
     Raises
     ------
@@ -6923,35 +6989,36 @@ def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
 
 def sdf_parse(bytes: bytes) -> Field:
     """
-    A surface from the bytes of an SDF file (lengths in metres).
+    Reads a surface from the bytes of an SDF file (lengths in metres).
     """
 
 def sdf_read(path: str | PathLike[str]) -> Field:
     """
-    A surface from an SDF file (lengths in metres).
+    Reads a surface from an SDF file (lengths in metres).
     """
 
 def sdf_to_bytes(field: Field | ArrayLike) -> bytes:
     """
-    A surface as the bytes of an SDF file (lengths in metres).
+    Returns a surface as the bytes of an SDF file (lengths in metres).
     """
 
 def sdf_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
     """
-    Writes a surface as SDF (lengths in metres).
+    Writes a surface to an SDF file (lengths in metres).
     """
 
 def set_num_threads(threads: int) -> None:
     """
-    Sets the number of threads of all later solves in this process; solves under way keep theirs.
+    Sets the number of threads of all later solves in this process; running solves are not affected.
 
-    Results do not depend on it, to the last bit. The default is the environment variable ``RAYON_NUM_THREADS``, or
-    else the number of cores. With one thread all work is done by the thread that calls: no other is ever started.
+    Results are bitwise identical for any number of threads. The default is the environment variable
+    ``RAYON_NUM_THREADS``, or the number of cores if it is not set. With one thread, all work runs on the calling thread
+    and no other thread is started.
 
     Parameters
     ----------
     threads : int
-        At least 1.
+        Number of threads, at least 1.
 
     Examples
     --------
@@ -6963,54 +7030,55 @@ def set_num_threads(threads: int) -> None:
 
 def sinusoidal(grid: Grid, amplitude: float, wavelength: float) -> Field:
     """
-    The gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their crests.
+    Returns the gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their
+    crests.
     """
 
 def sphere(grid: Grid, radius: float) -> Field:
     """
-    The gap under a sphere of this radius (a length): the paraboloid ``(x^2 + y^2) / (2 radius)`` of Hertz's theory.
-    Gaps are lengths, zero where the shape touches the plane.
+    Returns the gap under a sphere of this radius (a length): the paraboloid ``(x^2 + y^2) / (2 radius)`` of Hertz's
+    theory. Gaps are lengths and zero where the shape touches the plane.
     """
 
 def sum(fields: Sequence[Field | ArrayLike]) -> Field:
     """
-    The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Surfaces must be in
-    one unit.
+    Returns the sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. All
+    surfaces must have the same unit.
     """
 
 def sur_parse(bytes: bytes) -> Field:
     """
-    A surface from the bytes of a SUR file (lengths in metres).
+    Reads a surface from the bytes of a SUR file (lengths in metres).
     """
 
 def sur_read(path: str | PathLike[str]) -> Field:
     """
-    A surface from a SUR file (lengths in metres).
+    Reads a surface from a SUR file (lengths in metres).
     """
 
 def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulated: Field | ArrayLike, energy: Field | ArrayLike, *, depth: Field | ArrayLike | None = None, grid: Grid | None = None) -> NDArray[float64]:
     """
-    The energy law beyond a threshold: what a step or a cycle adds to ``coefficient * max(0, accumulated / cell area -
-    threshold)`` (lengths).
+    Computes the wear depth by the energy law with a threshold: the increase of ``coefficient * max(0, accumulated / cell
+    area - threshold)`` in a step or a cycle (lengths).
 
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        As of :func:`energy`.
+        See :func:`energy`.
     threshold : float
-        The energy per area that wears nothing, not negative.
+        The energy per area up to which there is no wear, not negative.
     accumulated, energy : Field or array_like of shape (ny, nx)
-        Dissipated by each cell since the start, this step or cycle included, and in this one (forces times lengths), not
-        negative.
+        Energy dissipated in each cell since the start including this step or cycle, and in this step or cycle alone
+        (forces times lengths), not negative.
     depth : optional
-        As of :func:`archard`.
+        See :func:`archard`.
     grid : Grid, optional
-        Needed where no Field is given, for the area of a cell: ``history.grid``.
+        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
 
     Returns
     -------
     ndarray of shape (ny, nx)
-        Depths (lengths).
+        Wear depths (lengths).
 
     Raises
     ------
@@ -7019,50 +7087,50 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
 
 def vti_to_bytes(fields: dict[str, Any], *, grid: Grid | None = None) -> bytes:
     """
-    Fields as the bytes of an image for ParaView; see :func:`write`.
+    Returns fields as the bytes of a VTI file for ParaView; see :func:`write`.
     """
 
 def vti_write(path: str | PathLike[str], fields: dict[str, Any], *, grid: Grid | None = None) -> None:
     """
-    Writes fields as an image for ParaView.
+    Writes fields to a VTI file (image data) for ParaView.
 
     Parameters
     ----------
     path : path_like
-        The file, which is replaced.
+        The file; an existing file is replaced.
     fields : dict
-        Fields, or pairs of fields for vectors, by name.
+        Fields by name; a pair of fields is a vector.
     grid : Grid, optional
-        Needed for arrays.
+        Grid of the fields; required if they are arrays.
     """
 
 def x3p_parse(bytes: bytes) -> Field:
     """
-    A surface from the bytes of an X3P file (lengths in metres).
+    Reads a surface from the bytes of an X3P file (lengths in metres).
     """
 
 def x3p_read(path: str | PathLike[str]) -> Field:
     """
-    A surface from an X3P file (lengths in metres).
+    Reads a surface from an X3P file (lengths in metres).
     """
 
 def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0) -> Field:
     """
-    A surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
+    Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
 def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0) -> Field:
     """
-    A surface from an XYZ file (lengths in the unit of the file).
+    Reads a surface from an XYZ file (lengths in the unit of the file).
 
     Parameters
     ----------
     path : path_like
         The file.
     missing : float, optional
-        The height of a missing point (default: the value that a comment names, or none).
+        The height that marks a missing point (default: the value that a comment states, or none).
     skip_rows : int, default 0
-        Lines before the points.
+        Number of lines before the points.
 
     Raises
     ------

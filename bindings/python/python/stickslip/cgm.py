@@ -1,4 +1,4 @@
-"""The engine: constrained minima of quadratic forms, with operators of the package or your own."""
+"""Solvers for constrained minima of quadratic forms, with operators of the package or user-defined operators."""
 
 from ._enums import Method, Status
 from ._stickslip import Iteration, LinearOperator, Minimum, Report, Settings, TensorOperator, identity, minimise

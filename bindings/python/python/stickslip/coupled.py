@@ -1,4 +1,4 @@
-"""Pressure and traction found together, of bodies of different materials."""
+"""Coupled contacts: pressure and traction of bodies of different materials, solved simultaneously."""
 
 from ._stickslip import CoupledProblem, CoupledReport, CoupledSolution, CoupledSolver, ErrorEstimate
 

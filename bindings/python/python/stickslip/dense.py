@@ -1,4 +1,4 @@
-"""Explicit matrices, to check results with."""
+"""Operators with an explicit matrix, for checking results."""
 
 from ._stickslip import DenseMinimum, DenseOperator
 

@@ -1,4 +1,4 @@
-"""The edges of contacts and stick zones inside the cells."""
+"""Edges of contacts and stick zones with sub-cell resolution."""
 
 from ._stickslip import Edges, TangentialEdges
 

@@ -1,6 +1,7 @@
-"""Every way a call can be refused or fail: one exception for each, with the offending numbers as attributes.
+"""Exceptions of the package: one for each reason why a call is rejected or fails, with the offending numbers as
+attributes.
 
-Arguments are checked before any work, and a failed call leaves the state of solvers and histories as it was.
+Arguments are checked before any work, and a failed call leaves the state of solvers and histories unchanged.
 """
 
 from __future__ import annotations
@@ -12,13 +13,14 @@ if TYPE_CHECKING:
 
 
 class StickslipError(Exception):
-    """What all exceptions of the package derive from."""
+    """Base class of all exceptions of the package."""
 
 
 class ContactWarning(UserWarning):
-    """The category of the remarks on solutions and steps, of which ``warnings`` shows each kind once a place.
+    """Category of the warnings about solutions and steps. ``warnings`` shows each kind once per location.
 
-    ``warn=False`` of a solve or a step passes none on; ``warnings.simplefilter("ignore", ContactWarning)`` shows none.
+    The argument ``warn=False`` of a solve or a step suppresses them; ``warnings.simplefilter("ignore", ContactWarning)``
+    hides all of them.
     """
 
 
@@ -28,7 +30,7 @@ class Shape(StickslipError, ValueError):
     quantity: str
     """The array, in words."""
     expected: tuple[int, int]
-    """Rows and columns needed, (ny, nx)."""
+    """Required rows and columns, (ny, nx)."""
     found: tuple[int, ...]
     """The shape given."""
 
@@ -37,9 +39,9 @@ class GridSize(StickslipError, ValueError):
     """A grid needs at least one cell along each axis."""
 
     nx: int
-    """Cells along x."""
+    """Number of cells along x."""
     ny: int
-    """Cells along y."""
+    """Number of cells along y."""
 
 
 class Memory(MemoryError, StickslipError):
@@ -48,7 +50,7 @@ class Memory(MemoryError, StickslipError):
     quantity: str
     """The quantity that needs the memory, in words."""
     bytes: int
-    """Bytes needed."""
+    """Number of bytes required."""
 
 
 class NotPositive(StickslipError, ValueError):
@@ -79,14 +81,15 @@ class NotFinite(StickslipError, ValueError):
 
 
 class ExtremeNumber(StickslipError, ValueError):
-    """A number is so small or so large that squares of it leave the range of numbers, and no error could be certified."""
+    """A number is so small or so large that its square exceeds the range of floating-point numbers, and no error could be
+    certified."""
 
     quantity: str
     """The quantity, in words."""
     value: float
     """The value found."""
     least: float
-    """The least value allowed."""
+    """The smallest value allowed."""
     most: float
     """The largest value allowed."""
     remedy: str
@@ -101,17 +104,17 @@ class Sample(StickslipError, ValueError):
     index: int
     """Index into the row-major samples, row * nx + column."""
     row: int | None
-    """Its row, the first index of an array of shape (ny, nx); ``None`` of samples that are no field."""
+    """Row of the sample, the first index of an array of shape (ny, nx); ``None`` for samples outside a field."""
     column: int | None
-    """Its column, the second index."""
+    """Column of the sample, the second index."""
     value: float
-    """The value found there."""
+    """The value of the sample."""
     rule: str
     """The rule, in words."""
 
 
 class PoissonRatio(StickslipError, ValueError):
-    """Poisson's ratio lies outside (-1, 1/2], the range in which an isotropic body is stable."""
+    """Poisson's ratio is outside (-1, 1/2], the range in which an isotropic body is stable."""
 
     value: float
     """The value given."""
@@ -122,57 +125,58 @@ class BothRigid(StickslipError, ValueError):
 
 
 class RigidBody(StickslipError, ValueError):
-    """Stress or displacement of a body that is rigid: nothing determines them."""
+    """Stress or displacement of a rigid body was requested, which is undetermined."""
 
     body: str
     """The body, in words."""
 
 
 class DivergentPeriodicSum(StickslipError, ValueError):
-    """A sum over images that does not converge."""
+    """A sum over periodic images does not converge."""
 
     quantity: str
     """The sum, in words."""
 
 
 class TooManyLayers(StickslipError, ValueError):
-    """More layers than a coated body may have."""
+    """The number of layers exceeds the limit of a coated body."""
 
     found: int
-    """Layers given."""
+    """Number of layers given."""
     limit: int
-    """Layers allowed."""
+    """Number of layers allowed."""
 
 
 class UnsupportedForCoatings(StickslipError, ValueError):
-    """A quantity is modelled for homogeneous bodies only, and not for these coated bodies or this kernel."""
+    """A quantity is modelled only for homogeneous bodies, and not for these coated bodies or this kernel."""
 
     quantity: str
     """The requested quantity, in words."""
     bodies: str
     """The bodies for which it is not modelled, in words."""
     remedy: str
-    """The way round it, in words."""
+    """The alternative, in words."""
 
 
 class IncompleteKernel(StickslipError, ValueError):
-    """A kernel, or a part of it, is not at hand."""
+    """A kernel or a part of it is not available."""
 
     part: str
     """The part, in words."""
 
 
 class NotDefinite(StickslipError, ValueError):
-    """The least eigenvalue of the compliance of coated bodies, or of a kernel, is not positive on the grid: nothing could be certified."""
+    """The smallest eigenvalue of the compliance of coated bodies, or of a kernel, is not positive on the grid, and no
+    error could be certified."""
 
     eigenvalue: float
-    """The least eigenvalue (a length over a pressure)."""
+    """The smallest eigenvalue (a length over a pressure)."""
     sides: tuple[float, float]
     """Sides of a cell (lengths)."""
 
 
 class DatumTooNear(StickslipError, ValueError):
-    """A datum that makes the compliance indefinite: a prescribed approach, shift or spring has no unique solution."""
+    """The datum makes the compliance indefinite: a prescribed approach, shift or spring has no unique solution."""
 
     datum: float
     """Distance of the datum (a length)."""
@@ -181,7 +185,8 @@ class DatumTooNear(StickslipError, ValueError):
 
 
 class CoupledMaterials(StickslipError, ValueError):
-    """The materials couple pressure and traction, and what was asked for does not model how shear changes the pressure."""
+    """The materials couple pressure and traction, and the requested model does not include the effect of shear on the
+    pressure."""
 
     beta: float
     """Dundurs' second parameter of the pair."""
@@ -202,22 +207,22 @@ class Length(StickslipError, ValueError):
     quantity: str
     """The slice or list, in words."""
     expected: int
-    """Entries needed."""
+    """Number of entries required."""
     found: int
-    """Entries given."""
+    """Number of entries given."""
 
 
 class GridMismatch(StickslipError, ValueError):
-    """Two fields or bodies live on different grids."""
+    """Two fields or bodies have different grids."""
 
     quantity: str
     """The field, in words."""
     expected_cells: list[int]
-    """Cells along x and y of the expected grid."""
+    """Numbers of cells along x and y of the expected grid."""
     expected_sides: list[float]
     """Cell sides of the expected grid (lengths)."""
     found_cells: list[int]
-    """Cells along x and y of the field."""
+    """Numbers of cells along x and y of the field."""
     found_sides: list[float]
     """Cell sides of the field (lengths)."""
 
@@ -230,14 +235,14 @@ class BoundaryMismatch(StickslipError, ValueError):
 
 
 class CellValueMismatch(StickslipError, ValueError):
-    """A solution belongs to bodies whose cells have values of another meaning."""
+    """A solution belongs to bodies whose cell values have a different meaning."""
 
     quantity: str
     """The solution, in words."""
 
 
 class Tolerance(StickslipError, ValueError):
-    """The tolerance lies outside ``(0, 1)``, where it is meaningless."""
+    """The tolerance is outside ``(0, 1)`` and therefore meaningless."""
 
     value: float
     """The value given."""
@@ -248,42 +253,42 @@ class IterationLimit(StickslipError, ValueError):
 
 
 class NoPressureToHold(StickslipError, ValueError):
-    """A normal problem that is to hold its pressure: it has none yet."""
+    """A normal problem must hold its pressure but has no pressure yet."""
 
 
 class Method(StickslipError, ValueError):
     """The method is not defined for the problem."""
 
     method: str
-    """The method asked for."""
+    """The requested method."""
     quantity: str
-    """What it does not solve, in words."""
+    """The problem that the method does not solve, in words."""
 
 
 class Bounds(StickslipError, ValueError):
-    """No finite value lies between the bounds of an entry."""
+    """There is no finite value between the bounds of an entry."""
 
     index: int
-    """The entry."""
+    """Index of the entry."""
     lower: float
-    """Its lower bound."""
+    """Lower bound of the entry."""
     upper: float
-    """Its upper bound."""
+    """Upper bound of the entry."""
 
 
 class Total(StickslipError, ValueError):
     """No point within the bounds has the prescribed total."""
 
     total: float
-    """The total prescribed."""
+    """The prescribed total."""
     lower: float
-    """The least total within the bounds."""
+    """The smallest total within the bounds."""
     upper: float
-    """The greatest total within the bounds."""
+    """The largest total within the bounds."""
 
 
 class RepeatedDirection(StickslipError, ValueError):
-    """A direction occurs twice among those of one operator."""
+    """A direction occurs twice among the directions of one operator."""
 
 
 class EmptyContact(StickslipError, ValueError):
@@ -294,7 +299,7 @@ class BeyondFrictionCapacity(StickslipError, ValueError):
     """The tangential force exceeds what friction can carry: no equilibrium exists."""
 
     force: float
-    """Magnitude of the force requested."""
+    """Magnitude of the requested force."""
     limit: float
     """Largest force that friction can carry, the area integral of the shear limit."""
     remedy: str
@@ -302,33 +307,33 @@ class BeyondFrictionCapacity(StickslipError, ValueError):
 
 
 class BeyondFrictionMoment(StickslipError, ValueError):
-    """The moment about the normal is not between the moments that large spins of both signs cause, next to the
-    prescribed creepages and forces."""
+    """The moment about the normal is not between the limits for large spins of both signs at the prescribed creepages and
+    forces."""
 
     moment: float
-    """The moment requested, positive in the direction of the limit."""
+    """The requested moment, positive in the direction of the limit."""
     limit: float
     """The moment of a contact that slides as a whole, in the same direction."""
     range: list[float]
-    """The least and the greatest moment of a contact that slides as a whole."""
+    """The smallest and the largest moment of a contact that slides as a whole."""
 
 
 class BeyondHardness(StickslipError, ValueError):
-    """The normal force exceeds what the hardness lets the cells carry."""
+    """The normal force exceeds the largest force that the cells can carry at their hardness."""
 
     force: float
-    """Normal force requested."""
+    """Requested normal force."""
     capacity: float
-    """Largest force that the cells carry, the integral of the hardness."""
+    """Largest force that the cells can carry, the integral of the hardness."""
 
 
 class Yielded(StickslipError, ValueError):
-    """A quantity that only elastic contacts have was asked of one in which cells are at their hardness."""
+    """A quantity that is defined only for elastic contacts was requested for a contact with cells at their hardness."""
 
     quantity: str
     """The quantity, in words."""
     cells: int
-    """Cells at their hardness."""
+    """Number of cells at their hardness."""
 
 
 class ObliqueLoad(StickslipError, ValueError):
@@ -361,12 +366,12 @@ class MaterialMismatch(StickslipError, ValueError):
 
 
 class ApproachBeyondMeanGap(StickslipError, ValueError):
-    """The approach is not below the mean gap of a periodic contact: the surfaces then touch everywhere, and the
-    pressure is undetermined.
+    """The approach is not less than the mean gap of a periodic contact. The surfaces would touch everywhere, and the
+    pressure would be undetermined.
     """
 
     approach: float
-    """The approach requested."""
+    """The requested approach."""
     mean_gap: float
     """Mean of the initial gap."""
 
@@ -375,16 +380,16 @@ class TooManyCells(StickslipError, ValueError):
     """An explicit matrix of this size exceeds the limit."""
 
     cells: int
-    """Cells requested."""
+    """Requested number of cells."""
     limit: int
-    """Cells allowed."""
+    """Number of cells allowed."""
 
 
 class NotPositiveDefinite(StickslipError, ValueError):
     """A matrix is not symmetric positive definite."""
 
     row: int
-    """The first row that shows it."""
+    """The first row in which this is detected."""
 
 
 class Undetermined(StickslipError, ValueError):
@@ -402,37 +407,37 @@ class Degree(StickslipError, ValueError):
     """The degree of a polynomial exceeds the limit."""
 
     degree: int
-    """Degree requested."""
+    """Requested degree."""
     limit: int
-    """Degree allowed."""
+    """Largest degree allowed."""
 
 
 class Range(StickslipError, ValueError):
     """A range of rows or columns is empty or extends beyond the grid."""
 
     quantity: str
-    """Rows or columns."""
+    """The word "rows" or "columns"."""
     start: int
-    """First of the range."""
+    """First index of the range."""
     end: int
-    """First after the range."""
+    """First index after the range."""
     count: int
-    """Number in the grid."""
+    """Number of rows or columns of the grid."""
 
 
 class BeyondSamples(StickslipError, ValueError):
-    """A grid extends beyond the samples it is to be filled from."""
+    """A grid extends beyond the samples from which it must be filled."""
 
     axis: str
     """The axis, x or y."""
     reach: float
     """Distance of the outermost cell centres from the middle."""
     limit: float
-    """Distance of the edge of the samples' grid from the middle."""
+    """Distance of the edge of the grid of the samples from the middle."""
 
 
 class Hurst(StickslipError, ValueError):
-    """The Hurst exponent lies outside ``[0, 1]``."""
+    """The Hurst exponent is outside ``[0, 1]``."""
 
     value: float
     """The value given."""
@@ -452,32 +457,32 @@ class BelowMinimum(StickslipError, ValueError):
 
 
 class GridTooShort(StickslipError, ValueError):
-    """The grid ends too near the contact for a rolled step."""
+    """The grid ends too near the contact for a step of rolling."""
 
     side: str
     """The side of the contact: "ahead of" or "behind"."""
     needed: int
-    """Cells that a step needs there."""
+    """Number of cells that a step requires on this side."""
     found: int
-    """Cells that the grid has there."""
+    """Number of cells of the grid on this side."""
 
 
 class NoWaveInBand(StickslipError, ValueError):
     """No wave that is periodic on the surface has a wavelength within the requested band."""
 
     longest: float
-    """Longest wavelength requested."""
+    """Longest requested wavelength."""
     shortest: float
-    """Shortest wavelength requested."""
+    """Shortest requested wavelength."""
 
 
 class HeightMomentsNotReached(StickslipError):
     """No phases were found that give the heights the requested skewness and kurtosis."""
 
     skewness: float
-    """Skewness requested."""
+    """Requested skewness."""
     kurtosis: float
-    """Kurtosis requested."""
+    """Requested kurtosis."""
     reached: list[float]
     """Skewness and kurtosis at which the search ended."""
 
@@ -490,11 +495,11 @@ class File(StickslipError, OSError):
     problem: str
     """The message of the operating system."""
     errno: int | None = None
-    """Its number of the error, as of the module ``errno``."""
+    """Error number of the operating system; see the module ``errno``."""
     strerror: str | None = None
-    """The same as ``problem``."""
+    """Alias of ``problem``."""
     filename: str | None = None
-    """The same as ``path``."""
+    """Alias of ``path``."""
 
 
 class Format(StickslipError, ValueError):
@@ -505,9 +510,9 @@ class Format(StickslipError, ValueError):
     format: str
     """The format, by its usual abbreviation."""
     place: str
-    """Where the file violates the rule."""
+    """Location in the file of the violation."""
     problem: str
-    """The rule or the unsupported part, with what was found."""
+    """The rule or the unsupported part, and the text or value found."""
 
 
 class StepsPerCycle(StickslipError, ValueError):
@@ -522,49 +527,48 @@ class EmptyPath(StickslipError, ValueError):
 
 
 class StepAlreadyCounted(StickslipError, ValueError):
-    """A cycle already holds the steps of its history up to some step, and this step does not come after it."""
+    """A cycle already contains the steps of its history up to a certain step, and this step does not follow it."""
 
     step: int
     """The number of the step, counted from 1; zero before the first step."""
     last: int
-    """The number of the last step that the cycle holds or begins after."""
+    """The number of the last step that the cycle contains or starts after."""
 
 
 class CycleNotClosed(StickslipError):
-    """A cycle that does not close was to stand for those that follow."""
+    """A cycle that does not close cannot represent the following cycles."""
 
     residual: float
-    """Cycle::cyclic_residual."""
+    """The :attr:`~stickslip.history.Cycle.cyclic_residual` of the cycle."""
     limit: float
-    """The largest one allowed."""
+    """The largest residual allowed."""
 
 
 class StepTooLong(StickslipError):
-    """A load was cut into the shortest steps allowed, and the error of one is still beyond its tolerance."""
+    """A load was divided into the shortest steps allowed, and the error of one step still exceeds its tolerance."""
 
     part: float
-    """Length of the step, as a part of the load."""
+    """Length of the step, as a fraction of the load."""
     error: float
-    """StepErrorEstimate::traction of the step."""
+    """The :attr:`~stickslip.history.StepErrorEstimate.traction` of the step."""
     tolerance: float
     """The tolerance of the whole load."""
 
 
 class Ranks(StickslipError):
-    """Ranks that solve together cannot go on together."""
+    """Ranks that solve one contact together cannot continue together."""
 
     rank: int | None
-    """The rank, if it is one."""
+    """The rank, if a single rank is responsible."""
 
 
 class NotConverged(StickslipError):
     """The iteration ended before it reached the tolerance."""
 
     report: Report
-    """How the solve ended."""
+    """Report of the solve."""
     last_iterate: Any
-    """The solution as the solve left it, feasible but not converged; ``None`` of a history, which remains as it was
-    before the step.
+    """The last iterate, feasible but not converged; ``None`` for a history, which remains in its state before the step.
     """
 
 

@@ -1,4 +1,4 @@
-"""Convolutions by fast transforms."""
+"""Convolutions by fast Fourier transforms."""
 
 from ._stickslip import Convolution
 

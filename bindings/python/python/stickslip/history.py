@@ -1,4 +1,4 @@
-"""Contacts that remember their load: steps, cycles, fretting loops, adaptive steps, steps that roll."""
+"""Contacts with memory of their load: steps, cycles, fretting loops, adaptive steps, steps of rolling."""
 
 from __future__ import annotations
 
@@ -25,38 +25,40 @@ from ._stickslip import (
 )
 from .errors import Tolerance
 
-# `import stickslip.history.wear` finds it under this name too.
+# The alias makes `import stickslip.history.wear` work.
 sys.modules[f"{__name__}.wear"] = wear
 
 
 @dataclass(frozen=True)
 class FrettingResult:
-    """What a fretting loop came to."""
+    """Result of a fretting loop."""
 
     cycles: int
-    """Whole cycles taken."""
+    """Number of complete cycles."""
     ending: StopReason
-    """Why there were no more."""
+    """Reason for the end of the loop."""
     last: Cycle
-    """The last cycle; incomplete if the observer broke off."""
+    """The last cycle; incomplete if the observer stopped the loop."""
 
 
 class FrettingLoop:
     """Repeats a cycle of tangential load.
 
-    After each cycle its remarks, :attr:`Cycle.warnings`, go to ``warnings``, each kind once a place; those of single steps do
-    not.
+    After each cycle, its :attr:`Cycle.warnings` are issued through ``warnings``, each kind once per location. Warnings of
+    single steps are not issued.
 
     Parameters
     ----------
     path : LoadPath
-        The values (x, y) at the ends of the steps of a cycle (forces or lengths, as ``load`` takes them).
+        The values (x, y) at the ends of the steps of a cycle (forces or lengths, as ``load`` uses them).
     load : callable
-        Makes a :class:`~stickslip.LoadStep` of a value. In a loop that changes the gap it prescribes the normal load in every
-        step: else the pressure stays that of the old gap. Press before the loop: a first step that presses and shears at
-        once leaves shear in the cells that touched on the way, and the loop off its centre.
+        A function that converts a value to a :class:`~stickslip.LoadStep`. In a loop that changes the gap, it must
+        prescribe the normal load in every step; otherwise the pressure remains that of the previous gap. Apply the normal
+        load before the loop. If the first step presses and shears simultaneously, shear remains in the cells that touched
+        during the step, and the loop is not centred.
     until_steady : float, optional
-        Stops after the first cycle whose :attr:`Cycle.cyclic_residual` is no more than this, in (0, 1); never by default.
+        Tolerance in (0, 1): the loop stops after the first cycle whose :attr:`Cycle.cyclic_residual` does not exceed it.
+        By default, the loop does not stop early.
 
     Raises
     ------
@@ -96,9 +98,10 @@ class FrettingLoop:
         self._until_steady = until_steady
 
     def cycle(self, history: History, cycle: Cycle) -> None:
-        """Takes one cycle and adds it up in ``cycle``, which begins anew.
+        """Takes one cycle and accumulates it in ``cycle``, which is restarted.
 
-        After a step that fails, or that Ctrl-C ends, both are as they were after the last good one.
+        After a step that fails, or that is interrupted by Ctrl-C, history and cycle are in the state after the last
+        successful step.
         """
         self._pass(history, cycle, None)
 
@@ -108,17 +111,17 @@ class FrettingLoop:
         cycles: int,
         observer: Callable[[History, Cycle], object] | None = None,
     ) -> FrettingResult:
-        """Takes so many cycles, or fewer if one is steady before.
+        """Takes the given number of cycles, or fewer if the loop becomes steady earlier.
 
         Parameters
         ----------
         history : History
             The history that takes the steps.
         cycles : int
-            The most cycles to take.
+            The largest number of cycles.
         observer : callable, optional
-            Called after every step with the history and the cycle so far. It may wear the gap, change friction or
-            write; it breaks off by returning ``False``.
+            A function that is called after every step with the history and the current cycle. It may change the gap by
+            wear, change the friction or write output; it stops the loop by returning ``False``.
         """
         last = Cycle(history)
         for done in range(cycles):
@@ -128,8 +131,8 @@ class FrettingLoop:
                 return FrettingResult(done + 1, StopReason.STEADY, last)
         return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
 
-    # FrettingLoop::run_observed of the crate is not used: within it the history is borrowed, so that an observer could not
-    # wear its gap through the object that it is given, and it observes no product, so that Ctrl-C would act only after a step.
+    # FrettingLoop::run_observed of the crate is not used here. It borrows the history, so an observer could not change
+    # the gap through its argument. It also has no observer of products, so Ctrl-C would take effect only after a step.
     def _pass(
         self,
         history: History,
@@ -142,7 +145,7 @@ class FrettingLoop:
             cycle.add(history)
             if observer is not None and observer(history, cycle) is False:
                 return False
-        # Of the cycle as a whole: after a reversal the first ring that slips is narrow, and matters little.
+        # Only warnings of the whole cycle are issued: after a reversal, the first slip ring is narrow but unimportant.
         warn([(remark.kind, remark.message) for remark in cycle.warnings])
         return True
 

@@ -1,4 +1,4 @@
-"""Coated bodies: layers on a body, and the response of such bodies to waves."""
+"""Coated bodies: layers on a body, and the response of coated bodies to waves."""
 
 from ._stickslip import Layer, WaveResponse
 

@@ -1,11 +1,12 @@
-"""Pictures with matplotlib, which ``pip install 'stickslip[plot]'`` brings along.
+"""Plots with matplotlib, which is installed by ``pip install 'stickslip[plot]'``.
 
-Every function draws into ``axes``, or into new ones, and returns them. A figure without a layout gets the constrained one,
-so that no name lies over a neighbour. Bars of colours are as high as the picture beside them. A grid of a single row or
-column of cells, such as that of a line contact, is drawn as a profile: a line over the cells.
+Every function draws into ``axes``, or into new axes, and returns them. A figure without a layout engine gets the
+constrained layout, so that labels do not overlap. Colour bars have the height of their image. A field on a single row or
+column of cells, such as the grid of a line contact, is drawn as a profile: a line over the cells.
 
-The package knows no units, and writes those that it is given behind the names: ``length_unit`` is that of coordinates and
-shifts times ``scale`` (1e3 shows metres as millimetres), ``unit`` that of the values drawn times ``value_scale``.
+The package does not prescribe units and only appends the given units to the labels. ``length_unit`` is the unit of
+coordinates and shifts after multiplication by ``scale`` (1e3 shows metres as millimetres). ``unit`` is the unit of the
+drawn values after multiplication by ``value_scale``.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ def _axes(axes: Axes | None) -> Axes:
         except ImportError as error:
             raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
         axes = pyplot.subplots()[1]
-    # Of a part of a figure, the whole.
+    # For a subfigure, take the whole figure.
     figure: Any = getattr(axes.figure, "figure", axes.figure)
     if figure.get_layout_engine() is None:
         from ._layout import SettledLayout
@@ -51,7 +52,7 @@ def _label(name: str, unit: str) -> str:
 
 
 def _samples(grid: Grid, values: Any) -> Any:
-    """Values of the cells of a grid, masked as they were."""
+    """Returns the values of the cells of a grid, with their mask."""
     samples = values if np.ma.isMaskedArray(values) else np.asarray(values)
     if samples.shape != grid.shape:
         error = Shape(f"values has shape {samples.shape}, expected (ny, nx) = {grid.shape}")
@@ -61,14 +62,14 @@ def _samples(grid: Grid, values: Any) -> Any:
 
 
 def _component(axis: str) -> int:
-    """The place of an axis of the plane."""
+    """Returns the index of an axis of the plane."""
     if str(axis) not in ("x", "y"):
         raise ValueError(f"expected 'x' or 'y', got {axis!r}")
     return ("x", "y").index(str(axis))
 
 
 def _place(grid: Grid, along: str, at: float) -> tuple[int, int]:
-    """The axis that a line of cells is along, and the row or column of the cells nearest to its position."""
+    """Returns the index of the axis of a line of cells, and the row or column of cells nearest to its position."""
     direction = _component(along)
     edges = grid.extent[2:] if direction == 0 else grid.extent[:2]
     if not edges[0] <= at <= edges[1]:
@@ -78,14 +79,14 @@ def _place(grid: Grid, along: str, at: float) -> tuple[int, int]:
 
 
 def _profile_axis(grid: Grid) -> str | None:
-    """The axis along which the cells of a grid of a single row or column lie."""
+    """Returns the axis of a grid with a single row or column of cells; ``None`` for other grids."""
     if grid.ny == 1:
         return "x"
     return "y" if grid.nx == 1 else None
 
 
 def _image(axes: Axes, grid: Grid, values: Any, scale: float, length_unit: str, **options: Any) -> Any:
-    """Draws values of the cells of a grid where they are."""
+    """Draws the values of the cells of a grid as an image at their coordinates."""
     left, right, bottom, top = (scale * edge for edge in grid.extent)
     options = {"interpolation": "nearest", **options}
     image = axes.imshow(values, origin="lower", extent=(left, right, bottom, top), **options)
@@ -95,13 +96,13 @@ def _image(axes: Axes, grid: Grid, values: Any, scale: float, length_unit: str, 
 
 
 def _bar(axes: Axes, image: Any, label: str, **options: Any) -> Any:
-    """A bar of colours beside a picture, and as high."""
+    """Adds a colour bar next to an image, with the height of the image."""
     place = axes.inset_axes((1.04, 0.0, 0.05, 1.0))
     return axes.figure.colorbar(image, cax=place, label=label, **options)
 
 
 def _named_above(axes: Axes) -> Axes:
-    """The names of lines above the axes, where no line runs."""
+    """Places the legend above the axes, where it covers no line."""
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
     return axes
 
@@ -118,26 +119,26 @@ def field(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws a field as an image with a bar of colours; on a single row or column of cells as a profile.
+    """Draws a field as an image with a colour bar, or as a profile if the grid has a single row or column of cells.
 
     Parameters
     ----------
     grid : Grid
         The cells.
     values : Field or array_like of shape (ny, nx)
-        The values to draw; masked ones are left white.
+        The values to draw; masked cells remain white.
     axes : matplotlib Axes, optional
-        Where it is drawn; new axes by default.
+        Axes to draw into; new axes by default.
     label, unit : str, default ""
-        Name and unit of the values, times ``value_scale``.
+        Name of the values, and their unit after multiplication by ``value_scale``.
     value_scale : float, default 1
-        Factor of the values, such as 1e-9 to show Pa as GPa.
+        Factor for the values, such as 1e-9 to show Pa as GPa.
     scale : float, default 1
-        Factor of the coordinates, such as 1e3 to show metres as millimetres.
+        Factor for the coordinates, such as 1e3 to show metres as millimetres.
     length_unit : str, default ""
-        Unit of the coordinates, times ``scale``.
+        Unit of the coordinates after multiplication by ``scale``.
     **options
-        Of ``imshow``, of a profile those of ``plot``.
+        Options of ``imshow``, or of ``plot`` for a profile.
 
     Raises
     ------
@@ -179,21 +180,21 @@ def section(
     values : Field or array_like of shape (ny, nx)
         The values to draw.
     axes : matplotlib Axes, optional
-        Where it is drawn, a further line where there is one; new axes by default.
+        Axes to draw into, to which a line is added; new axes by default.
     along : Axis or str, default "x"
-        The axis that the line is along: "x" draws a row of cells, "y" a column.
+        Axis of the line: "x" draws a row of cells, "y" a column.
     at : float, default 0
-        Position of the line on the other axis (a length): the cells whose centres are nearest to it.
+        Position of the line on the other axis (a length); the nearest row or column of cell centres is drawn.
     label, unit, value_scale, scale, length_unit : optional
-        As of :func:`field`.
+        See :func:`field`.
     **options
-        Of ``plot``; ``label`` is that of the axis.
+        Options of ``plot``; ``label``, however, is the label of the axis.
 
     Raises
     ------
     Shape
     ValueError
-        If ``along`` is no axis, or ``at`` lies beyond the grid.
+        If ``along`` is not an axis, or ``at`` is outside the grid.
     """
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
@@ -217,9 +218,9 @@ def pressure_map(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the pressure of a normal solution, a state or a history; white where nothing touches.
+    """Draws the pressure of a normal solution, a state or a history; cells outside the contact are white.
 
-    ``unit`` and ``value_scale`` are those of the pressure; all others as of :func:`field`.
+    ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
     pressure = np.asarray(solution.pressure)
     is_profile = _profile_axis(solution.grid) is not None
@@ -241,7 +242,7 @@ def stick_map(
 ) -> Axes:
     """Draws the stick zone and the slip zone of a tangential solution, a state or a history.
 
-    ``scale`` and ``length_unit`` as of :func:`field`.
+    For ``scale`` and ``length_unit`` see :func:`field`.
     """
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
@@ -269,21 +270,22 @@ def traction_map(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the shear traction on body 1 of a tangential solution, a state or a history: its size in colours, and its
-    direction by arrows as long as it is large. On a single row or column of cells both components are profiles.
+    """Draws the shear traction on body 1 of a tangential solution, a state or a history: its magnitude in colours, and
+    its direction by arrows whose length is proportional to the magnitude. On a single row or column of cells, both
+    components are drawn as profiles.
 
     Parameters
     ----------
     solution : TangentialSolution, State or History
-        Has ``grid`` and ``traction``.
+        An object with ``grid`` and ``traction``.
     axes : matplotlib Axes, optional
-        Where it is drawn; new axes by default.
+        Axes to draw into; new axes by default.
     arrows : int, default 16
-        About how many arrows lie side by side over the longer side of the part that is loaded.
+        Approximate number of arrows along the longer side of the loaded part.
     unit, value_scale, scale, length_unit : optional
-        As of :func:`field`.
+        See :func:`field`.
     **options
-        Of ``imshow``, of a profile those of ``plot``.
+        Options of ``imshow``, or of ``plot`` for a profile.
     """
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
@@ -324,23 +326,23 @@ def spot_map(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws contact spots, each in the colour of one of its numbers.
+    """Draws contact spots, each coloured by one of its properties.
 
     Parameters
     ----------
     spots : ContactSpots, NormalSolution or History
-        The spots, or that which has them.
+        The spots, or an object that has spots.
     axes : matplotlib Axes, optional
-        Where it is drawn; new axes by default.
+        Axes to draw into; new axes by default.
     by : str, default "mean_pressure"
-        The number: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio".
+        The property: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio".
     unit, value_scale, scale, length_unit, **options : optional
-        As of :func:`field`.
+        See :func:`field`.
 
     Raises
     ------
     ValueError
-        If spots have no such number.
+        If spots do not have this property.
     """
     known = ("cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
@@ -370,27 +372,28 @@ def stress_section(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws a stress over a section below the surface, at true proportions; the depth grows downwards.
+    """Draws a stress over a section below the surface with equal aspect; the depth increases downwards.
 
     Parameters
     ----------
     planes : sequence of Plane
-        At two depths or more, as :meth:`Planes.solve_all` returns them.
+        Planes at two depths or more, as returned by :meth:`Planes.solve_all`.
     axes : matplotlib Axes, optional
-        Where it is drawn; new axes by default.
+        Axes to draw into; new axes by default.
     of : str, default "von_mises"
         The stress: "von_mises", "max_shear", "hydrostatic", or a component, "xx", "yy", "zz", "xy", "xz", "yz".
     along, at : optional
-        Which section, as of :func:`section`.
+        Position of the section; see :func:`section`.
     unit, value_scale, scale, length_unit : optional
-        As of :func:`field`.
+        See :func:`field`.
     **options
-        Of ``pcolormesh``.
+        Options of ``pcolormesh``.
 
     Raises
     ------
     ValueError
-        If there are fewer than two planes or no such stress, ``along`` is no axis, or ``at`` lies beyond the grid.
+        If there are fewer than two planes, if the stress is unknown, if ``along`` is not an axis, or if ``at`` is outside
+        the grid.
     """
     if len(planes) < 2:
         raise ValueError(f"a section needs planes at two depths or more, got {len(planes)}")
@@ -412,7 +415,7 @@ def stress_section(
 
 
 def _stress(plane: Plane, of: str) -> Any:
-    """A stress of the cells of a plane, by its name."""
+    """Returns a stress of the cells of a plane by its name."""
     components = dict(zip(("xx", "yy", "zz"), plane.normal_stress)) | dict(zip(("xy", "xz", "yz"), plane.shear_stress))
     if of in components:
         return components[of]
@@ -432,10 +435,10 @@ def hysteresis(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the loop of force over shift of a cycle along an axis, "x" or "y".
+    """Draws the loop of force versus shift of a cycle along an axis, "x" or "y".
 
-    ``unit`` and ``value_scale`` are those of the force, ``length_unit`` and ``scale`` those of the shift. The options are
-    those of ``plot``.
+    ``unit`` and ``value_scale`` refer to the force, ``length_unit`` and ``scale`` to the shift. The options are passed to
+    ``plot``.
     """
     component = _component(axis)
     axes = _axes(axes)
@@ -454,9 +457,10 @@ def work_precision(
     unit: str = "s",
     **options: Any,
 ) -> Axes:
-    """Draws wall time over the certified error of solves to several tolerances; a line for each name, if named.
+    """Draws wall time versus certified error of solves with several tolerances; one line per name if a mapping is given.
 
-    ``scale`` is a factor of the time and ``unit`` its unit then, such as 1e3 and "ms". The options are those of ``loglog``.
+    ``scale`` is a factor for the time and ``unit`` the resulting unit, such as 1e3 and "ms". The options are passed to
+    ``loglog``.
     """
     axes = _axes(axes)
     named = reports if isinstance(reports, Mapping) else {"": reports}
@@ -470,7 +474,7 @@ def work_precision(
     if any(named):
         _named_above(axes)
     axes.invert_xaxis()
-    # The numbers between decades would lie over one another.
+    # Tick labels between decades would overlap.
     from matplotlib.ticker import NullFormatter
 
     axes.xaxis.set_minor_formatter(NullFormatter())

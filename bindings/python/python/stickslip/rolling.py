@@ -1,9 +1,9 @@
-"""Steady rolling: traction, slip and creepage of two bodies that roll over each other, as the contact sees them.
+"""Steady rolling: traction, slip and creepage of two bodies that roll over each other, in the frame of the contact.
 
-The contact stands still, and the particles of both surfaces move through it, from the leading edge on. A creepage is what
-body 2 moves over body 1 for each length rolled; it is given, or follows from a force. Cells that enter the contact follow
-the motion by the law of growing contacts, which needs the slope of the gap two cells ahead of the contact: leave the grid
-as much room.
+The contact is at rest, and the particles of both surfaces move through it, starting at the leading edge. A creepage is
+the motion of body 2 over body 1 per unit length rolled; it is given, or follows from a force. Cells that enter the
+contact follow the motion by the law of growing contacts. This law needs the slope of the gap two cells ahead of the
+contact, so the grid must extend at least that far.
 """
 
 from ._enums import LeadingEdge, EntryRule

@@ -1,4 +1,4 @@
-"""Slopes of the forces by approach, shift and twist."""
+"""Derivatives of the forces with respect to approach, shift and twist."""
 
 from ._stickslip import ContactStiffness, NormalStiffness, TangentialStiffness
 

@@ -1,4 +1,4 @@
-"""Surfaces: shapes, self-affine roughness, statistics, and the preparation of measured ones."""
+"""Surfaces: shapes, self-affine roughness, statistics, and the preparation of measured surfaces."""
 
 from __future__ import annotations
 
@@ -35,19 +35,21 @@ from ._stickslip import (
     sinusoidal,
     sphere,
 )
-from ._stickslip import sum as sum  # `import *` leaves the builtin of this name
+from ._stickslip import sum as sum  # not in `__all__`: `import *` keeps the builtin
 
 
 def from_topography(topography: Any) -> Field:
-    """The heights of a SurfaceTopography object, or of any that has ``heights()`` and ``physical_sizes``.
+    """Converts a SurfaceTopography object, or any object with ``heights()`` and ``physical_sizes``, to a field of
+    heights.
 
-    Its arrays are indexed [x, y] and are transposed here. Masked heights become NaN: see :func:`fill_missing`. All
-    functions that take heights take such objects too. The field has the unit of the topography, if it states one.
+    The arrays of such objects are indexed [x, y] and are transposed here. Masked heights become NaN; see
+    :func:`fill_missing`. All functions that accept heights also accept such objects. The field has the unit of the
+    topography, if it states one.
 
     Raises
     ------
     ValueError
-        If its heights are not those of an area, or it has no physical sizes.
+        If the heights do not have two dimensions, or if there are no physical sizes.
 
     Examples
     --------

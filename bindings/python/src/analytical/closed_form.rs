@@ -1,8 +1,8 @@
-//! The classes of closed forms, which are alike, declared from their arguments, numbers and functions.
+//! Declaration of the classes of closed-form solutions from their arguments, numbers and functions.
 
-/// Declares the class of a closed form: the object that it is made from and its further arguments, which are numbers
-/// unless a type is given; the objects that it has, its numbers, its pairs of numbers, its functions of one coordinate and
-/// of two, and what it has beside.
+/// Declares the class of a closed-form solution. The parts of the declaration are, in order: the object that it is
+/// constructed from; its further arguments, which are numbers unless a type is given; its objects, numbers and pairs of
+/// numbers; its functions of one and of two coordinates; and its additional methods.
 macro_rules! closed_form {
     (
         $(#[$doc:meta])*

@@ -1,4 +1,4 @@
-//! Coordinates of closed forms, and the values there: numbers or arrays.
+//! Coordinates and values of closed-form solutions: numbers or arrays.
 
 use numpy::ndarray::{ArrayD, Axis, Zip};
 use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
@@ -26,12 +26,12 @@ impl FromPyObject<'_, '_> for Coordinates {
 }
 
 impl Coordinates {
-    /// A function of these coordinates.
+    /// Evaluates a function at these coordinates.
     pub(super) fn along(self, function: impl Fn(f64) -> f64) -> Values {
         Values(self.0.mapv_into(function))
     }
 
-    /// Several functions of these coordinates.
+    /// Evaluates several functions at these coordinates.
     pub(super) fn all_along<const N: usize>(
         self,
         functions: impl Fn(f64) -> [f64; N],
@@ -39,7 +39,7 @@ impl Coordinates {
         Values::each(&self.0.mapv(functions))
     }
 
-    /// A function of these coordinates and others, which are broadcast to one shape.
+    /// Evaluates a function of these coordinates and others, which are broadcast to a common shape.
     pub(super) fn across(
         self,
         other: Self,
@@ -49,14 +49,14 @@ impl Coordinates {
         Ok(values)
     }
 
-    /// Several functions of these coordinates and others.
+    /// Evaluates several functions of these coordinates and others.
     pub(super) fn all_across<const N: usize>(
         self,
         other: Self,
         functions: impl Fn(f64, f64) -> [f64; N],
     ) -> PyResult<[Values; N]> {
         let (x, y) = (self.0, other.0);
-        // Counted from the last axis; of length one where there is none.
+        // Axes are counted from the last; a missing axis has length one.
         let length = |array: &ArrayD<f64>, axis: usize| {
             let axis = array.ndim().checked_sub(axis + 1);
             axis.map_or(1, |axis| array.len_of(Axis(axis)))
@@ -76,11 +76,11 @@ impl Coordinates {
     }
 }
 
-/// A number for a number, an array for an array.
+/// Values at coordinates: a number for a number, an array for an array.
 pub(crate) struct Values(ArrayD<f64>);
 
 impl Values {
-    /// The values of several functions.
+    /// Returns the values of several functions.
     fn each<const N: usize>(found: &ArrayD<[f64; N]>) -> [Self; N] {
         std::array::from_fn(|index| Self(found.mapv(|values| values[index])))
     }

@@ -1,4 +1,4 @@
-//! Smooth bodies pressed together.
+//! Smooth bodies pressed together without friction.
 
 use pyo3::prelude::*;
 
@@ -9,15 +9,15 @@ use crate::material::ElasticPair;
 closed_form! {
     /// A sphere pressed on a half-space, or a paraboloid of revolution.
     ///
-    /// The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it holds while the contact is small beside R. Johnson
-    /// (1985), 4.22-4.24.
+    /// The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it is valid if the contact is small compared with R.
+    /// Johnson (1985), 4.22-4.24.
     ///
     /// Parameters
     /// ----------
     /// pair : ElasticPair
     ///     The bodies.
     /// radius : float
-    ///     Radius R of the sphere (a length), positive; of two spheres 1/R = 1/R_1 + 1/R_2.
+    ///     Radius R of the sphere (a length), positive; for two spheres 1/R = 1/R_1 + 1/R_2.
     /// load : float
     ///     Normal load W (a force), positive.
     ///
@@ -46,14 +46,14 @@ closed_form! {
         approach,
     }
     along {
-        /// Pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact. Johnson (1985),
-        /// 3.39.
+        /// Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact.
+        /// Johnson (1985), 3.39.
         pressure(r),
-        /// Normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each, at the
-        /// distance r from the centre, inside and outside the contact. Johnson (1985), 3.41a and 3.42a.
+        /// Returns the normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each,
+        /// at the distance r from the centre, inside and outside the contact. Johnson (1985), 3.41a and 3.42a.
         displacement(r),
-        /// Gap u_z + r^2 / 2R - delta between the surfaces (a length) at the distance r from the centre; zero in the
-        /// contact, positive outside.
+        /// Returns the gap u_z + r^2 / 2R - delta between the surfaces (a length) at the distance r from the centre; zero
+        /// in the contact, positive outside.
         gap(r),
     }
 }
@@ -98,7 +98,7 @@ closed_form! {
         semi_axes,
     }
     across {
-        /// Pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
+        /// Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
         pressure,
     }
 }
@@ -113,7 +113,7 @@ closed_form! {
     /// pair : ElasticPair
     ///     The bodies.
     /// radius : float
-    ///     Radius R of the cylinder (a length), positive; of two cylinders 1/R = 1/R_1 + 1/R_2.
+    ///     Radius R of the cylinder (a length), positive; for two cylinders 1/R = 1/R_1 + 1/R_2.
     /// load : float
     ///     Normal load P (a force per length), positive.
     ///
@@ -136,19 +136,19 @@ closed_form! {
         max_pressure,
     }
     along {
-        /// Pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
+        /// Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
         pressure(x),
-        /// Approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a length) of
-        /// :meth:`Boundary.periodic_along_y`; positive for a datum that is large beside a, as it must be.
+        /// Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
+        /// length) of :meth:`Boundary.periodic_along_y`; positive if the datum is large compared with a, as required.
         approach(datum),
         /// Stress xx of the surface of either body at x (a pressure, positive in tension): minus the pressure in the
         /// contact, zero outside.
         surface_stress(x),
     }
     also {
-        /// Stresses xx, zz and xz of body 1 at x and at a depth below its surface, a length of zero or more (pressures,
-        /// positive in tension); those of body 2 at the same depth differ by the sign of xz. M'Ewen (1949); Johnson (1985),
-        /// 4.49.
+        /// Returns the stresses xx, zz and xz of body 1 at x and at a depth (a length, zero or more) below its surface
+        /// (pressures, positive in tension). In body 2 at the same depth, xz has the opposite sign. M'Ewen (1949);
+        /// Johnson (1985), 4.49.
         fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<PlaneStrain> {
             let stress = x.all_across(depth, |x, depth| self.0.stress(x, depth))?;
             Ok(stress.into())

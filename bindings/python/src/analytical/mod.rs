@@ -1,4 +1,4 @@
-//! Closed forms to compare with.
+//! Closed-form solutions for comparison.
 
 mod closed_form;
 mod coordinates;

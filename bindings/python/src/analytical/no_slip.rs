@@ -9,9 +9,9 @@ use crate::pickle::picklable;
 use crate::real::Real;
 
 closed_form! {
-    /// A flat-ended round punch pressed without any slip, as by friction without limit.
+    /// A flat-ended round punch pressed without any slip, as for infinite friction.
     ///
-    /// Where pressure and traction are coupled, by Dundurs' beta, sticking makes the contact stiffer by the factor
+    /// If pressure and traction are coupled (Dundurs' beta is not zero), sticking makes the contact stiffer by the factor
     /// artanh(beta) / beta. Mossakovskii (1954); Borodich & Keer, Proc. R. Soc. Lond. A 460 (2004) 507.
     ///
     /// Parameters
@@ -38,9 +38,10 @@ closed_form! {
 }
 
 closed_form! {
-    /// A sphere pressed by a growing load without any slip: a point that has come into contact sticks.
+    /// A sphere pressed by a growing load without any slip: every point that has come into contact sticks.
     ///
-    /// Without coupling between pressure and traction it is Hertz's contact. Spence, Proc. R. Soc. Lond. A 305 (1968) 55.
+    /// Without coupling between pressure and traction, the solution is that of Hertz. Spence, Proc. R. Soc. Lond. A 305
+    /// (1968) 55.
     ///
     /// Parameters
     /// ----------
@@ -67,11 +68,11 @@ closed_form! {
     }
 }
 
-/// How far bodies of different materials stick when they are pressed together by a growing load alone.
+/// The stick zone of bodies of different materials that are pressed together by a growing load alone.
 ///
-/// The surfaces slip inwards near the rim of the contact; friction holds the part within k times its radius or half-width.
-/// Shear does not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section
-/// 5.4. Made by :meth:`round` and :meth:`plane`.
+/// The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
+/// not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
+/// Created by :meth:`round` and :meth:`plane`.
 #[pyclass(frozen, eq, module = "stickslip.analytical")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct SpencePressing(stickslip::analytical::SpencePressing);
@@ -80,7 +81,7 @@ picklable!(SpencePressing: stickslip::analytical::SpencePressing);
 
 #[pymethods]
 impl SpencePressing {
-    /// The contact of a body of revolution, with this coefficient of friction (dimensionless, not negative).
+    /// Returns the solution for a body of revolution with this coefficient of friction (dimensionless, not negative).
     #[staticmethod]
     fn round(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::round(&pair.0, friction.0)
@@ -88,7 +89,8 @@ impl SpencePressing {
             .map(Self)
     }
 
-    /// The contact of a cylinder or strip in plane strain, with this coefficient of friction (dimensionless, not negative).
+    /// Returns the solution for a cylinder or strip in plane strain with this coefficient of friction (dimensionless, not
+    /// negative).
     #[staticmethod]
     fn plane(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::plane(&pair.0, friction.0)
@@ -96,8 +98,8 @@ impl SpencePressing {
             .map(Self)
     }
 
-    /// Radius or half-width of the stick zone over that of the contact, k in [0, 1]: one without coupling, zero without
-    /// friction.
+    /// Ratio k of the radius or half-width of the stick zone to that of the contact, in [0, 1]: one without coupling,
+    /// zero without friction.
     #[getter]
     fn stick_radius(&self) -> f64 {
         self.0.stick_radius()

@@ -13,9 +13,9 @@ closed_form! {
     /// A sphere in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
     ///
     /// With f = |F| / (mu W) a disc of radius c = a (1 - f)^(1/3) sticks. The ring around it slips, opposite to the
-    /// traction. This is the solution of the scalar model, with traction along x only; with traction along y allowed it is
-    /// exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo (1938);
-    /// Mindlin (1949); Johnson (1985), 7.41-7.44.
+    /// traction. This is the solution of the scalar model, with traction along x only; for tractions along both axes, it
+    /// is exact for nu = 0. The coupling between pressure and traction of dissimilar bodies is neglected. Cattaneo
+    /// (1938); Mindlin (1949); Johnson (1985), 7.41-7.44.
     ///
     /// Parameters
     /// ----------
@@ -49,20 +49,21 @@ closed_form! {
         /// Energy dissipated while the force grows from zero to F (a force times a length, not negative),
         /// (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2): the first quarter of a cycle.
         energy_of_first_quarter,
-        /// Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
-        /// of the first quarter.
+        /// Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
+        /// energy of the first quarter.
         energy_per_cycle,
     }
     along {
-        /// Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
-        /// mu p_0 sqrt(1 - r^2/a^2), less mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        /// centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
+        /// contact.
         traction(r),
     }
     across {
-        /// Tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force), anywhere in the
-        /// plane: shift and slip inside the contact.
+        /// Returns the tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force),
+        /// anywhere in the plane: shift and slip inside the contact.
         displacement,
-        /// Slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
+        /// Returns the slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
         slip,
     }
 }
@@ -97,25 +98,26 @@ closed_form! {
         force,
         /// Fraction of the contact area that sticks, (1 - f)^(2/3).
         stick_ratio,
-        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, 1 - s^2 of that at
-        /// which the whole contact begins to slide.
+        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, equal to 1 - s^2
+        /// times the shift at which the whole contact begins to slide.
         shift,
         /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
         sliding_shift,
-        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative), as
+        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative); see
         /// :attr:`CattaneoMindlin.energy_of_first_quarter`.
         energy_of_first_quarter,
-        /// Energy that one full cycle of the force between F and -F dissipates (a force times a length): four times that
-        /// of the first quarter.
+        /// Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
+        /// energy of the first quarter.
         energy_per_cycle,
     }
     pairs {
-        /// Semi-axes of the stick ellipse along x and y (lengths): s times those of the contact.
+        /// Semi-axes of the stick ellipse along x and y (lengths): s times the semi-axes of the contact.
         stick_semi_axes,
     }
     across {
-        /// Traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 + y^2/a_y^2 it is
-        /// mu p_0 sqrt(1 - rho^2), less mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 +
+        /// y^2/a_y^2 it is mu p_0 sqrt(1 - rho^2), minus mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the
+        /// contact.
         traction,
     }
 }
@@ -124,8 +126,8 @@ closed_form! {
     /// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that
     /// increases monotonically, with a bulk strain that increases in proportion to it.
     ///
-    /// With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction. For
-    /// equal bodies, or bodies of which Dundurs' beta is zero. Johnson (1985), section 7.2; with bulk strain Nowell &
+    /// With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction.
+    /// Valid for equal bodies, or bodies with zero Dundurs' beta. Johnson (1985), section 7.2; with bulk strain Nowell &
     /// Hills, Int. J. Mech. Sci. 29 (1987) 355.
     ///
     /// Parameters
@@ -152,56 +154,58 @@ closed_form! {
         stick_half_width,
         /// Middle of the strip that sticks (a length along x), of size a E* strain / (2 mu p_0); zero without strain.
         stick_centre,
-        /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of that of a
-        /// cycle.
+        /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of the energy
+        /// per cycle.
         energy_of_first_quarter,
-        /// Energy that a cycle of the force between Q and -Q, with the strain in proportion to it, dissipates per length,
+        /// Energy dissipated per length in a cycle of the force between Q and -Q with the strain in proportion to it,
         /// ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         energy_per_cycle,
     }
     along {
-        /// Traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), less
-        /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the strip around e that sticks; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
+        /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip around e; zero outside the contact.
         traction(x),
-        /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force, relative to
-        /// the datum d (a length) of :meth:`Boundary.periodic_along_y`; the strain displaces nothing at x = 0: of size
-        /// (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
+        /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force,
+        /// relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no displacement at
+        /// x = 0. The size of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
         shift(datum),
     }
     also {
-        /// With this strain of body 1 along x less that of body 2, positive where it is stretched. A bulk stress along x
-        /// in one body strains it by stress (1 - nu^2) / E in plane strain: :meth:`Material.plane_strain_under`.
+        /// Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. A bulk stress
+        /// along x in one body causes the strain stress (1 - nu^2) / E in plane strain:
+        /// :meth:`Material.plane_strain_under`.
         ///
         /// Raises
         /// ------
         /// NotFinite, NotPositive
         /// BelowMinimum
-        ///     If the strip that sticks would leave the contact: slip then reverses at one end.
+        ///     If the stick strip would extend beyond the contact. The slip then reverses at one end.
         fn with_strain(&self, py: Python<'_>, strain: Real) -> PyResult<Self> {
             self.0.with_strain(strain.0).or_raise(py).map(Self)
         }
 
-        /// With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
-        /// the force and strain the bodies in plane strain.
+        /// Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to the
+        /// force and strain the bodies in plane strain.
         ///
         /// Raises
         /// ------
         /// Sample, NotFinite, NotPositive, BelowMinimum
-        ///     As :meth:`with_strain`.
+        ///     See :meth:`with_strain`.
         fn with_bulk_stress(&self, py: Python<'_>, stress: conversion::BulkStress) -> PyResult<Self> {
             self.0.with_bulk_stress(stress.0).or_raise(py).map(Self)
         }
 
-        /// Stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension), bulk stress included.
-        /// In body 1 the largest is at the edge of the contact that the traction pulls away from, x = -a under a positive
-        /// force, where it rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell &
-        /// Hills (1987).
+        /// Returns the stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension),
+        /// including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect to
+        /// the traction, x = -a for a positive force, where it rises as a square root. Values on a row of cells therefore
+        /// converge slowly to it. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
         fn surface_stress(&self, x: Coordinates) -> (Values, Values) {
             x.all_along(|x| self.0.surface_stress(x)).into()
         }
 
-        /// Stresses xx, zz and xz of body 1 and those of body 2, at x and at a depth below the surface of each, a length of
-        /// zero or more (pressures, positive in tension), bulk stress included. Johnson (1985), 7.2.
+        /// Returns the stresses xx, zz and xz of body 1 and of body 2 at x and at a depth below the surface of each body
+        /// (a length, zero or more). Stresses are pressures, positive in tension, and include the bulk stress. Johnson
+        /// (1985), 7.2.
         fn stress(&self, x: Coordinates, depth: Coordinates) -> PyResult<(PlaneStrain, PlaneStrain)> {
             let [xx, zz, xz, of_two @ ..] = x.all_across(depth, |x, depth| {
                 let [one, two] = self.0.stress(x, depth);
@@ -251,8 +255,9 @@ closed_form! {
         sliding_shift,
     }
     along {
-        /// Traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the centre:
-        /// (mu E* tan(beta) / 2) arcosh(a/r), less the same with c in the stick disc; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        /// centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
+        /// zero outside the contact.
         traction(r),
     }
 }

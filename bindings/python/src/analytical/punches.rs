@@ -12,8 +12,8 @@ closed_form! {
     /// A blunt cone pressed on a half-space.
     ///
     /// The gap is r tan(beta), with the small angle beta between flank and surface. The mean pressure is independent of
-    /// the load, so that the contact area is proportional to the load, as that of a rough surface. Sneddon (1965);
-    /// Johnson (1985), section 5.2.
+    /// the load, so that the contact area is proportional to the load, as for a rough surface. Sneddon (1965); Johnson
+    /// (1985), section 5.2.
     ///
     /// Parameters
     /// ----------
@@ -47,15 +47,15 @@ closed_form! {
         approach,
     }
     along {
-        /// Pressure (E* tan(beta) / 2) arcosh(a/r) at the distance r from the centre; infinite at the apex, zero outside
-        /// the contact.
+        /// Returns the pressure (E* tan(beta) / 2) arcosh(a/r) at the distance r from the centre; infinite at the apex,
+        /// zero outside the contact.
         pressure(r),
-        /// Normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each, at the
-        /// distance r from the centre: delta - r tan(beta) inside the contact, and outside it
-        /// (a arcsin(a/r) - r + sqrt(r^2 - a^2)) tan(beta).
+        /// Returns the normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each,
+        /// at the distance r from the centre: delta - r tan(beta) inside the contact, and outside it (a arcsin(a/r) - r +
+        /// sqrt(r^2 - a^2)) tan(beta).
         displacement(r),
-        /// Gap u_z + r tan(beta) - delta between the surfaces (a length) at the distance r from the centre; zero in the
-        /// contact, positive outside.
+        /// Returns the gap u_z + r tan(beta) - delta between the surfaces (a length) at the distance r from the centre;
+        /// zero in the contact, positive outside.
         gap(r),
     }
 }
@@ -96,16 +96,16 @@ closed_form! {
         approach,
     }
     along {
-        /// Pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound towards the
-        /// edge; at the edge and outside zero is returned.
+        /// Returns the pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound
+        /// towards the edge; at the edge and outside zero is returned.
         pressure(r),
-        /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each, at the
-        /// distance r from the centre: the approach inside the contact, and outside it (2 delta / pi) arcsin(a/r).
+        /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
+        /// the distance r from the centre: the approach inside the contact, and outside it (2 delta / pi) arcsin(a/r).
         displacement(r),
     }
     also {
-        /// The punch in full stick under a tangential force along x. Traction and pressure are distributed alike: the
-        /// whole contact sticks up to the force mu W, and then slides at once.
+        /// Returns the solution for the punch in full stick under a tangential force along x. Traction and pressure have
+        /// the same distribution. The whole contact therefore sticks up to the force mu W and then slides.
         ///
         /// Parameters
         /// ----------
@@ -150,7 +150,7 @@ closed_form! {
         half_width,
     }
     along {
-        /// Pressure at the distance x from the middle; zero outside the contact.
+        /// Returns the pressure at the distance x from the middle; zero outside the contact.
         pressure(x),
     }
 }

@@ -1,4 +1,4 @@
-//! Rough surfaces: the area in contact, and how much of it sticks.
+//! Contact area and stick ratio of rough surfaces.
 
 use pyo3::prelude::*;
 
@@ -11,20 +11,20 @@ use crate::real::Real;
 closed_form! {
     /// A nominally flat rough surface pressed on a half-space: the fraction of the area in real contact.
     ///
-    /// It is erf((sqrt(pi)/2) kappa P) under the reduced pressure P = mean_pressure / (E* rms_slope), which is kappa P for
-    /// light loads. kappa is sqrt(8/pi) in Persson's theory, the default, and sqrt(2 pi) in that of Bush, Gibson and Thomas;
-    /// simulations give 2.0 to 2.2. A mean over infinite surfaces whose shortest waves are resolved. Persson (2001); Bush,
-    /// Gibson and Thomas (1975).
+    /// The contact fraction is erf((sqrt(pi)/2) kappa P), where P = mean_pressure / (E* rms_slope) is the reduced
+    /// pressure. For light loads it is kappa P. The coefficient kappa is sqrt(8/pi) in Persson's theory (the default) and
+    /// sqrt(2 pi) in the theory of Bush, Gibson and Thomas; simulations give 2.0 to 2.2. The fraction is a mean over
+    /// infinite surfaces whose shortest waves are resolved. Persson (2001); Bush, Gibson and Thomas (1975).
     ///
     /// Parameters
     /// ----------
     /// pair : ElasticPair
     ///     The bodies.
     /// rms_slope : float
-    ///     Root mean square of the gradient (Sdq, dimensionless), positive: sqrt(2) times the slope of profiles of an
-    ///     isotropic surface.
+    ///     Root mean square of the gradient (Sdq, dimensionless), positive: for an isotropic surface, sqrt(2) times the
+    ///     rms slope of profiles.
     /// mean_pressure : float
-    ///     Load over nominal area, positive.
+    ///     Ratio of the load to the nominal area, positive.
     ///
     /// Raises
     /// ------
@@ -37,7 +37,7 @@ closed_form! {
     numbers {
         /// Root mean square of the gradient (dimensionless).
         rms_slope,
-        /// Mean pressure: the load over the nominal area.
+        /// Mean pressure, the ratio of the load to the nominal area.
         mean_pressure,
         /// Coefficient kappa of the area (dimensionless).
         area_coefficient,
@@ -47,20 +47,21 @@ closed_form! {
         contact_fraction,
     }
     also {
-        /// The same contact with another coefficient kappa (dimensionless, positive).
+        /// Returns the same contact with a different coefficient kappa (dimensionless, positive).
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: Real) -> PyResult<Self> {
             self.0.with_area_coefficient(area_coefficient.0).or_raise(py).map(Self)
         }
 
-        /// Fraction of the real contact area that sticks: the contact area under 1 - f of the load over that under all of
-        /// it, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998); Jaeger (1998).
+        /// Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
+        /// the load to the contact area under the full load, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998);
+        /// Jaeger (1998).
         ///
         /// Parameters
         /// ----------
         /// friction : float
         ///     Coefficient of friction mu (dimensionless), not negative.
         /// mean_traction : float
-        ///     Tangential force over nominal area, of either sign.
+        ///     Ratio of the tangential force to the nominal area, of either sign.
         ///
         /// Raises
         /// ------
@@ -69,8 +70,8 @@ closed_form! {
             self.0.stick_ratio(friction.0, mean_traction.0).or_raise(py)
         }
 
-        /// The contact fraction of any surface at a reduced pressure P (not negative), with a coefficient kappa (positive;
-        /// both dimensionless).
+        /// Returns the contact fraction of any surface at a reduced pressure P (not negative) for a coefficient kappa
+        /// (positive; both dimensionless).
         #[staticmethod]
         fn area_law(py: Python<'_>, reduced_pressure: Real, area_coefficient: Real) -> PyResult<f64> {
             stickslip::analytical::Persson::area_law(reduced_pressure.0, area_coefficient.0).or_raise(py)
@@ -81,9 +82,10 @@ closed_form! {
 closed_form! {
     /// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
     ///
-    /// Where the pressure of the smooth sphere is p, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is
-    /// in contact; the ratio is the mean over the Hertz circle. It holds where the roughness is small beside the approach and
-    /// fine beside the circle. kappa is 2 by default. After Müser (2016).
+    /// At a pressure p of the smooth sphere, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is in
+    /// contact; the result is the mean of this fraction over the Hertz circle. It is valid if the heights of the
+    /// roughness are small compared with the approach and its wavelengths are small compared with the circle. The default
+    /// of kappa is 2. After Müser (2016).
     ///
     /// Parameters
     /// ----------
@@ -107,20 +109,20 @@ closed_form! {
         area_coefficient,
         /// Reduced pressure P = W / (pi a^2 E* rms_slope) (dimensionless), with the mean pressure of the smooth sphere.
         reduced_pressure,
-        /// Area of real contact over that of the Hertz circle, between 0 and 1.
+        /// Ratio of the real contact area to the area of the Hertz circle, between 0 and 1.
         relative_contact_area,
         /// Area of real contact (a length squared).
         contact_area,
     }
     also {
-        /// The same contact with another coefficient kappa (dimensionless, positive), for example one of those that
-        /// :class:`Persson` lists.
+        /// Returns the same contact with a different coefficient kappa (dimensionless, positive), for example one of the
+        /// values listed in :class:`Persson`.
         fn with_area_coefficient(&self, py: Python<'_>, area_coefficient: Real) -> PyResult<Self> {
             self.0.with_area_coefficient(area_coefficient.0).or_raise(py).map(Self)
         }
 
-        /// The relative area of any rough sphere at a reduced pressure P (not negative), with a coefficient kappa (positive;
-        /// both dimensionless).
+        /// Returns the relative contact area of any rough sphere at a reduced pressure P (not negative) for a coefficient
+        /// kappa (positive; both dimensionless).
         #[staticmethod]
         fn area_law(py: Python<'_>, reduced_pressure: Real, area_coefficient: Real) -> PyResult<f64> {
             stickslip::analytical::RoughSphere::area_law(reduced_pressure.0, area_coefficient.0).or_raise(py)
@@ -128,7 +130,8 @@ closed_form! {
     }
 }
 
-/// Stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero without friction.
+/// Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero
+/// without friction.
 ///
 /// Parameters
 /// ----------

@@ -1,4 +1,4 @@
-//! Shear without slip, of any history, and by a twist.
+//! Tangential loading without slip, with any load history, and by a twist.
 
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
@@ -7,9 +7,9 @@ use crate::material::ElasticPair;
 closed_form! {
     /// A contact circle in full stick under a tangential force along x.
     ///
-    /// For a sphere it is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it holds up
-    /// to sliding. The circle moves along x only, whatever nu. The coupling between pressure and traction of dissimilar bodies
-    /// is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+    /// For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it is
+    /// valid up to sliding. The circle moves along x only, for any nu. The coupling between pressure and traction of
+    /// dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
     ///
     /// Parameters
     /// ----------
@@ -37,14 +37,15 @@ closed_form! {
         shift,
     }
     along {
-        /// Traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at the distance r
-        /// from the centre. It grows without bound towards the edge; at the edge and outside zero is returned.
+        /// Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at
+        /// the distance r from the centre. It grows without bound towards the edge; at the edge and outside zero is
+        /// returned.
         traction(r),
     }
     across {
-        /// Tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force), anywhere in
-        /// the plane: the shift inside the contact; at the distance r and the angle theta outside it
-        /// F / (4 pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
+        /// Returns the tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force),
+        /// anywhere in the plane: the shift inside the contact; at the distance r and the angle theta outside it F / (4
+        /// pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
         displacement,
     }
 }
@@ -52,11 +53,11 @@ closed_form! {
 closed_form! {
     /// A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
     ///
-    /// From zero to the first reversal it is :class:`CattaneoMindlin`. Every reversal adds twice that solution for half the
-    /// change of force since. When the force returns to an earlier reversal it closes a loop, and the contact continues
-    /// as if that loop had not occurred. This is the solution of the scalar model, with traction along x only. The coupling
-    /// between pressure and traction of dissimilar bodies is neglected. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson
-    /// (1985), 7.52-7.57.
+    /// From zero to the first reversal, the solution is :class:`CattaneoMindlin`. Every reversal adds twice that solution
+    /// for half of the change of force since the reversal. When the force returns to the value of an earlier reversal, it
+    /// closes a loop, and the contact continues as if the loop had not occurred. This is the solution of the scalar
+    /// model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
     ///
     /// Parameters
     /// ----------
@@ -65,8 +66,8 @@ closed_form! {
     /// friction : float
     ///     Coefficient of friction mu (dimensionless), not negative.
     /// path : sequence of float
-    ///     Values that the tangential force on body 1 along x takes in turn, from zero (forces, of either sign, at most
-    ///     mu W); none is no force.
+    ///     Successive values of the tangential force on body 1 along x, starting from zero (forces, of either sign, at
+    ///     most mu W). An empty path has no force.
     ///
     /// Raises
     /// ------
@@ -90,21 +91,21 @@ closed_form! {
         sliding_shift,
         /// Energy dissipated along the whole path (a force times a length, not negative).
         dissipated_energy,
-        /// Energy that one full cycle of the force between F_0 and -F_0 dissipates (a force times a length),
-        /// (4/5) mu W delta_0 (1 - c/a)^3 (1 + 3 c/a + c^2/a^2) with c = a (1 - F_0 / (mu W))^(1/3).
+        /// Energy dissipated in one full cycle of the force between F_0 and -F_0 (a force times a length), (4/5) mu W
+        /// delta_0 (1 - c/a)^3 (1 + 3 c/a + c^2/a^2) with c = a (1 - F_0 / (mu W))^(1/3).
         energy_per_cycle,
     }
     along {
-        /// Traction on body 1 along x (a pressure) at the distance r from the centre, superposed as the class says; zero
-        /// outside the contact.
+        /// Returns the traction on body 1 along x (a pressure) at the distance r from the centre, by the superposition of
+        /// the class description; zero outside the contact.
         traction(r),
     }
     across {
-        /// Tangential displacement u_x of body 1 relative to body 2 (a length), anywhere in the plane, superposed as the
-        /// class says.
+        /// Returns the tangential displacement u_x of body 1 relative to body 2 (a length), anywhere in the plane, by the
+        /// superposition of the class description.
         displacement,
-        /// Slip u_x - delta_x (a length): the motion of the surface of body 1 over that of body 2 since before the first
-        /// loading; zero outside the contact, and where the surfaces have never slipped.
+        /// Returns the slip u_x - delta_x (a length): the motion of the surface of body 1 over that of body 2 since
+        /// before the first loading; zero outside the contact and wherever the surfaces have never slipped.
         slip,
     }
 }
@@ -136,7 +137,7 @@ closed_form! {
     numbers {
         /// Twist beta: the rigid rotation of body 2 relative to body 1 (radians), positive from x to y.
         twist,
-        /// Radius c of the stick disc (a length), positive: where beta = (mu p_0 / 2G) (K - E), with the complete elliptic
+        /// Radius c of the stick disc (a length), positive, from beta = (mu p_0 / 2G) (K - E) with the complete elliptic
         /// integrals of the parameter 1 - c^2/a^2.
         stick_radius,
         /// Fraction of the contact area that sticks, c^2/a^2.
@@ -149,8 +150,8 @@ closed_form! {
         sliding_moment,
     }
     along {
-        /// Traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre, along the circle
-        /// of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
+        /// Returns the traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre,
+        /// along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
         traction(r),
     }
 }

@@ -1,4 +1,4 @@
-//! Wavy surfaces pressed together, and in partial slip.
+//! Wavy surfaces pressed together and in partial slip.
 
 use crate::analytical::closed_form::closed_form;
 use crate::material::ElasticPair;
@@ -18,7 +18,7 @@ closed_form! {
     /// wavelength : float
     ///     Wavelength lambda (a length), positive.
     /// mean_pressure : float
-    ///     Load over nominal area, positive.
+    ///     Ratio of the load to the nominal area, positive.
     ///
     /// Raises
     /// ------
@@ -33,30 +33,31 @@ closed_form! {
         amplitude,
         /// Wavelength lambda (a length).
         wavelength,
-        /// Mean pressure: the load over the nominal area.
+        /// Mean pressure, the ratio of the load to the nominal area.
         mean_pressure,
         /// Lowest mean pressure of full contact, p* = pi E* amplitude / lambda.
         full_contact_pressure,
-        /// Half-width of a contact strip, a = (lambda/pi) arcsin(sqrt(mean_pressure / p*)) (a length); half the wavelength
-        /// in full contact.
+        /// Half-width of a contact strip, a = (lambda/pi) arcsin(sqrt(mean_pressure / p*)) (a length); half the
+        /// wavelength in full contact.
         contact_half_width,
         /// Fraction of the nominal area in contact, 2 a / lambda.
         contact_fraction,
-        /// Pressure at the crests: 2 sqrt(mean_pressure p*), in full contact mean_pressure + p*.
+        /// Pressure at the crests: 2 sqrt(mean_pressure p*); in full contact mean_pressure + p*.
         max_pressure,
-        /// Approach of the mean planes of the two surfaces since first touch (a length):
-        /// amplitude R (1 - ln(R)) with R = mean_pressure / p*, and the amplitude in full contact.
+        /// Approach of the mean planes of the two surfaces since first touch (a length): amplitude R (1 - ln(R)) with R =
+        /// mean_pressure / p*; in full contact, the amplitude.
         approach,
     }
     along {
-        /// Pressure at the distance x from a crest: 2 p* cos(pi x / lambda) sqrt(sin^2(pi a / lambda) - sin^2(pi x / lambda)),
-        /// zero outside the contact; in full contact mean_pressure + p* cos(2 pi x / lambda).
+        /// Returns the pressure at the distance x from a crest: 2 p* cos(pi x / lambda) sqrt(sin^2(pi a / lambda) -
+        /// sin^2(pi x / lambda)), zero outside the contact; in full contact mean_pressure + p* cos(2 pi x / lambda).
         pressure(x),
-        /// Gap between the surfaces (a length) at the distance x from a crest; zero in the contact, positive outside.
+        /// Returns the gap between the surfaces (a length) at the distance x from a crest; zero in the contact, positive
+        /// outside.
         gap(x),
     }
     also {
-        /// Whether the surfaces touch everywhere: the mean pressure is at least p*.
+        /// Whether the surfaces touch everywhere, that is, whether the mean pressure is at least p*.
         #[getter]
         fn is_full_contact(&self) -> bool {
             self.0.is_full_contact()
@@ -67,10 +68,11 @@ closed_form! {
 closed_form! {
     /// A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases monotonically.
     ///
-    /// The traction is mu times the difference between the pressure and that under 1 - f of the load, whose contact strips
-    /// stick, f = |mean_traction| / (mu mean_pressure). A full contact sticks everywhere, under a uniform traction, until
-    /// 1 - f of the load is that of full contact. Exact for every nu, but for the coupling between pressure and traction of
-    /// dissimilar bodies, which is neglected. Ciavarella (1998); Jaeger (1998).
+    /// The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, f =
+    /// |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
+    /// everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
+    /// every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
+    /// (1998); Jaeger (1998).
     ///
     /// Parameters
     /// ----------
@@ -79,7 +81,7 @@ closed_form! {
     /// friction : float
     ///     Coefficient of friction mu (dimensionless), not negative.
     /// mean_traction : float
-    ///     Tangential force on body 1 along x over nominal area, of either sign, at most mu mean_pressure.
+    ///     Tangential force on body 1 along x per nominal area, of either sign, at most mu mean_pressure.
     ///
     /// Raises
     /// ------
@@ -90,7 +92,7 @@ closed_form! {
         contact: Westergaard,
     }
     numbers {
-        /// Mean traction on body 1, positive along +x: the tangential force over the nominal area.
+        /// Mean traction on body 1, positive along +x: the tangential force per nominal area.
         mean_traction,
         /// Half-width c of a stick strip (a length).
         stick_half_width,
@@ -98,8 +100,8 @@ closed_form! {
         stick_ratio,
     }
     along {
-        /// Traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a crest; zero
-        /// outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a
+        /// crest; zero outside the contact.
         traction(x),
     }
 }

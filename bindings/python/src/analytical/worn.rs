@@ -1,4 +1,4 @@
-//! Surfaces that fretting has worn.
+//! Surfaces worn by fretting.
 
 use crate::analytical::closed_form::closed_form;
 use crate::material::ElasticPair;
@@ -7,9 +7,9 @@ closed_form! {
     /// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear has
     /// ceased.
     ///
-    /// The disc of radius c that sticks does not wear. The ring around it wears until it carries no pressure and the
-    /// surfaces just touch there. The law of wear decides how fast this shape is reached, but not the shape. Exact where
-    /// Dundurs' beta is zero and the stick disc stays round. Popov (2014).
+    /// The stick disc of radius c does not wear. The ring around it wears until it carries no pressure and the surfaces
+    /// just touch there. The wear law determines how fast this shape is reached, but not the shape itself. The solution
+    /// is exact if Dundurs' beta is zero and the stick disc remains round. Popov (2014).
     ///
     /// Parameters
     /// ----------
@@ -20,8 +20,8 @@ closed_form! {
     /// approach : float
     ///     Approach d of the bodies (a length), positive.
     /// stick_radius : float
-    ///     Radius c of the stick disc (a length), not negative, at most the contact radius sqrt(R d) before wear; zero is
-    ///     gross sliding.
+    ///     Radius c of the stick disc (a length), not negative, at most the contact radius sqrt(R d) before wear; zero
+    ///     means gross sliding.
     ///
     /// Raises
     /// ------
@@ -38,7 +38,7 @@ closed_form! {
         approach,
         /// Radius c of the stick disc (a length).
         stick_radius,
-        /// Radius within which the surfaces are worn (a length), larger than that of the contact before wear.
+        /// Radius within which the surfaces are worn (a length), larger than the contact radius before wear.
         worn_radius,
         /// Worn volume (a length cubed), summed over the bodies.
         worn_volume,
@@ -46,14 +46,14 @@ closed_form! {
         load,
     }
     along {
-        /// Gap without load (a length) at the distance r from the centre, zero at the centre: in the ring
+        /// Returns the gap without load (a length) at the distance r from the centre, zero at the centre: in the ring
         /// (2/pi) ((r^2/2 arcsin(c/r) - c/2 sqrt(r^2 - c^2)) / R + d (pi/2 - arcsin(c/r))), elsewhere r^2 / 2R.
         profile(r),
-        /// Wear depth (a length), summed over the bodies, at the distance r from the centre: positive in the ring, zero
-        /// elsewhere.
+        /// Returns the wear depth (a length), summed over the bodies, at the distance r from the centre: positive in the
+        /// ring, zero elsewhere.
         wear_depth(r),
-        /// Remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r from the centre;
-        /// zero outside the stick disc, towards whose edge it grows without bound.
+        /// Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r
+        /// from the centre; zero outside the stick disc. The pressure grows without bound towards the edge of the disc.
         pressure(r),
     }
 }

@@ -1,4 +1,4 @@
-//! Pressure and traction found together, of bodies of different materials.
+//! Coupled contacts, which determine pressure and tractions of bodies of different materials simultaneously.
 
 mod problem;
 mod report;

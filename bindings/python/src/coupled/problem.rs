@@ -1,4 +1,4 @@
-//! A coupled contact to be solved.
+//! Coupled contact problems.
 
 use std::sync::Arc;
 
@@ -22,7 +22,8 @@ use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
 use crate::work::unobserved_on;
 
-/// Bodies, gap, friction and loads of a contact whose pressure and tractions are found together: from rest, in one step.
+/// Bodies, gap, friction and loads of a contact whose pressure and tractions are solved simultaneously, from rest in one
+/// step.
 ///
 /// Parameters
 /// ----------
@@ -35,19 +36,19 @@ use crate::work::unobserved_on;
 /// load : TangentialLoad, optional
 ///     The tangential load as an object, instead of by keywords.
 /// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-///     The tangential load, as of :class:`TangentialLoad`; no force by default.
+///     The tangential load; see :class:`TangentialLoad`. No force by default.
 /// normal_force, approach : float
-///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-///     positive when they come together).
+///     Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+///     (a length, positive when they move together).
 /// relative_displacement : RelativeDisplacement, optional
-///     A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
-///     by default.
+///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
+///     none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
-///     The largest pressure that the cells carry; no limit by default.
+///     The largest pressure that the cells can carry; no limit by default.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -142,7 +143,7 @@ impl CoupledProblem {
         Ok(Self(built, grid, recipe))
     }
 
-    /// Solves from rest; see :meth:`NormalProblem.solve`. A force that slides the contact raises
+    /// Solves from rest; see :meth:`NormalProblem.solve`. A force that makes the contact slide raises
     /// :class:`~stickslip.errors.BeyondFrictionCapacity`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
@@ -155,7 +156,7 @@ impl CoupledProblem {
         solve_once(py, self.1.cells(), solver, progress, warn)
     }
 
-    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
         CoupledSolver::of(py, self.1, || self.0.clone().into_solver())
     }

@@ -1,4 +1,4 @@
-//! How a coupled solve ended.
+//! Reports of coupled solves.
 
 use pyo3::prelude::*;
 
@@ -7,20 +7,20 @@ use crate::pickle::picklable;
 use crate::report::Report;
 use crate::sequence::pair;
 
-/// Estimated errors of a coupled contact as a whole, each in its energy norm: not bounds.
+/// Estimated errors of a coupled contact as a whole, each in its energy norm. The estimates are not bounds.
 #[pyclass(frozen, eq, module = "stickslip.coupled")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ErrorEstimate(stickslip::coupled::ErrorEstimate);
 
 #[pymethods]
 impl ErrorEstimate {
-    /// Of the pressure.
+    /// Estimated error of the pressure.
     #[getter]
     fn pressure(&self) -> f64 {
         self.0.pressure
     }
 
-    /// Of the traction.
+    /// Estimated error of the traction.
     #[getter]
     fn traction(&self) -> f64 {
         self.0.traction
@@ -37,7 +37,7 @@ impl ErrorEstimate {
 
 picklable!(ErrorEstimate: stickslip::coupled::ErrorEstimate);
 
-/// How a coupled solve ended, what it cost, and what its halves certify.
+/// Termination and cost of a coupled solve, and the certified error bounds of its normal and tangential parts.
 #[pyclass(frozen, eq, module = "stickslip.coupled")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct CoupledReport(stickslip::coupled::CoupledReport);
@@ -50,7 +50,7 @@ impl CoupledReport {
 
 #[pymethods]
 impl CoupledReport {
-    /// Why the iteration ended, products with the whole tensor, residual and time.
+    /// Reason for the end of the iteration, products with the full operator, residual and time.
     #[getter]
     fn work(&self) -> Report {
         Report::of(&self.0.work)
@@ -68,25 +68,26 @@ impl CoupledReport {
         Report::of(&self.0.tangential)
     }
 
-    /// Bound of the error of the pressure at the tractions as they are.
+    /// Bound on the error of the pressure for the tractions of the solution.
     #[getter]
     fn pressure_error_bound(&self) -> f64 {
         self.0.pressure_error_bound
     }
 
-    /// Bound of the error of the tractions at the pressure as it is.
+    /// Bound on the error of the tractions for the pressure of the solution.
     #[getter]
     fn traction_error_bound(&self) -> f64 {
         self.0.traction_error_bound
     }
 
-    /// Bounds of the errors of pressure and traction as a whole, where friction is weak enough for them.
+    /// Bounds on the errors of pressure and traction of the coupled problem; ``None`` unless friction is weak enough for
+    /// them.
     #[getter]
     fn error_bounds(&self) -> Option<(f64, f64)> {
         self.0.error_bounds.map(pair)
     }
 
-    /// What the errors of the whole are likely to be.
+    /// Estimated errors of the coupled problem, if available.
     #[getter]
     fn error_estimate(&self) -> Option<ErrorEstimate> {
         self.0.error_estimate.map(ErrorEstimate)

@@ -1,4 +1,4 @@
-//! The solution of a coupled contact.
+//! Solutions of coupled contacts.
 
 use std::sync::Arc;
 
@@ -16,8 +16,9 @@ use crate::stiffness::ContactStiffness;
 use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
-/// Both halves of a coupled contact, with the displacements that they cause together. Halves and arrays share its memory.
-/// Two are equal if their answers are, however they were found.
+/// Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
+/// and the arrays share the memory of this object. Two objects are equal if their solutions are equal, whatever the
+/// iterations were.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(PartialEq)]
 pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);
@@ -32,19 +33,19 @@ picklable!(CoupledSolution: stickslip::CoupledSolution);
 
 #[pymethods]
 impl CoupledSolution {
-    /// The normal half.
+    /// The normal solution.
     #[getter]
     fn normal(&self) -> NormalSolution {
         NormalSolution::of_coupled(&self.0)
     }
 
-    /// The tangential half.
+    /// The tangential solution.
     #[getter]
     fn tangential(&self) -> TangentialSolution {
         TangentialSolution::of_coupled(&self.0)
     }
 
-    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.normal().pressure())
@@ -66,19 +67,20 @@ impl CoupledSolution {
         self.0.elastic_energy()
     }
 
-    /// How the solve ended, what it cost, and what is certified.
+    /// Termination, cost and error bounds of the solve.
     #[getter]
     fn report(&self) -> CoupledReport {
         CoupledReport::of(self.0.report())
     }
 
-    /// Remarks on a result that may mislead; empty if there are none.
+    /// Warnings about a result that might mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())
     }
 
-    /// The stiffness: the slopes of the forces and the moment by approach, shift and twist, with the friction of the problem.
+    /// Returns the derivatives of the forces and the moment with respect to approach, shift and twist, with the friction
+    /// of the problem.
     fn stiffness(
         &self,
         py: Python<'_>,

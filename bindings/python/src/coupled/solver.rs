@@ -1,4 +1,4 @@
-//! Coupled contacts solved again and again.
+//! Reusable solvers of coupled contacts.
 
 use pyo3::prelude::*;
 
@@ -10,7 +10,7 @@ use crate::load::{self, TangentialLoad};
 use crate::real::Real;
 use crate::solver::{Reused, solver};
 
-/// Solves coupled contacts again and again, each from the last answer; made by :meth:`CoupledProblem.solver`.
+/// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct CoupledSolver(Reused<stickslip::CoupledSolver>);
 
@@ -28,7 +28,7 @@ solver!(CoupledSolver: CoupledSolution);
 
 #[pymethods]
 impl CoupledSolver {
-    /// Solves for the loads, the gap and the friction set; see :meth:`NormalProblem.solve`.
+    /// Solves for the current loads, gap and friction; see :meth:`NormalProblem.solve`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -39,7 +39,7 @@ impl CoupledSolver {
         self.0.solve(py, |_| Ok(()), progress, warn)
     }
 
-    /// Changes the loads of the next solve: the tangential one, and one of a normal force (not negative) and an approach (a
+    /// Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
     /// length).
     #[pyo3(signature = (load, *, normal_force=None, approach=None))]
     fn set_load(
@@ -55,13 +55,13 @@ impl CoupledSolver {
             .or_raise(py)
     }
 
-    /// Changes the gap of the next solve (lengths).
+    /// Sets the gap of the next solve (lengths).
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         let gap = gap.on(py, "gap", self.0.grid())?;
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 
-    /// Changes the friction of the next solve.
+    /// Sets the friction of the next solve.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.0.grid())?;
         self.0.change(py, |solver| solver.set_friction(&friction))

@@ -1,4 +1,4 @@
-//! What a history has come to.
+//! Results of a history.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ use crate::work::{observed_on, unobserved_on, watch};
 
 #[pymethods]
 impl History {
-    /// The bodies.
+    /// The two bodies and the grid.
     #[getter]
     pub(super) fn bodies(&self) -> HalfSpace {
         self.bodies.clone()
@@ -37,7 +37,7 @@ impl History {
         Grid(self.grid())
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Boundary condition at the edge of the grid.
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.bodies.0.boundary())
@@ -49,7 +49,7 @@ impl History {
         self.read(|history| history.axis().map(Choice))
     }
 
-    /// The friction.
+    /// The friction of later steps.
     #[getter]
     fn friction(&self) -> PyResult<Friction> {
         self.read(|history| Friction(history.friction().clone()))
@@ -61,7 +61,7 @@ impl History {
         self.read(|history| copy(py, history.gap()))
     }
 
-    /// The normal contact, a copy.
+    /// The normal solution, a copy.
     #[getter]
     fn normal(&self) -> PyResult<NormalSolution> {
         self.read(|history| Arc::new(history.normal().clone()).into())
@@ -73,7 +73,7 @@ impl History {
         self.read(|history| copy(py, history.pressure()))
     }
 
-    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, bool>> {
         self.read(|history| contact(py, history.pressure()))
@@ -109,7 +109,8 @@ impl History {
         self.read(|history| copy(py, history.dissipated_energy()))
     }
 
-    /// Displacement of body 1 relative to body 2 by the tractions along x and y (lengths): one product.
+    /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is
+    /// one product.
     fn displacement<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
         let mut work = lock(&self.work, NAME)?;
         let history = &mut work.history;
@@ -117,7 +118,7 @@ impl History {
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
-    /// The zone of every cell: 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell: 0 separated, 1 stick, 2 slip.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         self.read(|history| zones(py, history.grid(), history.zones()))
@@ -147,26 +148,27 @@ impl History {
         self.read(stickslip::History::moment)
     }
 
-    /// Largest tangential force that friction holds.
+    /// Largest tangential force that friction can carry.
     #[getter]
     fn friction_capacity(&self) -> PyResult<f64> {
         self.read(stickslip::History::friction_capacity)
     }
 
-    /// Steps taken since the start.
+    /// Number of steps since the start.
     #[getter]
     fn steps(&self) -> PyResult<u64> {
         self.read(stickslip::History::steps)
     }
 
-    /// The edges of the contact and of the stick zone inside the cells after the last step, under the friction as last set.
+    /// Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
+    /// friction.
     fn edges(&self, py: Python<'_>) -> PyResult<TangentialEdges> {
         let work = lock(&self.work, NAME)?;
         let history = &work.history;
         unobserved_on(py, self.grid(), || history.edges()).map(TangentialEdges)
     }
 
-    /// The contact spots, with their stick ratios. All ranks that share the history ask for them.
+    /// The contact spots, with their stick ratios. With distributed bodies, the call is collective.
     #[getter]
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
         let work = lock(&self.work, NAME)?;
@@ -174,15 +176,15 @@ impl History {
         unobserved_on(py, self.grid(), || history.try_spots()).map(ContactSpots::of)
     }
 
-    /// The stiffness: the slopes of the forces and the moment by approach, shift and twist.
+    /// Returns the derivatives of the forces and the moment with respect to approach, shift and twist.
     ///
     /// Parameters
     /// ----------
     /// next_step : bool, default False
-    ///     If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the present
-    ///     state. Otherwise they are derivatives of the last step. In the next step cells that stick resist fully, also
-    ///     those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the
-    ///     contact further under the same normal load needs this.
+    ///     If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the
+    ///     present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
+    ///     fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
+    ///     simulation that continues to shear the contact under the same normal load needs these derivatives.
     #[pyo3(signature = (*, next_step=false))]
     fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;

@@ -1,4 +1,4 @@
-//! Steps short enough for a tolerance.
+//! Steps short enough for a given tolerance.
 
 use std::sync::Mutex;
 
@@ -16,14 +16,14 @@ use crate::sequence::pair;
 use crate::solution_pool::lock;
 use crate::work::{solve, unless_broken_off, unobserved};
 
-/// What one step differs by from the same load in two.
+/// Difference between the result of one step and the result of the same load in two steps.
 #[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct StepErrorEstimate(stickslip::history::StepErrorEstimate);
 
 #[pymethods]
 impl StepErrorEstimate {
-    /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits.
+    /// Sum of the magnitudes of the traction differences, relative to the sum of the friction limits.
     #[getter]
     fn traction(&self) -> f64 {
         self.0.traction
@@ -41,7 +41,7 @@ impl StepErrorEstimate {
         pair(self.0.shift)
     }
 
-    /// Difference of the energy dissipated.
+    /// Difference of the dissipated energy.
     #[getter]
     fn dissipated_energy(&self) -> f64 {
         self.0.dissipated_energy
@@ -58,16 +58,16 @@ impl StepErrorEstimate {
 
 picklable!(StepErrorEstimate: stickslip::history::StepErrorEstimate);
 
-/// Takes a load in steps short enough for a tolerance, and tells the error of a step. Its buffers take the memory of four
-/// states.
+/// Applies a load in steps short enough for a given tolerance, and estimates the error of a step. Its buffers require the
+/// memory of four states.
 ///
 /// Parameters
 /// ----------
 /// history : History
-///     For histories on the grid of this one.
+///     A history on the grid of the histories to be stepped.
 /// tolerance : float
-///     Of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance of the history's
-///     settings.
+///     Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance
+///     of the history's settings.
 ///
 /// Raises
 /// ------
@@ -86,7 +86,8 @@ impl AdaptiveSteps {
         steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
     }
 
-    /// The error that a single step makes with this load; the history is then as it was, but for its last step.
+    /// Returns the error of a single step with this load. The state of the history is unchanged afterwards, except for
+    /// its last step.
     fn error(
         &self,
         py: Python<'_>,
@@ -101,24 +102,24 @@ impl AdaptiveSteps {
         .map(StepErrorEstimate)
     }
 
-    /// Takes a load, in as many steps as it needs, and returns how many. Ctrl-C ends it after the part under way; the
-    /// history is then as it was, but for its last step.
+    /// Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
+    /// after the current part; the state of the history is then unchanged, except for its last step.
     ///
     /// Parameters
     /// ----------
     /// history : History
-    ///     The history that takes the load.
+    ///     The history to which the load is applied.
     /// load : LoadStep
-    ///     What is prescribed at its end, reached in proportion.
+    ///     The load at the end, approached proportionally.
     /// cycle : Cycle, optional
-    ///     To which each step is added.
+    ///     A cycle to which each step is added.
     /// warn : bool, default True
-    ///     Whether the remarks on the last step go to ``warnings`` too, each kind once a place.
+    ///     Whether the warnings of the last step are also issued through ``warnings``, each kind once per location.
     ///
     /// Raises
     /// ------
     /// GridMismatch, StepTooLong
-    ///     And what :meth:`History.step` raises.
+    ///     In addition to the exceptions of :meth:`History.step`.
     #[pyo3(signature = (history, load, *, cycle=None, warn=true))]
     fn step(
         &self,

@@ -1,11 +1,11 @@
-//! Energies of a step or a cycle.
+//! Energy balance of a step or a cycle.
 
 use pyo3::prelude::*;
 
 use crate::digits::{rough, short};
 use crate::pickle::picklable;
 
-/// Where the work of the tangential load in a step went, or in the steps of a cycle (energies).
+/// Energy balance of the work of the tangential load in a step or in the steps of a cycle (energies).
 #[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct EnergyBalance(pub(crate) stickslip::history::EnergyBalance);
@@ -18,43 +18,43 @@ impl EnergyBalance {
         self.0.work
     }
 
-    /// Elastic energy of shear before.
+    /// Elastic energy of shear before the step or cycle.
     #[getter]
     fn elastic_before(&self) -> f64 {
         self.0.elastic_before
     }
 
-    /// Elastic energy of shear after.
+    /// Elastic energy of shear after the step or cycle.
     #[getter]
     fn elastic_after(&self) -> f64 {
         self.0.elastic_after
     }
 
-    /// Energy dissipated, by the tractions at the end of the step.
+    /// Dissipated energy, from the tractions at the end of the step.
     #[getter]
     fn dissipated_energy(&self) -> f64 {
         self.0.dissipated_energy
     }
 
-    /// Energy dissipated, by the mean tractions: what closes the balance.
+    /// Dissipated energy, from the mean tractions of the step; this value closes the balance.
     #[getter]
     fn dissipated_energy_midpoint(&self) -> f64 {
         self.0.dissipated_energy_midpoint
     }
 
-    /// Energy of the tractions that cells drop as they leave the contact.
+    /// Energy of the tractions that cells lose when they leave the contact.
     #[getter]
     fn released(&self) -> f64 {
         self.0.released
     }
 
-    /// Work on the motion that the tolerance leaves in stick cells.
+    /// Work on the motion in stick cells that remains within the tolerance.
     #[getter]
     fn residual(&self) -> f64 {
         self.0.residual
     }
 
-    /// What is missing in the balance, relative to its largest part.
+    /// Deficit of the balance, relative to its largest term.
     #[getter]
     fn imbalance(&self) -> f64 {
         self.0.imbalance()

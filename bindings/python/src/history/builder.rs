@@ -1,4 +1,4 @@
-//! A history, and what later steps are to find changed.
+//! Construction of a history, and changes of its data for later steps.
 
 use std::sync::Mutex;
 
@@ -18,10 +18,10 @@ use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;
 use crate::work::unobserved_on;
 
-/// Two bodies in contact that remember their load: pressure, traction, slip and energy, step by step.
+/// Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
 ///
-/// Its arrays are copies, since the next step changes them; :meth:`state` is a snapshot whose arrays are views. One thread
-/// at a time may use it. A step that fails, or that Ctrl-C ends, leaves it as it was.
+/// The arrays are copies, since the next step changes the data; :meth:`state` is a snapshot whose arrays are views. One
+/// thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history unchanged.
 ///
 /// Parameters
 /// ----------
@@ -34,23 +34,24 @@ use crate::work::unobserved_on;
 /// axis : Axis or str, default "x"
 ///     The axis of tangential load and tractions in the scalar model; the vector model has none.
 /// model : TangentialModel or str, default "scalar"
-///     "scalar" finds the traction along the axis; "vector" both components, and takes loads of any direction and twist.
+///     "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
+///     direction and twist.
 /// coupling : Coupling or str, default "full"
-///     Of bodies of different materials: "full" finds pressure and traction together, "one_way" has the pressure move the
-///     surfaces tangentially, "neglected" neither.
+///     Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
+///     the tangential displacements due to pressure only; "neglected" omits both.
 /// entry_rule : EntryRule or str, default "since_touch"
-///     How far a cell that comes into contact within a step follows its motion: "since_touch" from the moment it touches,
-///     "whole_step" all of it.
+///     Part of the motion of a step that a cell follows if it comes into contact within the step: with "since_touch" the
+///     motion since it touched, with "whole_step" all of it.
 /// relative_displacement : RelativeDisplacement, optional
-///     The pattern of a displacement that the contact does not cause, of which steps prescribe the amount; none by default.
+///     The pattern of a displacement that is not caused by the contact. Steps prescribe its factor; none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
-///     The largest pressure that the cells carry; no limit by default.
+///     The largest pressure that the cells can carry; no limit by default.
 /// permanent_set : bool, default False
-///     Whether what yields under the hardness stays, and is added to the gap of later steps.
+///     Whether the yielded depth remains and is added to the gap of later steps.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -75,26 +76,26 @@ pub(crate) struct History {
 
 pub(crate) struct Work {
     pub(crate) history: stickslip::History,
-    /// Counts what changes the last step.
+    /// Counter of the changes of the last step.
     pub(crate) taken: u64,
 }
 
 impl Work {
-    /// Tries steps and counts them where they have changed the last step, as those of an attempt that failed may have too.
+    /// Runs steps and increments the counter if they have changed the last step. A failed attempt can also change it.
     pub(super) fn tried<T>(
         &mut self,
         attempt: impl FnOnce(&mut stickslip::History) -> stickslip::Result<T>,
     ) -> stickslip::Result<T> {
         let before = Numbers::of(self.history.last_step());
         let outcome = attempt(&mut self.history);
-        // Two steps differ at least in the time that they took.
+        // Two steps differ at least in their run times.
         let is_same = outcome.is_err() && Numbers::of(self.history.last_step()) == before;
         self.taken += u64::from(!is_same);
         outcome
     }
 }
 
-/// What a history is called in messages.
+/// Noun for a history in messages.
 pub(crate) const NAME: &str = "history";
 
 impl History {
@@ -113,7 +114,7 @@ impl History {
         self.bodies.0.grid()
     }
 
-    /// The last step, if it still is the one of this number.
+    /// Reads the last step if it still has this number.
     pub(crate) fn read_step<T>(
         &self,
         number: u64,
@@ -193,19 +194,19 @@ impl History {
         Ok(Self::of(history, bodies))
     }
 
-    /// Changes the gap of later steps (lengths), as wear does.
+    /// Sets the gap of later steps (lengths), for example after wear.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         let gap = gap.on(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))
     }
 
-    /// Changes the friction of later steps.
+    /// Sets the friction of later steps.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.grid())?;
         self.change(py, |history| history.set_friction(&friction))
     }
 
-    /// Changes the pattern of the relative displacement.
+    /// Sets the pattern of the relative displacement.
     fn set_relative_displacement(
         &self,
         py: Python<'_>,
@@ -214,7 +215,7 @@ impl History {
         self.change(py, |history| history.set_relative_displacement(&pattern.0))
     }
 
-    /// Method, tolerance and limits of later steps; may be assigned.
+    /// Method, tolerance and limits of later steps; assignable.
     #[getter]
     fn settings(&self) -> PyResult<Settings> {
         self.read(|history| Settings(*history.settings()))

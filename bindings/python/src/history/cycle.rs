@@ -1,4 +1,4 @@
-//! What the steps of a cycle add up to.
+//! Sums over the steps of a cycle.
 
 use std::sync::{Mutex, MutexGuard};
 
@@ -14,7 +14,7 @@ use crate::report::{Warning, remarks};
 use crate::sequence::{Entries, entry, pair};
 use crate::solution_pool::lock;
 
-/// A point of the loop of force and shift.
+/// Point of the force-shift loop.
 #[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct LoopPoint(stickslip::history::LoopPoint);
@@ -56,8 +56,8 @@ impl LoopPoint {
 
 picklable!(LoopPoint: stickslip::history::LoopPoint);
 
-/// The loop of force and shift of a cycle, its beginning and the end of each step: a sequence of :class:`LoopPoint`, and
-/// arrays with a number of each point. Vectors are (x, y).
+/// The force-shift loop of a cycle, from its start to the end of each step: a sequence of :class:`LoopPoint`, and arrays
+/// with one number per point. Vectors are (x, y).
 #[pyclass(frozen, eq, module = "stickslip.history", sequence)]
 #[derive(Clone, PartialEq)]
 pub(crate) struct LoopPoints(Vec<stickslip::history::LoopPoint>);
@@ -123,13 +123,13 @@ impl LoopPoints {
 
 picklable!(LoopPoints: Vec<stickslip::history::LoopPoint>);
 
-/// Slip, energy and the loop of force and shift, added up over the steps of a cycle, from where the history is. Its arrays
-/// are copies.
+/// Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
+/// The arrays are copies.
 ///
 /// Parameters
 /// ----------
 /// history : History
-///     The history from whose present state it begins.
+///     The history in whose present state the cycle starts.
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct Cycle(Mutex<stickslip::history::Cycle>);
 
@@ -157,19 +157,19 @@ impl Cycle {
         Ok(Self(Mutex::new(cycle)))
     }
 
-    /// Forgets all steps and begins anew where the history is.
+    /// Discards all steps and restarts the cycle in the present state of the history.
     fn begin(&self, py: Python<'_>, history: &History) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.begin(history))?.or_raise(py)
     }
 
-    /// Adds the last step of the history: once after each.
+    /// Adds the last step of the history; call it once after each step.
     fn add(&self, py: Python<'_>, history: &History) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.add(history))?.or_raise(py)
     }
 
-    /// Steps added.
+    /// Number of steps added.
     #[getter]
     fn steps(&self) -> PyResult<usize> {
         Ok(self.lock()?.steps())
@@ -181,7 +181,7 @@ impl Cycle {
         Ok(copy(py, self.lock()?.slip_distance()))
     }
 
-    /// Pressure that each cell slipped under, the mean over its path; zero where nothing slipped.
+    /// Pressure under which each cell slipped, averaged over its slip path; zero for cells without slip.
     #[getter]
     fn slip_pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         Ok(copy(py, self.lock()?.slip_pressure()))
@@ -209,30 +209,30 @@ impl Cycle {
         Ok(EnergyBalance(*self.lock()?.energy()))
     }
 
-    /// The loop of force and shift: the beginning, and the end of each step. A copy.
+    /// The force-shift loop: the start, and the end of each step. A copy.
     #[getter]
     fn points(&self) -> PyResult<LoopPoints> {
         Ok(LoopPoints(self.lock()?.points().to_vec()))
     }
 
-    /// Work of the tangential force and of the moment (a force times a length): the area that the loop of the points
-    /// encloses where it closes. The ``work`` of :attr:`energy` has that of a changing relative displacement, such as bulk
-    /// strain, besides.
+    /// Work of the tangential force and of the moment (a force times a length), equal to the area enclosed by the loop if
+    /// it is closed. In contrast, the ``work`` of :attr:`energy` includes the work of a changing relative displacement,
+    /// such as bulk strain.
     #[getter]
     fn work_of_loads(&self) -> PyResult<f64> {
         Ok(self.lock()?.work_of_loads())
     }
 
-    /// The loop as CSV.
+    /// Returns the loop as CSV.
     fn points_as_csv(&self) -> PyResult<String> {
         Ok(self.lock()?.points_as_csv())
     }
 
-    /// The names of :meth:`summary_as_csv`.
+    /// Header line of :meth:`summary_as_csv`.
     #[classattr]
     const SUMMARY_NAMES: &str = stickslip::history::Cycle::SUMMARY_NAMES;
 
-    /// The cycle as a line of CSV.
+    /// Returns the cycle as a line of CSV.
     fn summary_as_csv(&self) -> PyResult<String> {
         Ok(self.lock()?.summary_as_csv())
     }
@@ -249,32 +249,32 @@ impl Cycle {
         Ok(pair(self.lock()?.shift_amplitude()))
     }
 
-    /// The least and the largest stick ratio.
+    /// Smallest and largest stick ratio.
     #[getter]
     fn stick_ratios(&self) -> PyResult<(f64, f64)> {
         Ok(pair(self.lock()?.stick_ratios()))
     }
 
-    /// Whether the contact stuck, slipped in part, or slid.
+    /// Regime of the cycle: stick, partial slip or sliding.
     #[getter]
     fn regime(&self) -> PyResult<Choice<stickslip::history::Regime>> {
         Ok(Choice(self.lock()?.regime()))
     }
 
-    /// Energy dissipated over that of a rectangle around the loop, of force by shift.
+    /// Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
     #[getter]
     fn energy_ratio(&self) -> PyResult<f64> {
         Ok(self.lock()?.energy_ratio())
     }
 
-    /// How far the cycle is from closing: the largest change of a traction from beginning to end over the largest traction,
-    /// or that of the shift over its half range, whichever is more.
+    /// Measure of how far the cycle is from closing, the larger of two ratios: the largest change of a traction from
+    /// start to end to the largest traction, and the change of the shift to half its range.
     #[getter]
     fn cyclic_residual(&self) -> PyResult<f64> {
         Ok(self.lock()?.cyclic_residual())
     }
 
-    /// Remarks on its steps.
+    /// Warnings of the steps.
     #[getter]
     fn warnings(&self) -> PyResult<Vec<Warning>> {
         Ok(Warning::all(self.lock()?.warnings()))

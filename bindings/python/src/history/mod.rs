@@ -1,4 +1,4 @@
-//! Contacts that remember their load.
+//! Contacts with memory of their load.
 
 mod accessors;
 mod adaptive;

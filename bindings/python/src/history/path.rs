@@ -1,4 +1,4 @@
-//! Cycles of a load.
+//! Cyclic load paths.
 
 use numpy::PyArray2;
 use pyo3::prelude::*;
@@ -11,8 +11,8 @@ use crate::pickle::picklable;
 use crate::real::Real;
 use crate::sequence::{entry, pair};
 
-/// A cycle of a tangential load in the plane, as the values (x, y) at the ends of its steps: forces or shifts, as the
-/// caller means them. It is a sequence of pairs.
+/// A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses them
+/// as forces or as shifts. A path is a sequence of pairs.
 ///
 /// Parameters
 /// ----------
@@ -42,21 +42,21 @@ impl LoadPath {
         Path::table(steps.0).or_raise(py).map(Self)
     }
 
-    /// To and fro along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from zero to the
-    /// amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
+    /// Returns a sinusoidal path along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from
+    /// zero to the amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
     #[staticmethod]
     fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::sine(amplitude.0, steps).or_raise(py).map(Self)
     }
 
-    /// To and fro along a line at a constant rate, in a multiple of four steps.
+    /// Returns a path back and forth along a line at a constant rate, in a multiple of four steps.
     #[staticmethod]
     fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::triangle(amplitude.0, steps).or_raise(py).map(Self)
     }
 
-    /// Around an ellipse of amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t + phase) along y (the phase in
-    /// radians), in a multiple of four steps.
+    /// Returns a path around an ellipse with the amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t +
+    /// phase) along y (the phase in radians), in a multiple of four steps.
     #[staticmethod]
     fn ellipse(
         py: Python<'_>,
@@ -69,20 +69,20 @@ impl LoadPath {
             .map(Self)
     }
 
-    /// The values of one cycle, of shape (steps, 2).
+    /// Values of one cycle, of shape (steps, 2).
     #[getter]
     fn steps<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let rows: Vec<Vec<f64>> = self.0.steps().iter().map(|step| step.to_vec()).collect();
         Ok(Array::of(PyArray2::from_vec2(py, &rows)?))
     }
 
-    /// The value where a cycle ends, and the next begins.
+    /// Value at the end of a cycle, where the next cycle starts.
     #[getter]
     fn end(&self) -> (f64, f64) {
         pair(self.0.end())
     }
 
-    /// The values of so many cycles, one after the other.
+    /// Returns the values of the given number of consecutive cycles.
     fn cycles(&self, count: usize) -> Vec<(f64, f64)> {
         self.0.cycles(count).map(pair).collect()
     }

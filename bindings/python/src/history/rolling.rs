@@ -1,4 +1,4 @@
-//! How the bodies roll in a step.
+//! Rolling during a step.
 
 use pyo3::prelude::*;
 use stickslip::Axis;
@@ -11,24 +11,24 @@ use crate::load::one_along;
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
 
-/// How the bodies roll in a step of a history: by how many cells, where their particles enter the contact, and what body 2
-/// moves over body 1 on the way. Without creepage and spin they roll freely.
+/// Rolling of the bodies in a step of a history: the number of cells, the edge where particles enter the contact, and the
+/// creepage of body 2 over body 1. Without creepage and spin, the bodies roll freely.
 ///
 /// Parameters
 /// ----------
 /// cells : int
-///     Cells by which the particles of both surfaces move through the contact, one or more.
+///     Number of cells by which the particles of both surfaces move through the contact, one or more.
 /// creepage : pair of float, optional
-///     The creepages along x and y, which body 2 moves over body 1 for each length rolled (dimensionless, default zero). A
-///     positive creepage causes a positive force. Along an axis of which the step names the force the creepage follows, and
-///     must not be given here.
+///     The creepages along x and y, the motion of body 2 over body 1 per unit length rolled (dimensionless, default
+///     zero). A positive creepage causes a positive force. Along an axis with a prescribed force, the creepage follows
+///     from the force and must not be given here.
 /// creepage_x, creepage_y : float, optional
-///     The same along one axis.
+///     Creepage along one axis.
 /// spin : float, default 0
-///     Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
-///     positive from x to y). The vector model alone has it.
+///     Rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
+///     positive from x to y). It requires the vector model.
 /// leading_edge : LeadingEdge or str, default "plus_x"
-///     Where particles enter the contact.
+///     The edge where particles enter the contact.
 ///
 /// Examples
 /// --------
@@ -79,7 +79,7 @@ impl Rolling {
     }
 }
 
-/// The call that makes it.
+/// Returns the constructor call as text.
 pub(crate) fn as_keywords(rolling: &Rolled) -> PyResult<String> {
     #[derive(serde::Deserialize)]
     struct Parts {

@@ -1,4 +1,4 @@
-//! States of histories: snapshots, bytes, files and pickles.
+//! States of histories as snapshots, bytes, files and pickles.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,22 +12,22 @@ use crate::history::{History, State};
 use crate::pickle::{Standalone, by_itself};
 use crate::work::unobserved_on;
 
-/// The class, the bodies and the bytes of a history.
+/// Class, bodies and bytes of a history.
 type Saved<'py> = (Bound<'py, PyType>, HalfSpace, Bound<'py, PyBytes>);
 
 #[pymethods]
 impl History {
-    /// A snapshot of the state.
+    /// Returns a snapshot of the state.
     fn state(&self) -> PyResult<State> {
         self.read(|history| State(Arc::new(history.state().clone())))
     }
 
-    /// Returns to a state, of this history or of another on equal bodies.
+    /// Restores a state of this history or of a history on equal bodies.
     fn set_state(&self, py: Python<'_>, state: &State) -> PyResult<()> {
         self.change(py, |history| history.set_state(&state.0))
     }
 
-    /// A history that continues from a state, on the bodies it belongs to.
+    /// Creates a history that continues from a state, on the bodies of that state.
     #[staticmethod]
     fn from_state(py: Python<'_>, bodies: &HalfSpace, state: &State) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
@@ -36,13 +36,13 @@ impl History {
         Ok(Self::of(history, bodies))
     }
 
-    /// Its bytes: all that the next step needs but the bodies.
+    /// Returns the state as bytes, with all data that the next step needs except the bodies.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = self.read(stickslip::History::to_bytes)?;
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// A history from its bytes, on the bodies it had; it continues to the same bits.
+    /// Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bodies: &HalfSpace, bytes: &[u8]) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
@@ -51,12 +51,12 @@ impl History {
         Ok(Self::of(history, bodies))
     }
 
-    /// Saves the state in a file, which is replaced as a whole or not at all.
+    /// Saves the state to a file. An existing file is replaced completely or not at all.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         self.read(|history| history.save(&path))?.or_raise(py)
     }
 
-    /// A history from a file of :meth:`save`, on the bodies it had.
+    /// Loads a history from a file written by :meth:`save`, on the same bodies.
     #[staticmethod]
     fn load(py: Python<'_>, bodies: &HalfSpace, path: PathBuf) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {

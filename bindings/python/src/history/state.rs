@@ -1,4 +1,4 @@
-//! The state of a history, as a value.
+//! Immutable states of a history.
 
 use std::sync::Arc;
 
@@ -18,36 +18,36 @@ use crate::pickle::{Standalone, by_itself};
 use crate::sequence::pair;
 use crate::settings::Settings;
 
-/// The class and the bytes of a state.
+/// Class and bytes of a state.
 type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 
-/// A state of a history: what to return to, to continue from, or to save. Arrays are read-only views of its memory,
-/// those of the zones a copy; vectors are (x, y).
+/// A state of a history, which can be restored, continued or saved. Arrays are read-only views of its memory, except for
+/// the zones, which are copies. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
 
 #[pymethods]
 impl State {
-    /// Its bytes, which this and later versions read.
+    /// Returns the state as bytes, which this and later versions can read.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         let bytes = py.detach(|| self.0.to_bytes());
         PyBytes::new(py, &bytes)
     }
 
-    /// A state from its bytes.
+    /// Restores a state from its bytes.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
         let state = stickslip::history::State::from_bytes(bytes).or_raise(py)?;
         Ok(Self(Arc::new(state)))
     }
 
-    /// The grid.
+    /// Grid of the fields.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Boundary condition at the edge of the grid.
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.0.boundary())
@@ -71,13 +71,13 @@ impl State {
         Settings(*self.0.settings())
     }
 
-    /// The friction.
+    /// The friction of the history.
     #[getter]
     fn friction(&self) -> Friction {
         Friction(self.0.friction().clone())
     }
 
-    /// The largest pressure of the cells, if it is limited.
+    /// The largest pressure of the cells; ``None`` if it is not limited.
     #[getter]
     fn hardness(&self) -> Option<Hardness> {
         self.0.hardness().cloned().map(Hardness)
@@ -90,38 +90,38 @@ impl State {
         Some(fields.map(|field| copy(slf.py(), field)).into())
     }
 
-    /// How deep the surfaces have yielded since the start (lengths, not negative); ``None`` unless that stays.
+    /// Yielded depth of the surfaces since the start (lengths, not negative); ``None`` without a permanent set.
     #[getter]
     fn yielded<'py>(slf: &Bound<'py, Self>) -> Option<Array<'py>> {
         let field = slf.get().0.yielded()?;
         Some(copy(slf.py(), field))
     }
 
-    /// The gap before loading (lengths), as last set, with what the surfaces have yielded.
+    /// The gap before loading (lengths), as last set, plus the yielded depth.
     #[getter]
     fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.gap())
     }
 
-    /// How far a cell that comes into contact within a step follows its motion.
+    /// Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
     #[getter]
     fn entry_rule(&self) -> Choice<stickslip::history::EntryRule> {
         Choice(self.0.entry_rule())
     }
 
-    /// How much is modelled of the coupling between pressure and traction.
+    /// Coupling between pressure and traction in the model.
     #[getter]
     fn coupling(&self) -> Choice<stickslip::Coupling> {
         Choice(self.0.coupling())
     }
 
-    /// Whether the pressure is still that of an older gap.
+    /// Whether the pressure was computed for an earlier gap.
     #[getter]
     fn is_pressure_stale(&self) -> bool {
         self.0.is_pressure_stale()
     }
 
-    /// The normal contact, which shares the memory of the state.
+    /// The normal solution, which shares the memory of the state.
     #[getter]
     fn normal(&self) -> NormalSolution {
         NormalSolution::of_state(&self.0)
@@ -133,7 +133,7 @@ impl State {
         view(slf, |state| state.0.pressure())
     }
 
-    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive; a copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.pressure())
@@ -175,7 +175,7 @@ impl State {
         view(slf, |state| state.0.dissipated_energy())
     }
 
-    /// The zone of every cell: 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell: 0 separated, 1 stick, 2 slip.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.grid(), self.0.zones())
@@ -205,7 +205,7 @@ impl State {
         self.0.moment()
     }
 
-    /// Steps taken since the start.
+    /// Number of steps since the start.
     #[getter]
     fn steps(&self) -> u64 {
         self.0.steps()

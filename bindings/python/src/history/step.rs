@@ -1,4 +1,4 @@
-//! What a step of a history did.
+//! Results of a step of a history.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::pickle::{Reduced, Stored, reduced};
 use crate::report::{Report, Warning, remarks};
 use crate::sequence::pair;
 
-/// The numbers of a step.
+/// Scalar results of a step.
 #[derive(PartialEq)]
 pub(super) struct Numbers {
     energy: stickslip::history::EnergyBalance,
@@ -51,9 +51,9 @@ impl Numbers {
     }
 }
 
-/// Where its fields are.
+/// Location of the fields of a step.
 enum Fields {
-    /// With the history, until it takes another step.
+    /// Fields stored in the history, valid until its next step.
     Last {
         history: Py<History>,
         number: u64,
@@ -61,9 +61,9 @@ enum Fields {
     Kept(Arc<stickslip::history::StepResult>),
 }
 
-/// What a step of a history did: its numbers, and its fields for as long as it is the last one, also after a step that
-/// failed; after an attempt of :class:`AdaptiveSteps` that failed, the last step is that of the attempt. :meth:`keep` copies
-/// them, for good. Vectors are (x, y).
+/// Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
+/// the history, also after a failed step. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last step.
+/// :meth:`keep` copies the fields permanently. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,
@@ -71,7 +71,7 @@ pub(crate) struct StepResult {
 }
 
 impl StepResult {
-    /// The last step of a history, under the number by which that knows it.
+    /// Returns the last step of a history, with the number under which the history counts it.
     pub(crate) fn last(
         step: &stickslip::history::StepResult,
         history: Py<History>,
@@ -89,7 +89,7 @@ impl StepResult {
         self.numbers.warnings.clone()
     }
 
-    /// Its fields read, wherever they are.
+    /// Reads the fields, wherever they are stored.
     fn read<T>(
         &self,
         py: Python<'_>,
@@ -132,7 +132,7 @@ impl Stored for StepResult {
 
 #[pymethods]
 impl StepResult {
-    /// The same with a copy of the fields, which stay when the history goes on.
+    /// Returns the same result with a copy of the fields, which remain available when the history continues.
     fn keep(&self, py: Python<'_>) -> PyResult<Self> {
         let step = match &self.fields {
             Fields::Kept(step) => Arc::clone(step),
@@ -156,68 +156,68 @@ impl StepResult {
         Self::field(slf, |step| step.slip_distance())
     }
 
-    /// Energy that each cell dissipates, by its traction at the end (forces times lengths, not negative).
+    /// Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
     #[getter]
     fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipated_energy())
     }
 
-    /// Energy that each cell dissipates, by the mean of its tractions before and after (forces times lengths).
+    /// Energy dissipated in each cell, from the mean of its tractions before and after the step (forces times lengths).
     #[getter]
     fn dissipated_energy_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipated_energy_midpoint())
     }
 
-    /// Work, elastic energy and dissipation.
+    /// Work, elastic energy and dissipation of the step.
     #[getter]
     fn energy(&self) -> EnergyBalance {
         EnergyBalance(self.numbers.energy)
     }
 
-    /// Normal force at its end.
+    /// Normal force at the end of the step.
     #[getter]
     fn normal_force(&self) -> f64 {
         self.numbers.normal_force
     }
 
-    /// Approach at its end (a length).
+    /// Approach at the end of the step (a length).
     #[getter]
     fn approach(&self) -> f64 {
         self.numbers.approach
     }
 
-    /// Tangential force on body 1 along x and y at its end.
+    /// Tangential force on body 1 along x and y at the end of the step.
     #[getter]
     fn tangential_force(&self) -> (f64, f64) {
         pair(self.numbers.force)
     }
 
-    /// Moment about z at its end (a force times a length, positive from x to y).
+    /// Moment about z at the end of the step (a force times a length, positive from x to y).
     #[getter]
     fn moment(&self) -> f64 {
         self.numbers.moment
     }
 
-    /// Shift of body 2 relative to body 1 along x and y at its end (lengths).
+    /// Shift of body 2 relative to body 1 along x and y at the end of the step (lengths).
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.numbers.shift)
     }
 
-    /// Rotation at its end (radians, positive from x to y).
+    /// Rotation at the end of the step (radians, positive from x to y).
     #[getter]
     fn twist(&self) -> f64 {
         self.numbers.twist
     }
 
-    /// The creepages along x and y of a step that rolled, prescribed or caused by the force (dimensionless); ``None`` if it
-    /// did not roll.
+    /// The creepages along x and y of a rolling step, prescribed or caused by the force (dimensionless); ``None`` without
+    /// rolling.
     #[getter]
     fn creepage(&self) -> Option<(f64, f64)> {
         self.numbers.creepage.map(pair)
     }
 
-    /// Stick cells over contact cells at its end.
+    /// Ratio of stick cells to contact cells at the end of the step.
     #[getter]
     fn stick_ratio(&self) -> f64 {
         self.numbers.stick_ratio
@@ -229,21 +229,21 @@ impl StepResult {
         self.numbers.is_gross_slip
     }
 
-    /// How the normal contact was solved; ``None`` if the pressure was held.
+    /// Report of the normal solve; ``None`` if the pressure was held constant.
     #[getter]
     fn normal_report(&self) -> Option<Report> {
         self.numbers.normal_report.clone().map(Report)
     }
 
-    /// How the tangential contact was solved; ``None`` before anything has touched.
+    /// Report of the tangential solve; ``None`` before the first contact.
     #[getter]
     fn tangential_report(&self) -> Option<Report> {
         self.numbers.tangential_report.clone().map(Report)
     }
 
-    /// Remarks on the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-    /// ``single_load_step`` and those on contacts and zones of too few cells. Warnings of
-    /// contact spots are in ``history.normal.warnings``: a step does not search for spots.
+    /// Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
+    /// ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots are
+    /// in ``history.normal.warnings``, since a step does not search for spots.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.warnings_of())

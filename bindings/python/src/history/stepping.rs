@@ -20,27 +20,27 @@ use crate::work::solve;
 
 #[pymethods]
 impl History {
-    /// Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held. Dissimilar bodies are pressed by
-    /// :meth:`press`.
+    /// Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held constant.
+    /// Dissimilar bodies must be pressed by :meth:`press`.
     ///
-    /// A step without a tangential load holds the shift, not the tangential force. The force falls where a lighter pressure or
-    /// less friction cannot carry it: name the force in each step to keep it.
+    /// A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
+    /// pressure or friction cannot carry it. To keep the force constant, prescribe it in each step.
     ///
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
     ///     The step as an object, instead of by keywords.
     /// normal_force, approach, force, shift, spring, force_x, ..., roll : optional
-    ///     As of :class:`LoadStep`.
+    ///     See :class:`LoadStep`.
     /// progress : callable or bool, optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     /// warn : bool, default True
-    ///     Whether the remarks on the step go to ``warnings`` too, each kind once a place.
+    ///     Whether the warnings of the step are also issued through ``warnings``, each kind once per location.
     ///
     /// Returns
     /// -------
     /// StepResult
-    ///     Its fields last until the next step; see :meth:`StepResult.keep`.
+    ///     The result, whose fields are available until the next step; see :meth:`StepResult.keep`.
     ///
     /// Raises
     /// ------
@@ -96,26 +96,26 @@ impl History {
         Ok(step)
     }
 
-    /// Takes a load in as many steps of equal growth of the contact as a tolerance needs. A contact of dissimilar bodies must
-    /// be pressed so: which cells stick and slip depends on how the contact grows.
+    /// Applies a load in as many steps of equal growth of the contact as a tolerance requires. A contact of dissimilar
+    /// bodies must be pressed in this way, because the stick and slip zones depend on the growth of the contact.
     ///
-    /// It takes the load in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from those of half as many
-    /// steps by no more than the tolerance. A call that fails, or that Ctrl-C ends, leaves the state unchanged; the last step is
-    /// then the last one that succeeded.
+    /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
+    /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
+    /// leaves the state unchanged; the last step is then the last step that succeeded.
     ///
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
-    ///     The load as an object, instead of by keywords; all that it prescribes is reached in proportion.
+    ///     The load as an object, instead of by keywords. All prescribed quantities are approached proportionally.
     /// tolerance : float
-    ///     Largest sum of the lengths of the differences of the tractions, over the sum of the friction limits, in (0, 1):
-    ///     0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
+    ///     Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
+    ///     1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
     /// normal_force, approach : optional
-    ///     As of :class:`LoadStep`.
+    ///     See :class:`LoadStep`.
     /// progress : callable or bool, optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     /// warn : bool, default True
-    ///     If true, the warnings of the last step are issued through ``warnings`` too.
+    ///     Whether the warnings of the last step are also issued through ``warnings``.
     ///
     /// Returns
     /// -------
@@ -125,7 +125,7 @@ impl History {
     /// Raises
     /// ------
     /// Tolerance, StepTooLong
-    ///     And what :meth:`step` raises.
+    ///     In addition to the exceptions of :meth:`step`.
     #[pyo3(signature = (load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=true))]
     fn press<'py>(
         slf: &Bound<'py, Self>,
@@ -155,21 +155,21 @@ impl History {
         Ok(steps)
     }
 
-    /// Takes a step of each of many histories, at once.
+    /// Takes one step of each of several histories in parallel.
     ///
     /// Parameters
     /// ----------
     /// histories : sequence of History
-    ///     Each named once.
+    ///     The histories, each listed once.
     /// loads : sequence of LoadStep
-    ///     One of each history.
+    ///     One load per history.
     /// warn : bool, default True
-    ///     Whether the remarks on the steps go to ``warnings`` too, each kind once a place.
+    ///     Whether the warnings of the steps are also issued through ``warnings``, each kind once per location.
     ///
     /// Returns
     /// -------
     /// list of (int, StickslipError)
-    ///     The places and errors of those whose step has failed; they are as they were.
+    ///     Indices and errors of the histories whose step failed; these histories are unchanged.
     ///
     /// Raises
     /// ------
@@ -196,7 +196,7 @@ impl History {
         }
         let mut places = Vec::with_capacity(histories.len());
         for history in &histories {
-            // One that is named twice is in use by its first step.
+            // A history that is listed twice is already locked by its first step.
             places.push(lock(&history.get().work, NAME)?);
         }
         let cells = histories.iter().map(|history| history.get().cells()).sum();
@@ -232,7 +232,7 @@ impl History {
             .collect())
     }
 
-    /// What the last step did.
+    /// Result of the last step.
     #[getter]
     fn last_step(slf: &Bound<'_, Self>) -> PyResult<StepResult> {
         let work = lock(&slf.get().work, NAME)?;

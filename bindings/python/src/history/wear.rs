@@ -1,4 +1,4 @@
-//! Laws of wear, and jumps over cycles.
+//! Wear laws and jumps over cycles.
 
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::history::Cycle;
 use crate::real::Real;
 use crate::work::unobserved_on;
 
-/// A coefficient of wear as the crate takes it.
+/// Returns a wear coefficient in the form required by the crate.
 fn coefficient_of(given: &Spread) -> Coefficient<'_> {
     match given {
         Spread::Uniform(value) => Coefficient::Uniform(*value),
@@ -24,10 +24,10 @@ fn coefficient_of(given: &Spread) -> Coefficient<'_> {
     }
 }
 
-/// What the coefficient is called in messages.
+/// Noun for the coefficient in messages.
 const COEFFICIENT: &str = "coefficient of wear";
 
-/// The depth before, zero if none is given, which the laws add to.
+/// Returns the previous depth, to which the laws add, or zero if none is given.
 fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) -> PyResult<Field> {
     match depth {
         None => Ok(Field::zeros(grid)),
@@ -35,7 +35,7 @@ fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) ->
     }
 }
 
-/// The grid of fields whose cells do not matter: that which is known, or else one of unit cells.
+/// Returns the grid of fields whose cell sizes are irrelevant: a known grid, or a grid of unit cells.
 fn of_any_cells(
     py: Python<'_>,
     grid: Option<&Grid>,
@@ -47,24 +47,24 @@ fn of_any_cells(
     }
 }
 
-/// Archard's law: the depth ``coefficient * pressure * slip_distance`` (lengths).
+/// Computes the wear depth by Archard's law, ``coefficient * pressure * slip_distance`` (lengths).
 ///
 /// Parameters
 /// ----------
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     Volume removed per normal force and sliding distance, of the body or the sum of both (one over a pressure), not
+///     Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
 ///     negative.
 /// pressure, slip_distance : Field or array_like of shape (ny, nx)
-///     Pressure, and the length that each cell slipped under it (lengths), not negative: those of a step or of a cycle.
+///     Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
 /// depth : Field or array_like of shape (ny, nx), optional
-///     What has been removed before (lengths), which is added; zero by default.
+///     Depth removed before (lengths), to which the result is added; zero by default.
 /// grid : Grid, optional
-///     That of arrays, which do not know theirs; the law does not depend on the size of the cells, and needs none.
+///     The grid of arrays; not required, since the law does not depend on the size of the cells.
 ///
 /// Returns
 /// -------
 /// ndarray of shape (ny, nx)
-///     Depths (lengths).
+///     Wear depths (lengths).
 ///
 /// Raises
 /// ------
@@ -90,23 +90,23 @@ pub(crate) fn archard<'py>(
     Ok(copy(py, &worn))
 }
 
-/// The energy law: the depth ``coefficient * energy / cell area`` (lengths).
+/// Computes the wear depth by the energy law, ``coefficient * energy / cell area`` (lengths).
 ///
 /// Parameters
 /// ----------
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     Volume removed per energy dissipated, of the body or the sum of both (one over a pressure), not negative.
+///     Volume removed per dissipated energy, of one body or of both together (one over a pressure), not negative.
 /// energy : Field or array_like of shape (ny, nx)
-///     Dissipated by each cell in a step or a cycle (forces times lengths), not negative.
+///     Energy dissipated in each cell in a step or a cycle (forces times lengths), not negative.
 /// depth : optional
-///     As of :func:`archard`.
+///     See :func:`archard`.
 /// grid : Grid, optional
-///     Needed where no Field is given, for the area of a cell: ``history.grid``.
+///     Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
 ///
 /// Returns
 /// -------
 /// ndarray of shape (ny, nx)
-///     Depths (lengths).
+///     Wear depths (lengths).
 ///
 /// Raises
 /// ------
@@ -130,27 +130,27 @@ pub(crate) fn energy<'py>(
     Ok(copy(py, &worn))
 }
 
-/// The energy law beyond a threshold: what a step or a cycle adds to ``coefficient * max(0, accumulated / cell area -
-/// threshold)`` (lengths).
+/// Computes the wear depth by the energy law with a threshold: the increase of ``coefficient * max(0, accumulated / cell
+/// area - threshold)`` in a step or a cycle (lengths).
 ///
 /// Parameters
 /// ----------
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     As of :func:`energy`.
+///     See :func:`energy`.
 /// threshold : float
-///     The energy per area that wears nothing, not negative.
+///     The energy per area up to which there is no wear, not negative.
 /// accumulated, energy : Field or array_like of shape (ny, nx)
-///     Dissipated by each cell since the start, this step or cycle included, and in this one (forces times lengths), not
-///     negative.
+///     Energy dissipated in each cell since the start including this step or cycle, and in this step or cycle alone
+///     (forces times lengths), not negative.
 /// depth : optional
-///     As of :func:`archard`.
+///     See :func:`archard`.
 /// grid : Grid, optional
-///     Needed where no Field is given, for the area of a cell: ``history.grid``.
+///     Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
 ///
 /// Returns
 /// -------
 /// ndarray of shape (ny, nx)
-///     Depths (lengths).
+///     Wear depths (lengths).
 ///
 /// Raises
 /// ------
@@ -183,24 +183,25 @@ pub(crate) fn threshold_energy<'py>(
     Ok(copy(py, &worn))
 }
 
-/// Cycles whose wear by Archard's law may be taken off at once before the pressure swings without end:
-/// ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of wear k and slip s.
+/// Returns the number of cycles whose wear by Archard's law can be removed in one update before the pressure oscillates
+/// with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of
+/// wear k and slip s.
 ///
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
 ///     The two bodies and the grid.
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     As of :func:`archard`, the sum of both bodies (one over a pressure); for the energy law its coefficient times that of
-///     friction.
+///     Coefficient of :func:`archard` for both bodies together (one over a pressure). For the energy law, pass its
+///     coefficient times the coefficient of friction.
 /// slip_distance : Field or array_like of shape (ny, nx)
-///     The length that each cell slips in one cycle (lengths), not negative: :attr:`Cycle.slip_distance`.
+///     Length of the slip path of each cell in one cycle (lengths), not negative: :attr:`Cycle.slip_distance`.
 ///
 /// Returns
 /// -------
 /// float
-///     A number of cycles, not rounded; infinite where nothing slips. No pattern of pressure changes sign below half of it,
-///     where :class:`CycleJump` stays.
+///     The number of cycles, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of
+///     pressure changes sign; :class:`CycleJump` remains below this limit.
 ///
 /// Raises
 /// ------
@@ -229,22 +230,23 @@ pub(crate) fn max_stable_cycles(
     })
 }
 
-/// How many cycles to jump over: as many as a cycle's wear may be taken off at once, without the pressure swinging.
+/// Number of cycles to jump over: the largest number for which the wear of a cycle can be multiplied without oscillations
+/// of the pressure.
 ///
 /// Parameters
 /// ----------
 /// bodies : HalfSpace
 ///     The two bodies and the grid.
 /// cycle : Cycle
-///     The cycle that stands for those jumped over.
+///     The cycle that represents the skipped cycles.
 /// depth : Field or array_like of shape (ny, nx)
-///     What the cycle removed, of both bodies together (lengths), not negative.
+///     Depth that the cycle removed from both bodies together (lengths), not negative.
 /// largest_depth : float, optional
-///     The most that a jump may remove in any cell (a length); without limit by default.
+///     The largest depth that a jump may remove in any cell (a length); no limit by default.
 /// max_residual : float, default 0.25
-///     The largest :attr:`Cycle.cyclic_residual` of a cycle that may stand for those that follow.
+///     The largest :attr:`Cycle.cyclic_residual` of a cycle that may represent the following cycles.
 /// cycles_left : float, optional
-///     The most cycles to jump over; without limit by default.
+///     The largest number of cycles to jump over; no limit by default.
 ///
 /// Raises
 /// ------
@@ -281,7 +283,7 @@ impl CycleJump {
         Ok(Self(jump))
     }
 
-    /// The cycles to jump over, not rounded; infinite without a limit.
+    /// Returns the number of cycles to jump over, not rounded; infinite without a limit.
     ///
     /// Raises
     /// ------

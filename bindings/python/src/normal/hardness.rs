@@ -1,4 +1,4 @@
-//! The largest pressure that bodies carry.
+//! Largest pressure that the bodies can carry.
 
 use std::sync::Arc;
 
@@ -13,15 +13,14 @@ use crate::grid::Grid;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
 
-/// The largest pressure that the softer body carries, of all cells or of each. Cells at it yield.
+/// The largest pressure that the softer body can carry, for all cells or for each cell. Cells at this pressure yield.
 ///
 /// Parameters
 /// ----------
 /// limit : float, Field or array_like of shape (ny, nx)
-///     The largest pressure: a positive number, or one of each cell that is not negative; where it is zero nothing is
-///     carried.
+///     The largest pressure: one positive number, or one number per cell, not negative. A cell with zero carries no load.
 /// grid : Grid, optional
-///     Where an array lives; a Field knows it.
+///     Grid of the limits; required for an array, since a Field has its own grid.
 ///
 /// Raises
 /// ------
@@ -45,17 +44,17 @@ impl Hardness {
         hardness.map(Self)
     }
 
-    /// The largest pressure of a cell (row-major index); NaN beyond the limits.
+    /// Returns the largest pressure of a cell (row-major index); NaN if the index is out of range.
     fn of_cell(&self, index: usize) -> f64 {
         self.0.of_cell(index)
     }
 
-    /// The largest normal force that the cells of a grid carry.
+    /// Returns the largest normal force that the cells of a grid can carry.
     fn capacity(&self, grid: &Grid) -> f64 {
         self.0.capacity(grid.0)
     }
 
-    /// By how much the surfaces of a solved contact overlap where its pressure is at the limit (lengths).
+    /// Returns the overlap of the surfaces of a solved contact in cells whose pressure is at the limit (lengths).
     fn overlap(&self, py: Python<'_>, contact: &NormalSolution) -> PyResult<Field> {
         self.0.overlap(contact.get()).or_raise(py).map(Into::into)
     }
@@ -72,7 +71,7 @@ impl Hardness {
 picklable!(Hardness: Limit);
 
 argument! {
-    /// What is taken for a hardness: a hardness, a pressure, or one of each cell.
+    /// Argument that is converted to a hardness: a Hardness, one pressure, or one pressure per cell.
     AnyHardness: Hardness; "float"
 }
 

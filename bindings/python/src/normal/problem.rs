@@ -1,4 +1,4 @@
-//! A normal contact to be solved.
+//! Normal contact problems.
 
 use std::sync::Arc;
 
@@ -27,15 +27,15 @@ use crate::work::unobserved_on;
 /// gap : Field or array_like of shape (ny, nx)
 ///     The gap before loading (lengths). An array is copied, a Field is shared.
 /// force, approach : float
-///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-///     positive when they come together). On a grid that repeats along x and y the approach is the mean of the initial gap
-///     less that of the gap under load, and must stay below the mean gap.
+///     Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+///     (a length, positive when they move together). On a grid that is periodic along x and y, the approach is the mean
+///     initial gap minus the mean gap under load, and must be less than the mean initial gap.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
-///     The largest pressure that the cells carry; no limit by default.
+///     The largest pressure that the cells can carry; no limit by default.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -104,15 +104,15 @@ impl NormalProblem {
         })
     }
 
-    /// Solves once.
+    /// Solves the problem once.
     ///
     /// Parameters
     /// ----------
     /// progress : callable or bool, optional
-    ///     Called with an :class:`Iteration` before each product; what it raises ends the solve. ``True`` shows a bar of
-    ///     tqdm.
+    ///     A function that is called with an :class:`Iteration` before each product; an exception in it ends the solve.
+    ///     ``True`` shows a progress bar of tqdm.
     /// warn : bool, default True
-    ///     Whether the remarks of the solution go to ``warnings`` too, each kind once a place.
+    ///     Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
     ///
     /// Returns
     /// -------
@@ -121,7 +121,7 @@ impl NormalProblem {
     /// Raises
     /// ------
     /// NotConverged
-    ///     With ``report`` and ``last_iterate``.
+    ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -133,7 +133,7 @@ impl NormalProblem {
         solve_once(py, self.gap.grid().cells(), solver, progress, warn)
     }
 
-    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     pub(super) fn solver(&self, py: Python<'_>) -> PyResult<NormalSolver> {
         let solver = || self.problem.clone().into_solver();
         NormalSolver::of(py, solver, self.load, Arc::clone(&self.gap))

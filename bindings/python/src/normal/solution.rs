@@ -1,4 +1,4 @@
-//! The solution of a normal contact.
+//! Solutions of normal contacts.
 
 use std::sync::Arc;
 
@@ -19,15 +19,15 @@ use crate::spots::ContactSpots;
 use crate::stiffness::NormalStiffness;
 use crate::work::{observed_on, unobserved_on, watch};
 
-/// What owns a normal solution.
+/// Owner of a normal solution.
 enum Source {
     Own(Arc<stickslip::NormalSolution>),
     OfCoupled(Arc<stickslip::CoupledSolution>),
     OfState(Arc<stickslip::history::State>),
 }
 
-/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two are equal if their answers
-/// are, however they were found.
+/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
+/// their solutions are equal, whatever the iterations were.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalSolution(Source);
 
@@ -67,7 +67,7 @@ impl Stored for NormalSolution {
 
 #[pymethods]
 impl NormalSolution {
-    /// The grid of its fields.
+    /// Grid of the fields.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.get().grid())
@@ -79,14 +79,14 @@ impl NormalSolution {
         view(slf, |solution| solution.get().pressure())
     }
 
-    /// Gap under load (lengths), shape (ny, nx): zero in the contact up to the residual, negative where cells yield.
+    /// Gap under load (lengths), shape (ny, nx): zero in the contact up to the residual, negative in cells that yield.
     #[getter]
     fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |solution| solution.get().gap())
     }
 
-    /// Approach of the bodies from the datum of the initial gap (a length). On a grid that repeats along x and y: the mean of
-    /// the initial gap less that of the gap under load.
+    /// Approach of the bodies from the datum of the initial gap (a length). On a grid that is periodic along x and y, it
+    /// is the mean initial gap minus the mean gap under load.
     #[getter]
     fn approach(&self) -> f64 {
         self.get().approach()
@@ -104,14 +104,14 @@ impl NormalSolution {
         pair(self.get().moments())
     }
 
-    /// Where the normal force acts (lengths); ``None`` without contact.
+    /// Point where the normal force acts (lengths); ``None`` without contact.
     #[getter]
     fn centre_of_pressure(&self) -> Option<(f64, f64)> {
         self.get().centre_of_pressure().map(pair)
     }
 
-    /// Whether a cell is in contact, booleans of shape (ny, nx): its pressure is positive. They are what ``contact_cells``
-    /// and ``contact_area`` count; a copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. The properties
+    /// ``contact_cells`` and ``contact_area`` count these cells. A copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.get().pressure())
@@ -123,58 +123,59 @@ impl NormalSolution {
         self.get().contact_cells()
     }
 
-    /// Contact area by counting cells: that of the discrete contact, on which ``mean_pressure``, the stick ratio and the areas
-    /// of spots are based. It reads high, by about 0.3 cell sides over the contact radius.
+    /// Contact area from counting cells. The properties ``mean_pressure``, the stick ratio and the areas of spots are
+    /// based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
+    /// contact radius.
     #[getter]
     fn contact_area(&self) -> f64 {
         self.get().contact_area()
     }
 
-    /// Contact area less the excess of counting along the perimeter: the one to compare with theory and with other grids,
-    /// nearer to the continuum by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
+    /// Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
+    /// with other grids; its error is smaller by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
     #[getter]
     fn contact_area_corrected(&self) -> f64 {
         self.get().contact_area_corrected()
     }
 
-    /// Sides of the contact's bounding box along x and y (lengths); ``None`` without contact.
+    /// Sides of the bounding box of the contact along x and y (lengths); ``None`` without contact.
     #[getter]
     fn contact_extent(&self) -> Option<(f64, f64)> {
         self.get().contact_extent().map(pair)
     }
 
-    /// Normal force over contact area; zero without contact.
+    /// Ratio of normal force to contact area; zero without contact.
     #[getter]
     fn mean_pressure(&self) -> f64 {
         self.get().mean_pressure()
     }
 
-    /// Cells at their hardness.
+    /// Number of cells at their hardness.
     #[getter]
     fn yielded_cells(&self) -> usize {
         self.get().yielded_cells()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Boundary condition at the edge of the grid.
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.get().boundary())
     }
 
-    /// The meaning of the value of a cell.
+    /// Meaning of the value of a cell.
     #[getter]
     fn cell_value(&self) -> Choice<stickslip::CellValue> {
         Choice(self.get().cell_value())
     }
 
-    /// An estimate of the discretisation error of the pressure: the sum over the cells of its differences from the exact means,
-    /// relative to the sum of the pressure; ``None`` without contact.
+    /// Estimate of the discretisation error of the pressure: the sum of the absolute differences from the exact cell
+    /// means, relative to the sum of the pressure; ``None`` without contact, or for one slab of a distributed grid.
     #[getter]
     fn discretisation_estimate(&self) -> Option<f64> {
         self.get().discretisation_estimate()
     }
 
-    /// The edge of the contact inside the cells, and the pressure there.
+    /// Returns the edge of the contact inside the cells, and the pressure there.
     fn edges(&self, py: Python<'_>) -> PyResult<Edges> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.edges()).map(Edges)
@@ -186,40 +187,41 @@ impl NormalSolution {
         self.get().pair().into()
     }
 
-    /// How the solve ended, what it cost, how large its error can be.
+    /// Termination, cost and error bound of the solve.
     #[getter]
     fn report(&self) -> Report {
         Report::of(self.get().report())
     }
 
-    /// Remarks on a result that may mislead; empty if there are none.
+    /// Warnings about a result that might mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.get().warnings())
     }
 
-    /// The contact spots, one by one. All ranks that share the contact ask for them.
+    /// The individual contact spots. With distributed bodies, the call is collective.
     #[getter]
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.try_spots()).map(ContactSpots::of)
     }
 
-    /// Normal displacement of all cells by the pressure, that of body 1 plus that of body 2 (lengths, positive where the
-    /// surfaces give way), shape (ny, nx): one product.
+    /// Computes the normal displacement of all cells due to the pressure, summed over both bodies (lengths, positive into
+    /// each body), shape (ny, nx). The cost is one product.
     fn displacement<'py>(&self, py: Python<'py>, bodies: &HalfSpace) -> PyResult<Array<'py>> {
         let solution = self.get();
         let moved = unobserved_on(py, solution.grid(), || solution.displacement(&bodies.0))?;
         Ok(copy(py, &moved))
     }
 
-    /// Elastic energy of the normal contact (a force times a length): one product.
+    /// Computes the elastic energy of the normal contact (a force times a length). The cost is one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.elastic_energy(&bodies.0))
     }
 
-    /// The normal stiffness, the slope of the force by the approach (a force over a length): one solve on the contact cells.
+    /// Computes the normal stiffness, the derivative of the force with respect to the approach (a force over a length).
+    /// The cost is one solve on the contact cells.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
         let solution = self.get();
         let found = observed_on(py, solution.grid(), |observer| {

@@ -1,4 +1,4 @@
-//! Normal contacts solved again and again.
+//! Reusable solvers of normal contacts.
 
 use std::sync::{Arc, Mutex};
 
@@ -16,10 +16,10 @@ use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
 use crate::work::unobserved_on;
 
-/// Solves normal contacts on one grid again and again, each time from the last answer. Takes what
-/// :class:`NormalProblem` takes; load and gap may change between calls.
+/// Solves normal contacts on one grid repeatedly, each time from the last solution. The arguments are those of
+/// :class:`NormalProblem`; load and gap may change between calls.
 ///
-/// One thread at a time may use it. The memory of a solution that nobody holds any more is used again.
+/// One thread at a time may use a solver. The memory of a solution is reused once the caller has dropped it.
 ///
 /// Examples
 /// --------
@@ -32,14 +32,14 @@ use crate::work::unobserved_on;
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<SolverArguments>);
 
-/// What is solved for.
+/// Load and gap of the problem to be solved.
 struct SolverArguments {
     load: NormalControl,
     gap: Arc<stickslip::Field>,
 }
 
 impl SolverArguments {
-    /// Sets the load, the gap or both; what is refused leaves both as they were.
+    /// Sets the load, the gap or both; if one is rejected, both remain unchanged.
     fn set(
         &mut self,
         solver: &mut stickslip::NormalSolver,
@@ -68,7 +68,8 @@ impl SolverArguments {
         Ok(())
     }
 
-    /// Sets both, each checked with the other and not with what was set before: no force presses any gap.
+    /// Sets both. Each is checked together with the other and not with the previous data; zero force is valid with any
+    /// gap.
     fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
         solver.set_load(NormalControl::Force(0.0))?;
         solver.set_gap(&self.gap)?;
@@ -87,7 +88,7 @@ impl NormalSolver {
         Ok(Self(solver, Mutex::new(SolverArguments { load, gap })))
     }
 
-    /// A copy of the solver of the crate.
+    /// Returns a copy of the solver of the crate.
     pub(crate) fn copied(&self) -> PyResult<stickslip::NormalSolver> {
         self.0.with(|solver| solver.clone())
     }
@@ -149,16 +150,16 @@ impl NormalSolver {
         problem.solver(py)
     }
 
-    /// Solves, for this load and gap if they are given, else for the last ones.
+    /// Solves for the given load and gap; an omitted load or gap keeps its last value.
     ///
     /// Parameters
     /// ----------
     /// force, approach : float, optional
-    ///     At most one of the two, as of :class:`NormalProblem`.
+    ///     At most one of the two; see :class:`NormalProblem`.
     /// gap : Field or array_like of shape (ny, nx), optional
     ///     The gap before loading (lengths); copied.
     /// progress, warn : optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     ///
     /// Returns
     /// -------
@@ -167,9 +168,9 @@ impl NormalSolver {
     /// Raises
     /// ------
     /// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
-    ///     For load and gap; both are then as they were.
+    ///     If load or gap are invalid; both are then unchanged.
     /// NotConverged
-    ///     With ``report`` and ``last_iterate``.
+    ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -194,7 +195,7 @@ impl NormalSolver {
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Changes the load of the next solve.
+    /// Sets the load of the next solve.
     #[pyo3(signature = (*, force=None, approach=None))]
     fn set_load(
         &self,
@@ -205,7 +206,7 @@ impl NormalSolver {
         self.change(py, Some(load::needed(force, approach)?), None)
     }
 
-    /// Changes the gap of the next solve, as wear does.
+    /// Sets the gap of the next solve, for example after wear.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         self.change(py, None, Some(gap))
     }

@@ -1,4 +1,4 @@
-//! Explicit matrices.
+//! Operators with an explicit matrix.
 
 use std::sync::Arc;
 
@@ -15,12 +15,12 @@ use crate::operator::{LinearOperator, numbers};
 use crate::real::Real;
 use crate::work::{unobserved, unobserved_on};
 
-/// An explicit square matrix, of at most 4096 unknowns.
+/// An explicit square matrix with at most 4096 unknowns.
 ///
 /// Parameters
 /// ----------
 /// rows : array_like of shape (n, n)
-///     Symmetric.
+///     The entries of the symmetric matrix.
 ///
 /// Raises
 /// ------
@@ -38,7 +38,7 @@ impl DenseOperator {
         Ok(Self::of(matrix.or_raise(py)?))
     }
 
-    /// The matrix of one influence coefficient between all cells of a half-space.
+    /// Creates the matrix of one influence coefficient between all cells of a half-space.
     #[staticmethod]
     fn of_half_space(
         py: Python<'_>,
@@ -51,19 +51,19 @@ impl DenseOperator {
         Py::new(py, Self::of(matrix))
     }
 
-    /// The entry of a row and a column; ``None`` outside the matrix.
+    /// Returns the entry of a row and a column; ``None`` outside the matrix.
     fn get(&self, row: usize, column: usize) -> Option<f64> {
         self.0.get(row, column)
     }
 
-    /// Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given, directly.
+    /// Minimises ``x'Cx/2 + linear'x`` within bounds, with ``sum(x) = total`` if given, by a direct method.
     ///
     /// Parameters
     /// ----------
     /// linear : array_like
-    ///     As many numbers as there are unknowns.
+    ///     The linear term, one number per unknown.
     /// lower, upper : float or array_like, optional
-    ///     Bounds of the unknowns; 0 and infinity by default.
+    ///     Bounds of the unknowns; zero and infinity by default.
     /// total : float, optional
     ///     Sum of the unknowns; free by default.
     ///
@@ -107,7 +107,7 @@ impl DenseOperator {
     }
 }
 
-/// What a direct minimisation found.
+/// Result of a direct minimisation.
 #[pyclass(frozen, module = "stickslip.dense")]
 pub(crate) struct DenseMinimum(stickslip::dense::DenseMinimum);
 
@@ -119,7 +119,7 @@ impl DenseMinimum {
         view_slice(slf, |minimum| &minimum.0.x)
     }
 
-    /// The multiplier of the total; zero without one.
+    /// Multiplier of the prescribed total; zero without a total.
     #[getter]
     fn multiplier(&self) -> f64 {
         self.0.multiplier

@@ -1,4 +1,4 @@
-//! Operators of elastic bodies, by fast transforms.
+//! Operators of elastic bodies, applied by fast Fourier transforms.
 
 use std::sync::Mutex;
 
@@ -18,7 +18,8 @@ use crate::work::{unobserved, unobserved_on};
 
 #[pymethods]
 impl HalfSpace {
-    /// The operator of one component on the whole grid, made at the first call: displacement first, traction second.
+    /// Returns the operator of one component on the whole grid, created at the first call. The component names the
+    /// direction of the displacement first and that of the traction second.
     ///
     /// Examples
     /// --------
@@ -33,7 +34,7 @@ impl HalfSpace {
         Ok(LinearOperator::of("ElasticOperator", operator))
     }
 
-    /// The circulant preconditioner of one component; ``None`` for all but xx, yy and zz.
+    /// Returns the circulant preconditioner of one component; ``None`` for all components except xx, yy and zz.
     fn preconditioner(
         &self,
         py: Python<'_>,
@@ -44,7 +45,7 @@ impl HalfSpace {
         Ok(made.map(|operator| LinearOperator::of("ElasticPreconditioner", operator)))
     }
 
-    /// The operator of all three directions: displacements along x, y and z from tractions along x, y and z.
+    /// Returns the operator of all three directions: displacements along x, y and z due to tractions along x, y and z.
     fn tensor_operator(&self, py: Python<'_>) -> PyResult<TensorOperator> {
         let cells = self.0.grid().cells();
         let directions = [Direction::X, Direction::Y, Direction::Z];
@@ -56,8 +57,8 @@ impl HalfSpace {
 
 type Three = stickslip::ElasticOperator<3>;
 
-/// Displacements along x, y and z from tractions along x, y and z; made by :meth:`HalfSpace.tensor_operator`. One thread
-/// at a time may use it.
+/// Operator that computes displacements along x, y and z from tractions along x, y and z; created by
+/// :meth:`HalfSpace.tensor_operator`. One thread at a time may use it.
 #[pyclass(frozen, module = "stickslip.cgm")]
 pub(crate) struct TensorOperator {
     operator: Three,
@@ -66,13 +67,13 @@ pub(crate) struct TensorOperator {
 
 #[pymethods]
 impl TensorOperator {
-    /// Cells of each component.
+    /// Number of cells of each component.
     #[getter]
     fn cells(&self) -> usize {
         self.operator.cells()
     }
 
-    /// The product with three arrays, tractions along x, y and z (pressures), which are read where they lie; returns the
+    /// Applies the operator to three arrays, tractions along x, y and z (pressures), which are read in place. Returns the
     /// displacements along x, y and z (lengths).
     fn apply<'py>(
         &self,
@@ -106,7 +107,7 @@ impl TensorOperator {
     }
 }
 
-/// The convolution with an influence coefficient by fast transforms.
+/// The convolution with an influence coefficient by fast Fourier transforms.
 ///
 /// Parameters
 /// ----------
@@ -115,9 +116,9 @@ impl TensorOperator {
 /// pair : ElasticPair
 ///     The two bodies.
 /// component : Component or str
-///     Displacement first, traction second.
+///     Direction of the displacement first, direction of the traction second.
 /// periodic : bool, default False
-///     Whether the grid repeats along x and y.
+///     Whether the grid is periodic along x and y.
 #[pyclass(frozen, extends = LinearOperator, module = "stickslip.fft")]
 pub(crate) struct Convolution;
 

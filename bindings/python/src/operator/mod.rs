@@ -1,4 +1,4 @@
-//! Linear operators from tractions to displacements, on arrays whose memory is read and written in place.
+//! Linear operators from tractions to displacements, on arrays that are read and written in place.
 
 mod dense;
 mod elastic;
@@ -20,7 +20,7 @@ use crate::function::Function;
 use crate::real::is_real;
 use crate::work::unobserved;
 
-/// An operator of one component a cell, whatever its kind.
+/// Operator with one component per cell, of any kind.
 pub(crate) trait Product: Send + Sync {
     fn cells(&self) -> usize;
 
@@ -33,7 +33,7 @@ pub(crate) trait Product: Send + Sync {
     fn apply_f32(&self, x: &[f64], out: &mut [f64]);
 }
 
-/// An operator of the crate, with scratches for as many products as run at once.
+/// Operator of the crate, with scratch memory for all products that run concurrently.
 struct Kept<O: Operator> {
     operator: O,
     scratches: Mutex<Vec<Scratch>>,
@@ -83,9 +83,9 @@ impl<O: Operator + Send> Product for Kept<O> {
     }
 }
 
-/// A linear operator from tractions to displacements, one number a cell.
+/// A linear operator from tractions to displacements, with one number per cell.
 ///
-/// Made by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
+/// Created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
 /// :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
 #[pyclass(frozen, subclass, module = "stickslip.cgm")]
 pub(crate) struct LinearOperator {
@@ -103,7 +103,7 @@ impl LinearOperator {
     }
 }
 
-/// An operator of the package, or a callable that is given arrays of this shape.
+/// Returns the product with an operator of the package, or with a callable that receives arrays of this shape.
 pub(crate) fn product_of(
     operator: &Bound<'_, PyAny>,
     shape: &[usize],
@@ -120,15 +120,15 @@ pub(crate) fn product_of(
     }
 }
 
-/// An operator in the form that the crate takes: of N components a cell, whose unknowns it has one behind the other.
+/// Operator in the form of the crate, with N components per cell, which are stored consecutively.
 #[derive(Clone)]
 pub(crate) struct Shared(pub(crate) Arc<dyn Product>);
 
-/// All components of the tractions, and of the displacements. The first product gives them their lengths.
+/// Buffers for all components of the tractions and of the displacements. The first product sets their lengths.
 type Buffers = [Vec<f64>; 2];
 
 impl Shared {
-    /// A product by way of buffers, or where the numbers lie if there is one component.
+    /// Applies an operator through buffers, or in place if there is one component.
     fn product<const N: usize>(
         x: [&[f64]; N],
         mut out: [&mut [f64]; N],
@@ -180,7 +180,7 @@ impl<const N: usize> Operator<N> for Shared {
     }
 }
 
-/// So many numbers as a contiguous array; any other array is copied.
+/// Returns the given count of numbers as a contiguous array; an array of a different layout is copied.
 pub(crate) fn numbers<'py>(
     object: &Bound<'py, PyAny>,
     cells: usize,
@@ -199,7 +199,7 @@ pub(crate) fn numbers<'py>(
     }
 }
 
-/// Where a product goes: an array that is given, or a new one of the shape of another.
+/// Returns the output of a product: the given array, or a new array of the shape of the input.
 pub(super) fn target<'py>(
     like: &PyReadonlyArrayDyn<'py, f64>,
     out: Option<Bound<'py, PyAny>>,
@@ -223,32 +223,33 @@ pub(super) fn target<'py>(
 
 #[pymethods]
 impl LinearOperator {
-    /// Unknowns.
+    /// Number of unknowns.
     #[getter]
     fn cells(&self) -> usize {
         self.product.cells()
     }
 
-    /// A lower bound of the smallest eigenvalue.
+    /// Lower bound on the smallest eigenvalue.
     #[getter]
     fn lower_bound(&self) -> f64 {
         self.product.lower_bound()
     }
 
-    /// How that is known: "proven", "estimated" (stiff coatings on long grids), or "unknown", which is zero.
+    /// Origin of the lower bound: "proven", "estimated" (stiff coatings on long grids), or "unknown", in which case the
+    /// bound is zero.
     #[getter]
     fn eigenvalue_bound(&self) -> Choice<EigenvalueBound> {
         Choice(self.product.eigenvalue_bound())
     }
 
-    /// The product with an array of as many numbers as there are cells, which is read where it lies.
+    /// Applies the operator to an array with one number per cell, which is read in place.
     ///
     /// Parameters
     /// ----------
     /// x : array_like
-    ///     Tractions (pressures), as many numbers as there are cells.
+    ///     Tractions (pressures), one number per cell.
     /// out : ndarray, optional
-    ///     Where the result goes: C-contiguous, of float64, not overlapping ``x``.
+    ///     Output array, C-contiguous, of type float64, not overlapping ``x``.
     ///
     /// Returns
     /// -------
@@ -288,7 +289,7 @@ impl LinearOperator {
     }
 }
 
-/// The operator that changes nothing.
+/// Returns the identity operator.
 #[pyfunction]
 pub(crate) fn identity(cells: usize) -> PyResult<LinearOperator> {
     if cells == 0 {

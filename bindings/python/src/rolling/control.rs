@@ -1,4 +1,4 @@
-//! What is prescribed of rolling bodies, by keywords.
+//! Controls of rolling bodies given by keywords.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -12,7 +12,7 @@ use crate::real::Real;
 /// Creepages or forces along both axes.
 pub(super) type Both = (Option<conversion::Creepages>, Option<conversion::Force>);
 
-/// The keywords of what is prescribed along each axis and of the rotation.
+/// Keywords of the controls along each axis and of the rotation.
 pub(super) struct Keywords {
     controls: [Option<RollingControl>; 2],
     spin: Option<SpinControl>,
@@ -52,13 +52,13 @@ impl Keywords {
         self.controls == [None; 2] && self.spin.is_none()
     }
 
-    /// What is prescribed along x and y: of what nothing is said, no creepage.
+    /// Returns the controls along x and y; zero creepage along an axis without a keyword.
     pub(super) fn controls(&self) -> [RollingControl; 2] {
         let still = RollingControl::Creepage(0.0);
         self.controls.map(|control| control.unwrap_or(still))
     }
 
-    /// What is prescribed of the rotation, else no spin.
+    /// Returns the control of the rotation; zero spin without a keyword.
     pub(super) fn spin(&self) -> SpinControl {
         self.spin.unwrap_or(SpinControl::Spin(0.0))
     }

@@ -29,7 +29,7 @@ use crate::work::unobserved_on;
 
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
 ///
-/// Along an axis without a creepage and a force there is no creepage.
+/// The creepage is zero along an axis without a given creepage or force.
 ///
 /// Parameters
 /// ----------
@@ -40,16 +40,16 @@ use crate::work::unobserved_on;
 /// friction : Friction, float or array_like of shape (ny, nx)
 ///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
 /// normal_force, approach : float
-///     One of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap (a length,
-///     positive when they come together).
+///     Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+///     (a length, positive when they move together).
 /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-///     As of :class:`RollingProblem`.
+///     See :class:`RollingProblem`.
 /// leading_edge, step, entry_rule, slip_corrections : optional
-///     As of :class:`RollingProblem`.
+///     See :class:`RollingProblem`.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -150,7 +150,7 @@ impl CoupledRollingProblem {
         Ok(Self(built, grid, recipe))
     }
 
-    /// Solves once; see :meth:`NormalProblem.solve`.
+    /// Solves the problem once; see :meth:`NormalProblem.solve`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -162,7 +162,7 @@ impl CoupledRollingProblem {
         solve_once(py, self.1.cells(), solver, progress, warn)
     }
 
-    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledRollingSolver> {
         let solver = || self.0.clone().into_solver();
         Reused::new(py, self.1, solver).map(CoupledRollingSolver)
@@ -180,7 +180,7 @@ impl CoupledRollingProblem {
     }
 }
 
-/// Solves coupled rolling for one load after the other, each from the last answer; made by
+/// Solves coupled rolling for successive loads, each time from the last solution; created by
 /// :meth:`CoupledRollingProblem.solver`.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct CoupledRollingSolver(Reused<rolling::CoupledRollingSolver>);
@@ -190,14 +190,14 @@ solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
 
 #[pymethods]
 impl CoupledRollingSolver {
-    /// Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+    /// Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
     ///
     /// Parameters
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-    ///     As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+    ///     See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
     /// progress, warn : optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     ///
     /// Returns
     /// -------
@@ -206,11 +206,11 @@ impl CoupledRollingSolver {
     /// Raises
     /// ------
     /// NotFinite, UnsupportedByModel
-    ///     For what is prescribed, which is then unchanged.
+    ///     If the prescribed values are invalid; they are then unchanged.
     /// EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     If the contact cannot roll so.
+    ///     If the contact cannot roll under these loads.
     /// NotConverged
-    ///     With ``report`` and ``last_iterate``.
+    ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None,
         spin=None, moment=None, progress=None, warn=true))]
     fn solve<'py>(
@@ -267,19 +267,19 @@ impl CoupledRollingSolver {
         self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
-    /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
-    /// last answer, with the pressure that follows the tractions.
+    /// Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
+    /// and y and the spin (columns) at the last solution. The pressure follows the tractions.
     ///
     /// Raises
     /// ------
     /// NotConverged
-    ///     Before the first solve, or if a column is not found.
+    ///     Before the first solve, or if the solve of a column does not converge.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
         self.0
             .unobserved(py, rolling::CoupledRollingSolver::stiffness)
     }
 
-    /// How the last solve ended.
+    /// Report of the last solve.
     #[getter]
     fn report(&self) -> PyResult<CoupledRollingReport> {
         self.0
@@ -287,7 +287,7 @@ impl CoupledRollingSolver {
     }
 }
 
-/// Both halves of coupled steady rolling.
+/// Normal and rolling solution of coupled steady rolling.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct CoupledRollingSolution(Arc<rolling::CoupledRollingSolution>);
 
@@ -299,25 +299,25 @@ impl From<Arc<rolling::CoupledRollingSolution>> for CoupledRollingSolution {
 
 #[pymethods]
 impl CoupledRollingSolution {
-    /// The normal half; a copy.
+    /// The normal solution; a copy.
     #[getter]
     fn normal(&self) -> NormalSolution {
         Arc::new(self.0.normal().clone()).into()
     }
 
-    /// The rolling half; a copy.
+    /// The rolling solution; a copy.
     #[getter]
     fn rolling(&self) -> RollingSolution {
         Arc::new(self.0.rolling().clone()).into()
     }
 
-    /// Ending, cost, passes and certified errors.
+    /// Report with termination, cost, number of passes and certified error bounds.
     #[getter]
     fn report(&self) -> CoupledRollingReport {
         CoupledRollingReport(self.0.report().clone())
     }
 
-    /// Remarks on a result that may mislead; empty if there are none.
+    /// Warnings about a result that might mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())
@@ -335,14 +335,14 @@ impl CoupledRollingSolution {
     }
 }
 
-/// Report of coupled rolling: ending, cost, passes and certified errors.
+/// Report of coupled rolling: termination, cost, number of passes and certified error bounds.
 #[pyclass(frozen, eq, module = "stickslip.rolling")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct CoupledRollingReport(rolling::CoupledRollingReport);
 
 #[pymethods]
 impl CoupledRollingReport {
-    /// Status, steps and products of all passes, and the largest residual of both halves.
+    /// Status, steps and products of all passes, and the largest residual of the normal and the tangential part.
     #[getter]
     fn work(&self) -> Report {
         Report::of(&self.0.work)
@@ -366,31 +366,32 @@ impl CoupledRollingReport {
         self.0.passes
     }
 
-    /// Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+    /// Residual of the coupling: the lift within the contact added by the last pass, relative to the largest normal
+    /// displacement.
     #[getter]
     fn coupling_residual(&self) -> f64 {
         self.0.coupling_residual
     }
 
-    /// Change of the pressure in the last pass, over the pressure (root mean squares).
+    /// Relative change of the pressure in the last pass (ratio of root mean squares).
     #[getter]
     fn pressure_change(&self) -> f64 {
         self.0.pressure_change
     }
 
-    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    /// Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
     #[getter]
     fn pressure_error_bound(&self) -> f64 {
         self.0.pressure_error_bound
     }
 
-    /// Bound of the relative error of the tractions, for the pressure of the solution.
+    /// Bound on the relative error of the tractions, for the pressure of the solution.
     #[getter]
     fn traction_error_bound(&self) -> f64 {
         self.0.traction_error_bound
     }
 
-    /// Estimate of the relative error of the pressure as a whole, if there is one.
+    /// Estimate of the relative error of the pressure of the coupled problem, if available.
     #[getter]
     fn error_estimate(&self) -> Option<f64> {
         self.0.error_estimate

@@ -8,7 +8,7 @@ use crate::digits::{counted, short, tuple};
 use crate::pickle::picklable;
 use crate::sequence::{Entries, entry, pair};
 
-/// A point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
+/// Point of a creep curve or a creep surface: creepages, spin and the resulting loads.
 #[pyclass(frozen, eq, module = "stickslip.rolling")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct CreepForce(rolling::CreepForce);
@@ -39,7 +39,7 @@ impl CreepForce {
         self.0.moment
     }
 
-    /// Cells that stick over cells in contact.
+    /// Ratio of stick cells to contact cells.
     #[getter]
     fn stick_ratio(&self) -> f64 {
         self.0.stick_ratio
@@ -57,7 +57,7 @@ impl CreepForce {
 
 picklable!(CreepForce: rolling::CreepForce);
 
-/// The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with a number of each
+/// The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with one number per
 /// point, in their order. Vectors are (x, y).
 #[pyclass(frozen, eq, module = "stickslip.rolling", sequence)]
 #[derive(Clone, PartialEq)]
@@ -111,7 +111,7 @@ impl CreepForces {
         self.numbers(py, |point| point.moment)
     }
 
-    /// Cells that stick over cells in contact.
+    /// Ratio of stick cells to contact cells.
     #[getter]
     fn stick_ratio<'py>(&self, py: Python<'py>) -> Array<'py> {
         self.numbers(py, |point| point.stick_ratio)

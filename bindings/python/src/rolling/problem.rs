@@ -1,4 +1,4 @@
-//! A rolling contact to be solved.
+//! Rolling contact problems.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -20,9 +20,9 @@ use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::work::unobserved_on;
 
-/// Bodies, normal contact, friction, and what is prescribed of their steady rolling.
+/// Bodies, normal contact, friction and controls of steady rolling.
 ///
-/// Along an axis of which nothing is said there is no creepage.
+/// The creepage is zero along an axis without a given creepage or force.
 ///
 /// Parameters
 /// ----------
@@ -33,28 +33,28 @@ use crate::work::unobserved_on;
 /// friction : Friction, float or array_like of shape (ny, nx)
 ///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
 /// creepage, creepage_x, creepage_y : pair of float, float, optional
-///     The creepages, which body 2 moves over body 1 for each length rolled (dimensionless). A positive creepage causes a
-///     positive force.
+///     The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage causes
+///     a positive force.
 /// force, force_x, force_y : pair of float, float, optional
-///     The tangential force that body 2 exerts on body 1, less than friction holds; the creepage follows.
+///     The tangential force that body 2 exerts on body 1, less than the friction capacity; the creepage follows from it.
 /// spin : float, default 0
-///     Rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+///     Rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
 ///     positive from x to y).
 /// moment : float, optional
-///     In place of the spin, which follows: the moment on body 1 about the origin of the grid (a force times a length,
-///     positive from x to y), less than friction holds.
+///     The moment on body 1 about the origin of the grid (a force times a length, positive from x to y), less than the
+///     friction capacity. It replaces the spin, which follows from it.
 /// leading_edge : LeadingEdge or str, default "plus_x"
-///     Where particles enter the contact.
+///     The edge where particles enter the contact.
 /// step : int, default 1
-///     Cells that a particle passes in a step. Longer steps cost less and are less accurate.
+///     Number of cells that a particle passes in a step. Longer steps cost less and are less accurate.
 /// entry_rule : EntryRule or str, default "since_touch"
-///     How cells that enter the contact follow the motion; "whole_step" as CONTACT has it, less accurate.
+///     Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
 /// slip_corrections : int, default 0
 ///     Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -147,7 +147,7 @@ impl RollingProblem {
         Ok(Self(built, grid, recipe))
     }
 
-    /// Solves once; see :meth:`NormalProblem.solve`.
+    /// Solves the problem once; see :meth:`NormalProblem.solve`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -159,7 +159,7 @@ impl RollingProblem {
         solve_once(py, self.1.cells(), solver, progress, warn)
     }
 
-    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<RollingSolver> {
         RollingSolver::of(py, self.1, || self.0.clone().into_solver())
     }

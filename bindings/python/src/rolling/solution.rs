@@ -1,4 +1,4 @@
-//! The solution of a rolling contact.
+//! Solutions of rolling contacts.
 
 use std::sync::Arc;
 
@@ -12,8 +12,8 @@ use crate::grid::Grid;
 use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
-/// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of its
-/// memory, those of the zones and the dissipation copies.
+/// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
+/// its memory, except for the zones and the dissipation, which are copies.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct RollingSolution(Arc<rolling::RollingSolution>);
 
@@ -25,7 +25,7 @@ impl From<Arc<rolling::RollingSolution>> for RollingSolution {
 
 #[pymethods]
 impl RollingSolution {
-    /// The grid of its fields.
+    /// Grid of the fields.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
@@ -40,8 +40,9 @@ impl RollingSolution {
         )
     }
 
-    /// Slip of the surface of body 1 over that of body 2 along x and y for each length rolled (dimensionless), over the
-    /// step that brought the particles here: against the traction in slip cells, zero elsewhere.
+    /// Slip of the surface of body 1 over the surface of body 2 along x and y per unit length rolled (dimensionless),
+    /// averaged over the step that brought the particles to the cell. It is opposite to the traction in slip cells and
+    /// zero elsewhere.
     #[getter]
     fn slip<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
         (
@@ -50,7 +51,7 @@ impl RollingSolution {
         )
     }
 
-    /// The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.grid(), self.0.zones())
@@ -80,35 +81,36 @@ impl RollingSolution {
         self.0.moment()
     }
 
-    /// Work of creepages and spin for each length rolled (a force). The spin moves particles as the middles of their
-    /// paths, so that its moment is taken there. Between bodies of the same material all of the work is dissipated.
-    /// Between others the pressure does work as well, which is not included.
+    /// Work of creepages and spin per unit length rolled (a force). The spin displaces particles as at the midpoints of
+    /// their paths, so its moment is taken there. Between bodies of the same material, all of the work is dissipated.
+    /// Between bodies of different materials, the pressure also does work, which is not included.
     #[getter]
     fn work(&self) -> f64 {
         self.0.work()
     }
 
-    /// Energy that slip dissipates in each cell for each length rolled (a pressure): what wear follows. Between bodies of
-    /// the same material its integral is less than the work by a part that falls with the size of the cells.
+    /// Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
+    /// Between bodies of the same material, its integral is less than the work by a part that decreases with the cell
+    /// size.
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation().or_raise(py)?;
         Ok(copy(py, &dissipation))
     }
 
-    /// Cells that stick over cells in contact; zero without contact.
+    /// Ratio of stick cells to contact cells; zero without contact.
     #[getter]
     fn stick_ratio(&self) -> f64 {
         self.0.stick_ratio()
     }
 
-    /// How the solve ended, what it cost, how large its error can be.
+    /// Termination, cost and error bound of the solve.
     #[getter]
     fn report(&self) -> Report {
         Report::of(self.0.report())
     }
 
-    /// Remarks on a result that may mislead; empty if there are none.
+    /// Warnings about a result that might mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())

@@ -1,4 +1,4 @@
-//! Rolling contacts solved again and again.
+//! Reusable solvers of rolling contacts.
 
 use pyo3::prelude::*;
 use stickslip::rolling;
@@ -15,7 +15,7 @@ use crate::rolling::{CreepForces, RollingSolution};
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
 
-/// Solves for one creepage, force or spin after the other, each from the last answer; made by
+/// Solves for successive creepages, forces or spins, each time from the last solution; created by
 /// :meth:`RollingProblem.solver`.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct RollingSolver(Reused<rolling::RollingSolver>);
@@ -35,14 +35,14 @@ solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as Rol
 
 #[pymethods]
 impl RollingSolver {
-    /// Solves, for these creepages, forces, spin or moment if any is given, else for the last ones.
+    /// Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
     ///
     /// Parameters
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-    ///     As of :class:`RollingProblem`: if one is given, those that are not are zero creepages and no spin.
+    ///     See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
     /// progress, warn : optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     ///
     /// Returns
     /// -------
@@ -51,9 +51,9 @@ impl RollingSolver {
     /// Raises
     /// ------
     /// NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     For what is prescribed, which is then as it was.
+    ///     If the prescribed values are invalid; they are then unchanged.
     /// NotConverged
-    ///     With ``report`` and ``last_iterate``.
+    ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None,
         spin=None, moment=None, progress=None, warn=true))]
     fn solve<'py>(
@@ -86,45 +86,47 @@ impl RollingSolver {
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Changes the friction of the next solve.
+    /// Sets the friction of the next solve.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.0.grid())?;
         self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
-    /// Sets the pressure of the next solve. A field has no gap, so it needs a solver of ``entry_rule="whole_step"``.
+    /// Sets the pressure of the next solve. A field contains no gap, so it requires a solver with
+    /// ``entry_rule="whole_step"``.
     ///
     /// Raises
     /// ------
     /// UnsupportedByModel, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotConverged, Sample, EmptyContact,
     /// GridTooShort, NotFinite, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     The pressure is then unchanged.
+    ///     The pressure is unchanged after an exception.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
         let pressure = pressure.given(py, self.0.grid())?;
         self.0
             .change(py, |solver| solver.set_pressure(pressure.source()))
     }
 
-    /// Sets the solver that finds the pressure of a new load; copied, with its gap, hardness and settings.
+    /// Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
+    /// settings.
     fn set_normal_solver(&self, py: Python<'_>, solver: &NormalSolver) -> PyResult<()> {
         let normal = solver.copied()?;
         self.0.change(py, |solver| solver.set_normal_solver(normal))
     }
 
-    /// Sets the normal load of the next solve, and solves for its pressure from the last one. Needs
+    /// Sets the normal load of the next solve, and computes the pressure starting from the last pressure. Requires
     /// :meth:`set_normal_solver`.
     ///
     /// Parameters
     /// ----------
     /// force, approach : float, optional
-    ///     One of the two, as of :class:`NormalProblem`.
+    ///     Exactly one of the two; see :class:`NormalProblem`.
     ///
     /// Raises
     /// ------
     /// UnsupportedByModel
     ///     Without a normal solver.
     /// NegativeOrNotFinite, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
-    ///     The solver is then unchanged.
+    ///     The solver is unchanged after an exception.
     #[pyo3(signature = (*, force=None, approach=None))]
     fn set_load(
         &self,
@@ -136,41 +138,42 @@ impl RollingSolver {
         self.0.change(py, |solver| solver.set_load(load))
     }
 
-    /// Largest tangential force that friction holds: the integral of the friction limit.
+    /// Largest tangential force that friction can carry: the integral of the friction limit.
     #[getter]
     fn friction_capacity(&self) -> PyResult<f64> {
         self.0.with(|solver| solver.friction_capacity())
     }
 
-    /// How forces along x and y and moment (rows) change with the creepages along x and y and the spin (columns) about the
-    /// last answer: forces, with the spin forces times lengths, in the row of the moment once more times a length. Cells
-    /// that stick follow, cells that slip stay at their limits. Before the first solve all cells stick: these are Kalker's
-    /// coefficients, times G a b and lengths.
+    /// Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
+    /// and y and the spin (columns) at the last solution. The entries are forces; the column of the spin and the row of
+    /// the moment each add a factor of length. Stick cells follow the change and slip cells remain at their limits.
+    /// Before the first solve, all cells stick, and the entries are Kalker's coefficients times G a b and powers of a
+    /// length.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
         self.0.unobserved(py, rolling::RollingSolver::stiffness)
     }
 
-    /// The loads at each of these points, each solved from the answer of the one before: a creep curve, or a creep surface
-    /// row by row. The last point stays prescribed. All are checked before the first is solved, and Ctrl-C acts once the last
-    /// is.
+    /// Computes the loads at all points, each time from the solution of the previous point: a creep curve, or a creep
+    /// surface row by row. The last point remains prescribed. All points are checked before the first solve; Ctrl-C takes
+    /// effect after the last solve.
     ///
     /// Parameters
     /// ----------
     /// points : array_like of shape (n, 3)
-    ///     Each ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Neighbours in the
-    ///     order should be neighbours in the plane.
+    ///     Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
+    ///     points should be close to each other.
     ///
     /// Returns
     /// -------
     /// CreepForces
-    ///     Of each point in turn, and arrays of all.
+    ///     The points with their loads, as a sequence and as arrays.
     ///
     /// Raises
     /// ------
     /// NotFinite, UnsupportedByModel
-    ///     For any of the points; all is then as it was.
+    ///     If any of the points is invalid; the solver is then unchanged.
     /// NotConverged
-    ///     At the first point that fails, which stays prescribed.
+    ///     At the first point that fails, which remains prescribed.
     fn creep_forces(
         &self,
         py: Python<'_>,
@@ -182,7 +185,7 @@ impl RollingSolver {
         found.map(CreepForces::from)
     }
 
-    /// How the last solve ended.
+    /// Report of the last solve.
     #[getter]
     fn report(&self) -> PyResult<Report> {
         self.0.with(|solver| Report::of(solver.report()))

@@ -1,4 +1,4 @@
-//! Stress and displacement on planes.
+//! Stresses and displacements on planes.
 
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -19,8 +19,8 @@ use crate::solution_pool::lock;
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{observed_on, unobserved_on, watch};
 
-/// Stress, and displacement if it was asked for, at the cell centres of a plane below the surface. Arrays are views,
-/// those of derived stresses are new.
+/// Stress, and displacement if requested, at the cell centres of a plane below the surface. Arrays are views, except for
+/// derived stresses, which are new arrays.
 #[pyclass(frozen, module = "stickslip.subsurface")]
 pub(crate) struct Plane(subsurface::Plane);
 
@@ -37,13 +37,13 @@ impl Plane {
 
 #[pymethods]
 impl Plane {
-    /// The grid.
+    /// Grid of the plane.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.0.grid())
     }
 
-    /// The body.
+    /// The body that contains the plane.
     #[getter]
     fn body(&self) -> Choice<Body> {
         Choice(self.0.body())
@@ -81,21 +81,21 @@ impl Plane {
         )
     }
 
-    /// Displacement along x, y and z (lengths), if it was asked for.
+    /// Displacement along x, y and z (lengths); ``None`` if it was not requested.
     #[getter]
     fn displacement<'py>(&self, py: Python<'py>) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
         let fields = self.0.displacement()?;
         Some(fields.map(|field| copy(py, field)).into())
     }
 
-    /// Remarks that a value may mislead: on a plane nearer to the surface than a side of a cell, if shear tractions end at
-    /// the edge of a contact; empty if there are none.
+    /// Warnings about values that might mislead: on a plane nearer to the surface than a side of a cell, if shear
+    /// tractions end at the edge of a contact. Empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())
     }
 
-    /// The stress of a cell, by column and row; ``None`` beyond the grid.
+    /// Returns the stress of a cell, given by column and row; ``None`` outside the grid.
     fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
         self.0.get(ix, iy).map(Stress)
     }
@@ -123,8 +123,8 @@ impl Plane {
     }
 }
 
-/// Stresses on planes at chosen depths below each body, by fast transforms; the kernels of a depth are made when it is
-/// first solved, and kept.
+/// Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. The kernels
+/// of a depth are created at its first solve and kept.
 ///
 /// Parameters
 /// ----------
@@ -133,7 +133,7 @@ impl Plane {
 /// depths : array_like
 ///     Depths below the surface of each body (lengths), not negative.
 /// displacements : bool, default False
-///     Whether displacements are found too.
+///     Whether displacements are also computed.
 ///
 /// Raises
 /// ------
@@ -162,7 +162,7 @@ impl Planes {
         self.bodies.0.grid()
     }
 
-    /// Works with the planes and the tractions on their grid.
+    /// Runs work with the planes and the tractions on their grid.
     fn with<T>(
         &self,
         py: Python<'_>,
@@ -200,27 +200,27 @@ impl Planes {
         })
     }
 
-    /// The depths (lengths).
+    /// Depths of the planes (lengths).
     #[getter]
     fn depths<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let depths = lock(&self.planes, "planes")?.depths().to_vec();
         Ok(Array::new(py, depths))
     }
 
-    /// The plane at the depth of this index, which counts from the end if it is negative, in a body; the tractions as of
-    /// :func:`at_points`.
+    /// Computes the plane at the depth with this index in a body. A negative index counts from the end. The tractions are
+    /// those of :func:`at_points`.
     ///
     /// Parameters
     /// ----------
     /// uniform_stress : Stress, optional
-    ///     As of :func:`at_points`: bulk stress, which is added.
+    ///     Bulk stress that is added; see :func:`at_points`.
     /// warn : bool, default True
-    ///     Whether :attr:`Plane.warnings` go to ``warnings`` too, each kind once a place.
+    ///     Whether :attr:`Plane.warnings` are also issued through ``warnings``, each kind once per location.
     ///
     /// Raises
     /// ------
     /// IndexError
-    ///     If there is no such depth.
+    ///     If the index is out of range.
     /// RigidBody, Memory, GridMismatch, BoundaryMismatch, MaterialMismatch, Sample
     #[pyo3(signature = (index, body, tractions, *, uniform_stress=None, warn=true))]
     fn solve(
@@ -242,7 +242,7 @@ impl Planes {
         Ok(Plane(plane))
     }
 
-    /// The planes of all depths in a body, as of :meth:`solve`.
+    /// Computes the planes of all depths in a body; see :meth:`solve`.
     #[pyo3(signature = (body, tractions, *, uniform_stress=None, warn=true))]
     fn solve_all(
         &self,
@@ -266,7 +266,7 @@ impl Planes {
         Ok(found.into_iter().map(Plane).collect())
     }
 
-    /// Writes the stresses of all depths in a body as a volume for ParaView, as of :meth:`solve`.
+    /// Writes the stresses of all depths in a body as a volume for ParaView; see :meth:`solve`.
     #[pyo3(signature = (path, body, tractions, *, uniform_stress=None))]
     fn write_vti(
         &self,

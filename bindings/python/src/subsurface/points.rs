@@ -1,4 +1,4 @@
-//! Stress and displacement at points.
+//! Stresses and displacements at points.
 
 use pyo3::prelude::*;
 use stickslip::Error;
@@ -29,7 +29,7 @@ impl PointResult {
         self.0.displacement.into()
     }
 
-    /// Stress.
+    /// Stress at the point.
     #[getter]
     fn stress(&self) -> Stress {
         Stress(self.0.stress)
@@ -46,7 +46,7 @@ impl PointResult {
 
 picklable!(PointResult: subsurface::PointResult);
 
-/// Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with a number of each point, in the
+/// Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
 /// order of the points.
 #[pyclass(frozen, eq, module = "stickslip.subsurface", sequence)]
 #[derive(Clone, PartialEq)]
@@ -134,7 +134,7 @@ impl PointResults {
 
 picklable!(PointResults: Vec<subsurface::PointResult>);
 
-/// Stress and displacement at points, by sums over all cells.
+/// Computes stress and displacement at points by summing over all cells.
 ///
 /// Parameters
 /// ----------
@@ -143,17 +143,18 @@ picklable!(PointResults: Vec<subsurface::PointResult>);
 /// body : Body or str
 ///     "one" or "two".
 /// tractions : solution, (normal, shear), State, History, array_like or (array_like, (array_like, array_like))
-///     Those of a solution of any kind or of both halves, or fields: a pressure, or a pressure and tractions along x and y.
+///     The tractions of a solution of any kind or of a pair of a normal and a tangential solution, or fields: a pressure,
+///     or a pressure and the tractions along x and y.
 /// points : array_like of shape (n, 3)
-///     Each ``(x, y, depth)`` (lengths), the depth below the surface of the body.
+///     Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body.
 /// uniform_stress : Stress, optional
-///     A uniform stress of the body, such as bulk stress, which is added to that of the tractions everywhere; none by
-///     default. Displacements are those of the tractions alone.
+///     A uniform stress of the body, such as a bulk stress, which is added to the stress of the tractions everywhere;
+///     none by default. Displacements are due to the tractions only.
 ///
 /// Returns
 /// -------
 /// PointResults
-///     Of each point in turn, and arrays of all.
+///     The results of the points, as a sequence and as arrays.
 #[pyfunction]
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(
@@ -173,7 +174,7 @@ pub(crate) fn at_points(
     let outcome = solve(py, work, Progress::none(), |observer| {
         subsurface::at_points_observed(&bodies.0, body.0, tractions, &points, watch(observer))
     })?;
-    // The index of a point is none of a cell.
+    // The index in the error is that of a point, not of a cell.
     let found = match outcome {
         Err(Error::Sample {
             quantity: "points", ..

@@ -1,4 +1,4 @@
-//! The stress at a point.
+//! Stress tensor at a point.
 
 use pyo3::prelude::*;
 
@@ -6,7 +6,7 @@ use crate::digits::{short, tuple};
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// Principal stresses, the largest first, and the unit vector of each.
+/// Principal stresses, the largest first, with their unit vectors.
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Principal(stickslip::subsurface::Principal);
@@ -19,7 +19,7 @@ impl Principal {
         self.0.values.into()
     }
 
-    /// The unit vector of each.
+    /// Unit vectors of the principal stresses, in the same order.
     #[getter]
     fn directions(&self) -> [[f64; 3]; 3] {
         self.0.directions
@@ -32,8 +32,8 @@ impl Principal {
 
 picklable!(Principal: stickslip::subsurface::Principal);
 
-/// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses add, subtract and
-/// scale by numbers.
+/// The symmetric stress tensor at a point (pressures), tensile positive, with z into body 1. Stresses can be added,
+/// subtracted and multiplied by numbers.
 ///
 /// Parameters
 /// ----------
@@ -121,13 +121,13 @@ impl Stress {
         self.0.max_shear()
     }
 
-    /// Principal stresses and their directions.
+    /// Principal stresses with their directions.
     #[getter]
     fn principal(&self) -> Principal {
         Principal(self.0.principal())
     }
 
-    /// The sum with another stress.
+    /// Adds a stress.
     fn __add__(&self, other: &Self) -> Self {
         Self(self.0 + other.0)
     }
@@ -136,7 +136,7 @@ impl Stress {
         other.__add__(self)
     }
 
-    /// The difference from another stress.
+    /// Subtracts a stress.
     fn __sub__(&self, other: &Self) -> Self {
         Self(self.0 - other.0)
     }
@@ -145,7 +145,7 @@ impl Stress {
         other.__sub__(self)
     }
 
-    /// So many times the stress.
+    /// Multiplies the stress by a number.
     fn __mul__(&self, factor: Real) -> Self {
         Self(self.0 * factor.0)
     }

@@ -1,4 +1,4 @@
-//! What is taken for the tractions of a contact.
+//! Arguments that are converted to the tractions of a contact.
 
 use std::sync::Arc;
 
@@ -19,8 +19,8 @@ use crate::real::is_plane;
 use crate::subsurface::Stress;
 use crate::tangential::TangentialSolution;
 
-/// What tractions are taken from: a solution of any kind, a pair of a normal and a tangential one, a state or a history; or fields: a pressure, or a
-/// pressure and two tractions.
+/// Source of tractions: a solution of any kind, a pair of a normal and a tangential solution, a state, a history, or
+/// fields (a pressure, or a pressure and two tractions).
 pub(crate) struct Loaded<'py>(Vec<Bound<'py, PyAny>>);
 
 impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
@@ -30,7 +30,7 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
     const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("typing", "Any");
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        // A list may be the rows of a pressure too.
+        // A list can also contain the rows of a pressure.
         let parts = entries(&object).filter(|parts| {
             let first = parts.get_item(0);
             let is_whole = |first| is_plane(&first) || first.is_instance_of::<NormalSolution>();
@@ -43,7 +43,7 @@ impl<'py> FromPyObject<'_, 'py> for Loaded<'py> {
     }
 }
 
-/// The tractions, with what owns them.
+/// Tractions with their owner.
 pub(crate) enum TractionSource<'a> {
     Normal(&'a stickslip::NormalSolution),
     ShearTractions(
@@ -56,7 +56,7 @@ pub(crate) enum TractionSource<'a> {
 }
 
 impl TractionSource<'_> {
-    /// With a uniform stress of the body that is looked into, if one is given.
+    /// Returns the tractions, with a uniform stress of the examined body if given.
     pub(crate) fn tractions(&self, uniform: Option<Stress>) -> Tractions<'_> {
         let tractions = match self {
             Self::Normal(normal) => Tractions::from(*normal),
@@ -74,7 +74,7 @@ impl TractionSource<'_> {
 }
 
 impl Loaded<'_> {
-    /// The tractions on the grid of the bodies.
+    /// Returns the tractions on the grid of the bodies.
     pub(crate) fn held(
         &self,
         py: Python<'_>,

@@ -9,7 +9,7 @@ use crate::field::{Field, Samples};
 use crate::unit::Unit;
 use crate::work::unobserved_on;
 
-/// A filtered surface, and what the filter has taken off: the three add up to the surface given.
+/// A filtered surface and the removed components: the three add up to the given surface.
 #[pyclass(frozen, module = "stickslip.surface")]
 pub(crate) struct Filtered {
     parts: surface::Filtered,
@@ -25,25 +25,26 @@ impl Filtered {
 
 #[pymethods]
 impl Filtered {
-    /// The heights that are left (lengths); missing ones stay missing.
+    /// The remaining heights (lengths); missing heights remain missing.
     #[getter]
     fn heights(&self) -> Field {
         self.field(self.parts.heights())
     }
 
-    /// The short waves that the S filter has taken off (lengths), such as noise; ``None`` without an S filter.
+    /// Short waves removed by the S filter (lengths), such as noise; ``None`` without an S filter.
     #[getter]
     fn short_waves(&self) -> Option<Field> {
         self.parts.short_waves().map(|field| self.field(field))
     }
 
-    /// The long waves that the L filter has taken off (lengths), the waviness; ``None`` without an L filter.
+    /// Long waves removed by the L filter (lengths), the waviness; ``None`` without an L filter.
     #[getter]
     fn long_waves(&self) -> Option<Field> {
         self.parts.long_waves().map(|field| self.field(field))
     }
 
-    /// The columns and rows that no edge affects, half a nesting index from each, as :func:`crop` takes them.
+    /// Columns and rows that are not affected by an edge: those at least half a nesting index away from each edge, in the
+    /// form that :func:`crop` accepts.
     #[getter]
     fn valid_range(&self) -> ((usize, usize), (usize, usize)) {
         self.valid_range
@@ -56,29 +57,30 @@ impl Filtered {
     }
 }
 
-/// Takes short waves, long waves or both off a surface by Gaussian filters (ISO 16610-61; of lines ISO 16610-21).
+/// Removes short waves, long waves or both from a surface with Gaussian filters (ISO 16610-61; along lines ISO 16610-21).
 ///
-/// Of a wave of the length of a nesting index half passes, of others 2 to the power of -(index/length)^2. Missing heights
-/// (NaN) have no weight and stay missing: filter before :func:`fill_missing`. At an edge the mean is that of the heights
-/// that are there: level the surface first; heights nearer to an edge or a hole than half an index are affected.
+/// The mean of a filter transmits half of a wave whose length equals the nesting index, and the fraction
+/// 2^(-(index/length)^2) of other waves. Missing heights (NaN) have no weight and remain missing; therefore filter before
+/// :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights; heights nearer to it than
+/// half an index are affected. Level the surface first.
 ///
 /// Parameters
 /// ----------
 /// heights : Field or topography
-///     Lengths.
+///     The heights (lengths).
 /// s, l : float, optional
-///     Nesting indices, which are cut-off wavelengths (lengths): of the S filter, which takes off what is shorter, such as
-///     noise, and of the L filter, which takes off what is longer, the waviness. With both, the S-L surface is left.
+///     Nesting indices, that is, cut-off wavelengths (lengths). The S filter removes shorter waves, such as noise; the L
+///     filter removes longer waves, the waviness. With both, the result is the S-L surface.
 /// periodic : bool, default False
 ///     Whether the surface continues periodically beyond its edges.
 /// along : "xy", "x" or "y", default "xy"
-///     Whether heights are averaged over the area, or along rows or columns.
+///     Whether heights are averaged over the area ("xy") or along one axis only.
 ///
 /// Raises
 /// ------
 /// NotPositive, BelowMinimum
-///     For a nesting index that is not positive, shorter than two cells or longer than the surface, or for an S filter
-///     of a longer index than that of the L filter.
+///     If a nesting index is not positive, shorter than two cells or longer than the surface, or if the index of the S
+///     filter exceeds the index of the L filter.
 /// Sample, Undetermined, NotFinite, Memory
 ///
 /// Examples

@@ -1,4 +1,4 @@
-//! Surfaces: shapes, roughness, statistics, preparation.
+//! Surfaces: shapes, roughness, statistics and preparation.
 
 mod filter;
 mod power_spectrum;
@@ -19,7 +19,7 @@ pub(crate) use shapes::{
 };
 pub(crate) use statistics::Statistics;
 
-/// Numbers with getters of the same name.
+/// Declares numbers with getters of the same name.
 macro_rules! numbers {
     ($class:ident: $($(#[$doc:meta])* $number:ident),+ $(,)?) => {
         #[pymethods]

@@ -1,4 +1,4 @@
-//! The power spectrum of surfaces.
+//! Power spectra of surfaces.
 
 use pyo3::prelude::*;
 use stickslip::surface;
@@ -9,12 +9,12 @@ use crate::field::Samples;
 use crate::surface::numbers;
 use crate::work::unobserved_on;
 
-/// The radial average of the power spectrum of a surface that repeats.
+/// The radial average of the power spectrum of a periodic surface.
 ///
 /// Parameters
 /// ----------
 /// heights : Field or topography
-///     Lengths, none missing.
+///     The heights (lengths), without missing values.
 #[pyclass(frozen, eq, module = "stickslip.surface")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct PowerSpectrum(surface::PowerSpectrum);
@@ -47,7 +47,7 @@ impl PowerSpectrum {
         view_slice(slf, |spectrum| spectrum.0.values())
     }
 
-    /// Wave vectors in each ring; q and -q are two.
+    /// Number of wave vectors in each ring; q and -q are counted separately.
     #[getter]
     fn modes<'py>(&self, py: Python<'py>) -> Array<'py, u64> {
         Array::new(py, self.0.modes().iter().map(|&modes| modes as u64))

@@ -1,4 +1,4 @@
-//! What is done to surfaces before they are pressed together.
+//! Preparation of surfaces before they are pressed together.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -13,8 +13,8 @@ use crate::progress::Progress;
 use crate::unit::Unit;
 use crate::work::{solve, unobserved_on};
 
-/// The sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. Surfaces must be in
-/// one unit.
+/// Returns the sum of fields on one grid, cell by cell: the gap between two bodies is the sum of both shapes. All
+/// surfaces must have the same unit.
 #[pyfunction]
 pub(crate) fn sum(py: Python<'_>, fields: Vec<Samples<'_>>) -> PyResult<Field> {
     let unit = one_unit(&fields.iter().collect::<Vec<_>>())?;
@@ -27,21 +27,21 @@ pub(crate) fn sum(py: Python<'_>, fields: Vec<Samples<'_>>) -> PyResult<Field> {
     Ok(Field::made(sum, unit))
 }
 
-/// Heights turned upside down (lengths).
+/// Returns the heights turned upside down (lengths).
 #[pyfunction]
 pub(crate) fn inverted(heights: Samples<'_>) -> PyResult<Field> {
     let made = surface::inverted(&*heights.alone("heights")?);
     Ok(Field::made(made, heights.unit()?))
 }
 
-/// Heights with x mirrored, as the surface of a body that is turned over is seen.
+/// Returns the heights with x mirrored, as for a body that is turned over.
 #[pyfunction]
 pub(crate) fn mirror_x(heights: Samples<'_>) -> PyResult<Field> {
     let made = surface::mirror_x(&*heights.alone("heights")?);
     Ok(Field::made(made, heights.unit()?))
 }
 
-/// The gap of a rough body against a flat one: the largest height less each height (lengths, non-negative).
+/// Returns the gap of a rough body against a flat body: the largest height minus each height (lengths, non-negative).
 #[pyfunction]
 pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult<Field> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
@@ -49,8 +49,8 @@ pub(crate) fn gap_from_heights(py: Python<'_>, heights: Samples<'_>) -> PyResult
     Ok(Field::made(gap, unit))
 }
 
-/// The gap between two rough bodies, touching at one point. Heights point out of their body, both as seen from body 1.
-/// Surfaces must be in one unit.
+/// Returns the gap between two rough bodies that touch at one point. Heights are positive outwards from their body; both
+/// surfaces are given as viewed from body 1. Both surfaces must have the same unit.
 #[pyfunction]
 pub(crate) fn gap_between(
     py: Python<'_>,
@@ -63,8 +63,8 @@ pub(crate) fn gap_between(
     Ok(Field::made(gap, unit))
 }
 
-/// The part of a surface in the columns ``columns[0]`` to before ``columns[1]`` and the rows ``rows[0]`` to before
-/// ``rows[1]``, on a grid of its own around the origin.
+/// Returns the part of a surface in the half-open ranges of columns ``columns[0]`` to ``columns[1]`` and of rows
+/// ``rows[0]`` to ``rows[1]``, on a separate grid centred on the origin.
 ///
 /// Raises
 /// ------
@@ -81,7 +81,7 @@ pub(crate) fn crop(
     Ok(Field::made(cropped.or_raise(py)?, unit))
 }
 
-/// A surface at the cell centres of another grid, by cubic interpolation along x and y.
+/// Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y.
 ///
 /// Raises
 /// ------
@@ -89,7 +89,7 @@ pub(crate) fn crop(
 #[pyfunction]
 pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyResult<Field> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
-    // The work is that of the cells made, and what is wrong lies in those given.
+    // The work is done for the cells of the new grid; wrong samples are among the given cells.
     let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {
         surface::resample(&heights, grid.0)
     })?;
@@ -109,7 +109,7 @@ impl Filled {
         Field::made(self.0.heights().clone(), self.1.clone())
     }
 
-    /// How many were missing.
+    /// Number of heights that were missing.
     #[getter]
     fn filled_cells(&self) -> usize {
         self.0.filled_cells()
@@ -120,12 +120,12 @@ impl Filled {
     }
 }
 
-/// Fills missing heights, which are NaN, by the smoothest surface through the rim of each hole (Laplace's equation).
+/// Fills missing heights, which are NaN, with the smoothest surface through the rim of each hole (Laplace's equation).
 ///
 /// Raises
 /// ------
 /// Sample
-///     For an infinite height.
+///     If a height is infinite.
 /// Undetermined
 ///     If all heights are missing.
 /// NotConverged
@@ -142,13 +142,13 @@ pub(crate) struct Levelled(surface::Levelled, Option<Unit>);
 
 #[pymethods]
 impl Levelled {
-    /// The heights left (lengths).
+    /// The remaining heights (lengths).
     #[getter]
     fn heights(&self) -> Field {
         Field::made(self.0.heights().clone(), self.1.clone())
     }
 
-    /// What was taken off (lengths).
+    /// The removed form (lengths).
     #[getter]
     fn form(&self) -> Field {
         Field::made(self.0.form().clone(), self.1.clone())
@@ -160,7 +160,7 @@ impl Levelled {
     }
 }
 
-/// The form to be taken off: "mean", "plane", or the degree of a polynomial.
+/// Returns the form to be removed: "mean", "plane", or the degree of a polynomial.
 fn form_of(form: &Bound<'_, PyAny>) -> PyResult<surface::Form> {
     if let Ok(degree) = form.extract::<usize>() {
         return Ok(surface::Form::Polynomial(degree));
@@ -174,14 +174,14 @@ fn form_of(form: &Bound<'_, PyAny>) -> PyResult<surface::Form> {
     }
 }
 
-/// Takes a form off a surface, by least squares.
+/// Removes a form from a surface by least squares.
 ///
 /// Parameters
 /// ----------
 /// heights : Field or topography
-///     Lengths.
+///     The heights (lengths).
 /// form : "mean", "plane" or int
-///     A number is the degree of a polynomial in x and y.
+///     The form; a number is the degree of a polynomial in x and y.
 ///
 /// Raises
 /// ------

@@ -15,30 +15,31 @@ use crate::real::Real;
 use crate::surface::numbers;
 use crate::work::{observed_on, watch};
 
-/// A recipe of self-affine roughness. With a cut-off wavelength it stays the same surface when the grid is refined.
+/// Parameters of self-affine roughness. With a given cut-off wavelength, the surface does not change when the grid is
+/// refined.
 ///
 /// Parameters
 /// ----------
 /// rms_height, rms_slope : float
-///     One of the two: the root mean square of the heights (a length), or that of the gradient (dimensionless).
+///     Exactly one of the two: the root mean square of the heights (a length) or of the gradient (dimensionless).
 /// hurst : float, default 0.8
-///     The Hurst exponent, in [0, 1]; the fractal dimension is 3 less this.
+///     The Hurst exponent H, in [0, 1]; the fractal dimension is 3 - H.
 /// longest_wavelength : float, optional
-///     Where the spectrum begins (a length); the longer side of the grid by default.
+///     Upper end of the spectrum (a length); the longer side of the grid by default.
 /// roll_off_wavelength : float, optional
-///     Where the plateau of the spectrum ends and it begins to fall (a length); the longest wavelength by default, without
-///     plateau.
+///     Wavelength at which the plateau of the spectrum ends and the spectrum begins to fall (a length). The default is
+///     the longest wavelength, without a plateau.
 /// cut_off_wavelength : float, optional
-///     Where the spectrum ends (a length), at least two cells; eight cells, of their longer side, by default.
+///     Lower end of the spectrum (a length), at least two cells; by default eight times the longer side of a cell.
 /// amplitudes : Amplitudes or str, default "exact"
 ///     "exact" gives each wave the amplitude of the spectrum, and only its phase is random; "gaussian" scatters the
 ///     amplitudes too, as filtered white noise does.
 /// cropped : bool, default False
-///     Whether the surface is the middle of a larger one, and does not repeat.
+///     Whether the surface is the middle of a larger surface and therefore not periodic.
 /// skewness, kurtosis : float, optional
-///     Of the heights (kurtosis 3 of Gaussian heights); as they follow from the phases by default.
+///     Skewness and kurtosis of the heights (Gaussian heights have kurtosis 3). By default they follow from the phases.
 /// seed : int, default 0
-///     Not negative; another seed is another surface.
+///     Seed of the random numbers, not negative; each seed gives a different surface.
 ///
 /// Examples
 /// --------
@@ -104,7 +105,7 @@ impl SelfAffine {
         Ok(Self(recipe))
     }
 
-    /// The surface on a grid.
+    /// Generates the surface on a grid.
     ///
     /// Raises
     /// ------
@@ -116,7 +117,7 @@ impl SelfAffine {
         made.map(RoughSurface)
     }
 
-    /// The heights on the grid of bodies (lengths).
+    /// Generates the heights on the grid of bodies (lengths).
     fn generate_on(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<Field> {
         let surface = self.generate(py, &Grid(bodies.0.grid()))?;
         Ok(surface.0.into_heights().into())
@@ -188,7 +189,7 @@ numbers! { RoughSurface:
 
 #[pymethods]
 impl RoughSurface {
-    /// Its heights (lengths), of zero mean.
+    /// The heights (lengths), with zero mean.
     #[getter]
     fn heights(&self) -> Field {
         self.0.heights().clone().into()
@@ -200,7 +201,7 @@ impl RoughSurface {
         view(slf, |rough| rough.0.heights())
     }
 
-    /// Iterations that a prescribed skewness or kurtosis took.
+    /// Number of iterations for a prescribed skewness or kurtosis.
     #[getter]
     fn iterations(&self) -> usize {
         self.0.iterations()

@@ -1,4 +1,4 @@
-//! The gaps under shapes.
+//! Gaps under simple shapes.
 
 use pyo3::prelude::*;
 use stickslip::surface;
@@ -8,7 +8,7 @@ use crate::field::Field;
 use crate::grid::Grid;
 use crate::work::unobserved_on;
 
-/// Shapes whose parameters are numbers.
+/// Declares shapes whose parameters are numbers.
 macro_rules! shapes {
     ($($(#[$doc:meta])* $shape:ident($($parameter:ident $(. $part:tt)?: $type:ty),+);)+) => {$(
         $(#[$doc])*
@@ -21,24 +21,26 @@ macro_rules! shapes {
 }
 
 shapes! {
-    /// The gap under a sphere of this radius (a length): the paraboloid ``(x^2 + y^2) / (2 radius)`` of Hertz's theory.
-    /// Gaps are lengths, zero where the shape touches the plane.
+    /// Returns the gap under a sphere of this radius (a length): the paraboloid ``(x^2 + y^2) / (2 radius)`` of Hertz's
+    /// theory. Gaps are lengths and zero where the shape touches the plane.
     sphere(radius: f64);
-    /// The gap ``x^2 / (2 radius_x) + y^2 / (2 radius_y)`` under a paraboloid of these radii of curvature (lengths).
+    /// Returns the gap ``x^2 / (2 radius_x) + y^2 / (2 radius_y)`` under a paraboloid with these radii of curvature
+    /// (lengths).
     ellipsoid(radius_x: f64, radius_y: f64);
-    /// The gap ``x^2 / (2 radius)`` under a cylinder of this radius (a length), whose axis is along y.
+    /// Returns the gap ``x^2 / (2 radius)`` under a cylinder of this radius (a length) whose axis is along y.
     cylinder(radius: f64);
-    /// The gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid of curvatures ``(k_xx, k_xy, k_yy)``
-    /// (one over lengths), of which no principal curvature is negative.
+    /// Returns the gap ``(k_xx x^2 + 2 k_xy x y + k_yy y^2) / 2`` under a paraboloid with the curvatures
+    /// ``(k_xx, k_xy, k_yy)`` (one over lengths). No principal curvature may be negative.
     paraboloid(curvatures.0: conversion::Curvatures);
-    /// The gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
+    /// Returns the gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
     cone(slope: f64);
-    /// The gap under a flat punch of this radius: zero in the cells whose centre is below it, the recess in the others
-    /// (lengths). The recess only has to be deeper than the displacements.
+    /// Returns the gap under a flat punch of this radius: zero in cells whose centre is below it, the recess in all
+    /// others (lengths). The recess only has to be deeper than the displacements.
     flat_punch(radius: f64, recess: f64);
-    /// The gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their crests.
+    /// Returns the gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their
+    /// crests.
     sinusoidal(amplitude: f64, wavelength: f64);
-    /// The gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product of waves
-    /// (lengths), zero on its crests.
+    /// Returns the gap ``amplitude * (1 - cos(2 pi x / wavelengths[0]) * cos(2 pi y / wavelengths[1]))`` under a product
+    /// of waves (lengths), zero on its crests.
     bisinusoidal(amplitude: f64, wavelengths.0: conversion::Wavelengths);
 }

@@ -10,12 +10,12 @@ use crate::sequence::pair;
 use crate::surface::numbers;
 use crate::work::unobserved_on;
 
-/// Parameters of a surface after ISO 25178-2.
+/// Parameters of a surface according to ISO 25178-2.
 ///
 /// Parameters
 /// ----------
 /// heights : Field or topography
-///     Lengths, none missing.
+///     The heights (lengths), without missing values.
 #[pyclass(frozen, eq, module = "stickslip.surface")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Statistics(surface::Statistics);
@@ -31,17 +31,17 @@ numbers! { Statistics:
     rms_height,
     /// Skewness Ssk.
     skewness,
-    /// Kurtosis Sku; 3 of Gaussian heights.
+    /// Kurtosis Sku; 3 for Gaussian heights.
     kurtosis,
     /// Highest peak Sp above the mean (a length).
     highest_peak,
     /// Deepest valley Sv below the mean (a length).
     deepest_valley,
-    /// Highest peak and deepest valley together, Sz (a length).
+    /// Sum of the highest peak and the deepest valley, Sz (a length).
     height_range,
-    /// Root mean square slope by differences of neighbours, Sdq.
+    /// Root mean square slope from finite differences of neighbouring cells, Sdq.
     finite_difference_rms_slope,
-    /// Root mean square slope by the spectrum, of a surface that repeats.
+    /// Root mean square slope from the spectrum, for a periodic surface.
     spectral_rms_slope,
     /// Developed area ratio Sdr.
     developed_area_ratio,

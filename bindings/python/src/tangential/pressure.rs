@@ -1,4 +1,4 @@
-//! The pressure that a tangential contact is under.
+//! Pressure of a tangential contact.
 
 use std::sync::Arc;
 
@@ -10,17 +10,17 @@ use crate::field::{Field, Samples};
 use crate::normal::NormalSolution;
 
 argument! {
-    /// A pressure: a solved normal contact, or a field.
+    /// Pressure argument: a solved normal contact, or a field.
     Pressure: NormalSolution | Field
 }
 
-/// The pressure on the grid of the bodies, with what owns it.
+/// Pressure on the grid of the bodies, with its owner.
 pub(crate) enum PressureArgument<'a> {
     Solved(&'a stickslip::NormalSolution),
     Field(Arc<stickslip::Field>),
 }
 
-/// A pressure on its way to Python.
+/// Pressure that is returned to Python.
 #[derive(IntoPyObject)]
 pub(crate) enum AsObject<'py> {
     Solved(Bound<'py, PyAny>),
@@ -35,7 +35,7 @@ impl PressureArgument<'_> {
         }
     }
 
-    /// As an object that nobody changes, by which it is given again.
+    /// Returns the pressure as an immutable object, with which a problem can be constructed again.
     pub(crate) fn object<'py>(&self, given: &Pressure<'py>) -> AsObject<'py> {
         match self {
             Self::Solved(_) => AsObject::Solved(given.0.clone()),

@@ -1,4 +1,4 @@
-//! A tangential contact to be solved.
+//! Tangential contact problems.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -19,7 +19,7 @@ use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
 use crate::work::unobserved_on;
 
-/// Bodies, pressure, friction and tangential load: one monotonic step from the unsheared state.
+/// Bodies, pressure, friction and tangential load of one monotonic step from the unsheared state.
 ///
 /// Parameters
 /// ----------
@@ -32,19 +32,19 @@ use crate::work::unobserved_on;
 /// load : TangentialLoad, optional
 ///     The tangential load as an object, instead of by keywords.
 /// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-///     The tangential load, as of :class:`TangentialLoad`; no force by default.
+///     The tangential load; see :class:`TangentialLoad`. No force by default.
 /// model : TangentialModel or str, default "scalar"
-///     "scalar" finds the traction along the axis of the load, "vector" both components.
+///     "scalar" computes the traction along the axis of the load, "vector" both components.
 /// coupling : Coupling or str, default "one_way"
-///     Of bodies of different materials: "one_way" has the pressure move the surfaces tangentially, "neglected" does not;
-///     "full" is refused, since the pressure is given.
+///     Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
+///     "neglected" omits them. "full" is rejected, since the pressure is given.
 /// relative_displacement : RelativeDisplacement, optional
-///     A displacement of body 1 relative to body 2 that the contact does not cause, reached in proportion to the load; none
-///     by default.
+///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
+///     none by default.
 /// settings : Settings, optional
-///     Method, tolerance and limits; those of ``Settings()`` by default.
+///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
-///     As of :class:`Settings`; they take precedence over ``settings``.
+///     See :class:`Settings`; these arguments take precedence over ``settings``.
 ///
 /// Raises
 /// ------
@@ -141,13 +141,13 @@ impl TangentialProblem {
         Ok(Self(built, grid, recipe))
     }
 
-    /// Largest tangential force that friction holds: the integral of the friction limit.
+    /// Largest tangential force that friction can carry: the integral of the friction limit.
     #[getter]
     fn friction_capacity(&self) -> f64 {
         self.0.friction_capacity()
     }
 
-    /// Solves once; see :meth:`NormalProblem.solve`.
+    /// Solves the problem once; see :meth:`NormalProblem.solve`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -159,7 +159,7 @@ impl TangentialProblem {
         solve_once(py, self.1.cells(), solver, progress, warn)
     }
 
-    /// A solver of this problem, which keeps its buffers and starts each solve from the last answer.
+    /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
         TangentialSolver::of(py, self.1, || self.0.clone().into_solver())
     }

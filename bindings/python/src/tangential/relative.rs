@@ -1,4 +1,4 @@
-//! Displacements that the contact does not cause.
+//! Relative displacements that are not caused by the contact.
 
 use std::sync::Arc;
 
@@ -12,14 +12,15 @@ use crate::field::{Samples, grid_of};
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
 
-/// A displacement of body 1 relative to body 2 that the contact does not cause: bulk strain, thermal expansion.
+/// A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
+/// expansion.
 ///
 /// Parameters
 /// ----------
 /// along_x, along_y : Field or array_like of shape (ny, nx)
 ///     Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
 /// grid : Grid, optional
-///     Where arrays live; Fields know it.
+///     Grid of the arrays; required for arrays, since Fields have their own grid.
 ///
 /// Raises
 /// ------
@@ -48,8 +49,8 @@ impl RelativeDisplacement {
         relative.or_raise_on(py, own_grid).map(Self)
     }
 
-    /// That of a uniform strain ``[[xx, xy], [yx, yy]]`` of body 1 less that of body 2 (dimensionless, positive where body
-    /// 1 is stretched); zero at the origin of the grid.
+    /// Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
+    /// of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
     #[staticmethod]
     fn bulk_strain(py: Python<'_>, grid: &Grid, strain: conversion::Strain) -> PyResult<Self> {
         Relative::bulk_strain(grid.0, strain.0)
@@ -57,7 +58,7 @@ impl RelativeDisplacement {
             .map(Self)
     }
 
-    /// Its components along x and y (lengths).
+    /// Components along x and y (lengths).
     #[getter]
     fn fields<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
         (

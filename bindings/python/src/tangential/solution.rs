@@ -1,4 +1,4 @@
-//! The solution of a tangential contact.
+//! Solutions of tangential contacts.
 
 use std::sync::Arc;
 
@@ -20,15 +20,15 @@ use crate::spots::ContactSpots;
 use crate::stiffness::TangentialStiffness;
 use crate::work::{observed_on, unobserved_on, watch};
 
-/// What owns a tangential solution.
+/// Owner of a tangential solution.
 enum Source {
     Own(Arc<stickslip::TangentialSolution>),
     OfCoupled(Arc<stickslip::CoupledSolution>),
 }
 
-/// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); the scalar model leaves the component
-/// across the load at zero. Arrays are read-only views of its memory, those of the zones a copy. Two are equal if their
-/// answers are, however they were found.
+/// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
+/// the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two objects are
+/// equal if their solutions are equal, whatever the iterations were.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct TangentialSolution(Source);
 
@@ -63,7 +63,7 @@ impl Stored for TangentialSolution {
 
 #[pymethods]
 impl TangentialSolution {
-    /// The grid of its fields.
+    /// Grid of the fields.
     #[getter]
     fn grid(&self) -> Grid {
         Grid(self.get().grid())
@@ -78,7 +78,7 @@ impl TangentialSolution {
         )
     }
 
-    /// Slip of the surface of body 1 over that of body 2 along x and y (lengths); exactly zero in stick cells.
+    /// Slip of the surface of body 1 over the surface of body 2 along x and y (lengths); exactly zero in stick cells.
     #[getter]
     fn slip<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
         (
@@ -87,13 +87,13 @@ impl TangentialSolution {
         )
     }
 
-    /// The zone of every cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.get().grid(), self.get().zones())
     }
 
-    /// The axis of the load in the scalar model, ``None`` in the vector model.
+    /// The axis of the load in the scalar model; ``None`` in the vector model.
     #[getter]
     fn axis(&self) -> Option<Choice<stickslip::Axis>> {
         self.get().axis().map(Choice)
@@ -129,19 +129,19 @@ impl TangentialSolution {
         self.get().is_gross_slip()
     }
 
-    /// Stick area over contact area, by counting cells.
+    /// Ratio of stick area to contact area, from counting cells.
     #[getter]
     fn stick_ratio(&self) -> f64 {
         self.get().stick_ratio()
     }
 
-    /// Area of the stick zone, by counting cells.
+    /// Area of the stick zone, from counting cells.
     #[getter]
     fn stick_area(&self) -> f64 {
         self.get().stick_area()
     }
 
-    /// Area of the slip zone, by counting cells.
+    /// Area of the slip zone, from counting cells.
     #[getter]
     fn slip_area(&self) -> f64 {
         self.get().slip_area()
@@ -153,26 +153,28 @@ impl TangentialSolution {
         self.get().dissipated_energy()
     }
 
-    /// What lies beyond the edge of the grid.
+    /// Boundary condition at the edge of the grid.
     #[getter]
     fn boundary(&self) -> Boundary {
         Boundary(self.get().boundary())
     }
 
-    /// The meaning of the value of a cell.
+    /// Meaning of the value of a cell.
     #[getter]
     fn cell_value(&self) -> Choice<stickslip::CellValue> {
         Choice(self.get().cell_value())
     }
 
-    /// An estimate of the discretisation error of the tractions: the sum over the cells of the differences from the exact
-    /// means, relative to the sum of their magnitudes; ``None`` without traction.
+    /// Estimate of the discretisation error of the tractions: the sum over the cells of the magnitudes of the differences
+    /// from the exact means, relative to the sum of the magnitudes of the tractions; ``None`` without traction, or for
+    /// one slab of a distributed grid.
     #[getter]
     fn discretisation_estimate(&self) -> Option<f64> {
         self.get().discretisation_estimate()
     }
 
-    /// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem.
+    /// Returns the edges of the contact and of the stick zone inside the cells, for the pressure and the friction of the
+    /// problem.
     fn edges(
         &self,
         py: Python<'_>,
@@ -185,25 +187,26 @@ impl TangentialSolution {
         found.map(TangentialEdges)
     }
 
-    /// How the solve ended, what it cost, how large its error can be.
+    /// Termination, cost and error bound of the solve.
     #[getter]
     fn report(&self) -> Report {
         Report::of(self.get().report())
     }
 
-    /// Remarks on a result that may mislead; empty if there are none.
+    /// Warnings about a result that might mislead; empty if there are none.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.get().warnings())
     }
 
-    /// The contact spots of the normal contact below it, with their stick ratios.
+    /// Returns the contact spots of the underlying normal contact, with their stick ratios.
     fn spots(&self, py: Python<'_>, normal: &NormalSolution) -> PyResult<ContactSpots> {
         let (solution, normal) = (self.get(), normal.get());
         unobserved_on(py, solution.grid(), || solution.spots(normal)).map(ContactSpots::of)
     }
 
-    /// Displacement of body 1 relative to body 2 by the tractions along x and y, of all cells (lengths): one product.
+    /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y, for all cells
+    /// (lengths). The cost is one product.
     fn displacement<'py>(
         &self,
         py: Python<'py>,
@@ -214,13 +217,13 @@ impl TangentialSolution {
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
-    /// Elastic energy of shear (a force times a length): one product.
+    /// Computes the elastic energy of shear (a force times a length). The cost is one product.
     fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.elastic_energy(&bodies.0))
     }
 
-    /// The tangential stiffness, on loading and at reversal.
+    /// Computes the tangential stiffness, for continued loading and at reversal.
     fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
         let solution = self.get();
         let found = observed_on(py, solution.grid(), |observer| {

@@ -1,4 +1,4 @@
-//! Tangential contacts solved again and again.
+//! Reusable solvers of tangential contacts.
 
 use pyo3::prelude::*;
 
@@ -12,8 +12,8 @@ use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
 use crate::work::unobserved_on;
 
-/// Solves tangential contacts again and again, each time from the last answer; made by
-/// :meth:`TangentialProblem.solver`. Load, friction and pressure may change between calls. It does not remember slip.
+/// Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
+/// Load, friction and pressure may change between calls. Slip is not carried over from one solve to the next.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct TangentialSolver(Reused<stickslip::TangentialSolver>);
 
@@ -31,14 +31,14 @@ solver!(TangentialSolver: TangentialSolution);
 
 #[pymethods]
 impl TangentialSolver {
-    /// Solves, for this load if one is given, else for the last one.
+    /// Solves for the given load, or for the last load if none is given.
     ///
     /// Parameters
     /// ----------
     /// load, force, shift, spring, force_x, ... : optional
-    ///     As of :class:`TangentialProblem`.
+    ///     See :class:`TangentialProblem`.
     /// progress, warn : optional
-    ///     As of :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`.
     ///
     /// Returns
     /// -------
@@ -47,9 +47,9 @@ impl TangentialSolver {
     /// Raises
     /// ------
     /// NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
-    ///     For the load, which is then as it was.
+    ///     If the load is invalid; it is then unchanged.
     /// NotConverged
-    ///     With ``report`` and ``last_iterate``.
+    ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (load=None, *, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
         shift_y=None, spring_x=None, spring_y=None, twist=None, progress=None, warn=true))]
     fn solve<'py>(
@@ -87,20 +87,20 @@ impl TangentialSolver {
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Changes the friction of the next solve.
+    /// Sets the friction of the next solve.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.0.grid())?;
         self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
-    /// Changes the pressure of the next solve.
+    /// Sets the pressure of the next solve.
     fn set_pressure(&self, py: Python<'_>, pressure: Pressure<'_>) -> PyResult<()> {
         let pressure = pressure.given(py, self.0.grid())?;
         self.0
             .change(py, |solver| solver.set_pressure(pressure.source()))
     }
 
-    /// Changes the relative displacement of the next solve.
+    /// Sets the relative displacement of the next solve.
     fn set_relative_displacement(
         &self,
         py: Python<'_>,
@@ -112,7 +112,7 @@ impl TangentialSolver {
         changed.or_raise(py)
     }
 
-    /// Largest tangential force that friction holds: the integral of the friction limit.
+    /// Largest tangential force that friction can carry: the integral of the friction limit.
     #[getter]
     fn friction_capacity(&self) -> PyResult<f64> {
         self.0.with(|solver| solver.friction_capacity())

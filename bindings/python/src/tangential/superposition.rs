@@ -1,4 +1,4 @@
-//! Traction as the difference of two pressures.
+//! Traction as the difference of two pressures (Jaeger's superposition).
 
 use pyo3::prelude::*;
 
@@ -14,8 +14,8 @@ use crate::real::Real;
 /// Parameters
 /// ----------
 /// full, stick : NormalSolution
-///     The contact under its load W, and the same bodies under the load W - F / mu for a tangential force F: its contact
-///     is the stick zone.
+///     The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential force
+///     F. The contact area of the second is the stick zone.
 /// pair : ElasticPair
 ///     The bodies. The coupling between pressure and traction of different materials is neglected.
 /// friction : float
@@ -49,7 +49,7 @@ impl JaegerSuperposition {
         view(slf, |found| found.0.traction())
     }
 
-    /// The zone of every cell, as of :attr:`TangentialSolution.zones`.
+    /// Zone of each cell; see :attr:`TangentialSolution.zones`.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.traction().grid(), self.0.zones())

@@ -1,4 +1,5 @@
-"""Surfaces from files, fields into files; a module for each format. Solutions and surfaces as datasets of xarray."""
+"""Reading of surfaces from files and writing of fields to files, with one module per format. Solutions and surfaces can
+be converted to and from xarray."""
 
 from .._stickslip import read
 from . import asc, csv, npy, pvd, sdf, sur, vti, x3p, xyz

@@ -1,4 +1,4 @@
-"""Solutions as datasets of xarray, which is imported only when one is asked for."""
+"""Conversion of solutions to datasets of xarray, which is imported only on use."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .._stickslip import (
 if TYPE_CHECKING:
     import xarray
 
-# Fields, each with a number in every cell or a number along each axis, and numbers, by the names they have.
+# Names of the fields, which have one number or one vector per cell, and of the scalar results.
 _FIELDS = (
     "pressure", "gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip", "dissipated_energy",
     "normal_stress", "shear_stress", "von_mises",
@@ -34,27 +34,27 @@ _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz"
 
 
 def to_xarray(solution: Any) -> xarray.Dataset:
-    """The fields and numbers of a solution as a dataset of xarray (``pip install xarray``), to save and to analyse.
+    """Converts the fields and numbers of a solution to a dataset of xarray (``pip install xarray``).
 
-    Fields have the dimensions (y, x), with the centres of the cells as coordinates; components of vectors are named by
-    their axis, such as ``traction_x``, those of stresses by both, such as ``xz``. Numbers are attributes of the dataset.
-    The doc of each field is its attribute ``long_name``. Units are those of
-    a field that has one: of others set ``dataset.x.attrs["units"]``.
+    Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
+    their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
+    the dataset. The docstring of each field is its attribute ``long_name``. The unit of a Field is kept; for other
+    objects set ``dataset.x.attrs["units"]``.
 
     Parameters
     ----------
     solution : NormalSolution, TangentialSolution, tuple of both, CoupledSolution, State, History, Field, or sequence of Plane
-        What is exported. The normal force of a solution of both halves is ``normal_force``. Planes, as of
-        :meth:`Planes.solve_all`, have the further dimension ``depth``.
+        The object to convert. For a pair of a normal and a tangential solution, the normal force is named
+        ``normal_force``. Planes, such as those of :meth:`Planes.solve_all`, have the additional dimension ``depth``.
 
     Raises
     ------
     ImportError
-        Without xarray.
+        If xarray is not installed.
     TypeError
-        If it is none of these.
+        If the object is not of one of these types.
     ValueError
-        If planes are of several bodies or grids.
+        If the planes belong to different bodies or grids.
 
     Examples
     --------
@@ -96,17 +96,17 @@ def to_xarray(solution: Any) -> xarray.Dataset:
 
 
 def from_xarray(array: xarray.DataArray) -> Field:
-    """The heights of a surface in an array of xarray, with its attribute ``units``.
+    """Converts an array of xarray with the heights of a surface to a field, with the unit in its attribute ``units``.
 
     Parameters
     ----------
     array : xarray.DataArray
-        Of the dimensions y and x, in either order, with evenly spaced coordinates.
+        An array with the dimensions y and x, in either order, and evenly spaced coordinates.
 
     Raises
     ------
     ValueError
-        If it has other dimensions, or coordinates that are not evenly spaced and increasing.
+        If the array has different dimensions, or if its coordinates are not evenly spaced and increasing.
     """
     if set(array.dims) != {"x", "y"}:
         raise ValueError(f"the array has the dimensions {tuple(array.dims)}, expected y and x")
@@ -123,7 +123,7 @@ def from_xarray(array: xarray.DataArray) -> Field:
 
 
 def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
-    """The fields of a solution with what they are; those that take a product to find are left out."""
+    """Yields the fields of a solution with their descriptions, except fields that require a product."""
     for name in _FIELDS:
         value = getattr(solution, name, None)
         if value is None or callable(value) or np.isscalar(value):
@@ -137,7 +137,7 @@ def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
 
 
 def _numbers(solution: Any) -> dict[str, Any]:
-    """The numbers of a solution, of vectors one along each axis."""
+    """Returns the scalar results of a solution; a vector has one entry per axis."""
     numbers: dict[str, Any] = {}
     for name in _NUMBERS:
         value = getattr(solution, name, None)

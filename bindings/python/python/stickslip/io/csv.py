@@ -1,4 +1,4 @@
-"""Fields as matrices in text."""
+"""Fields as matrices in text files."""
 
 from .._stickslip import csv_parse as parse
 from .._stickslip import csv_read as read

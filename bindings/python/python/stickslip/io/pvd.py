@@ -1,4 +1,4 @@
-"""Series of images over time for ParaView."""
+"""Time series of images for ParaView."""
 
 from .._stickslip import PvdWriter
 

@@ -1,4 +1,4 @@
-"""Images for ParaView."""
+"""Images (VTI files) for ParaView."""
 
 from .._stickslip import vti_to_bytes as to_bytes
 from .._stickslip import vti_write as write
