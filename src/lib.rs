@@ -252,7 +252,7 @@
 //! both simultaneously and reproduce the results of CONTACT. A [`TangentialProblem`] has a given pressure and solves
 //! for the tractions under this pressure. [`Coupling`] can select one-way coupling or none. The vector model reproduces
 //! the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of the largest pressure
-//! (`tests/it/another_code_agrees_through_histories.rs`).
+//! (`tests/it/contact_reference_histories.rs`).
 //!
 //! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Plasticity, adhesion, viscosity and heat are
 //! not modelled.

@@ -1,5 +1,5 @@
-//! A solve whose observer has cancelled it once reports that, whatever it does afterwards. A cancelled step leaves the
-//! history unchanged.
+//! A solve that its observer has cancelled once reports the cancellation, regardless of later return values of the
+//! observer. A cancelled step leaves the history unchanged.
 
 use std::ops::ControlFlow;
 
@@ -17,8 +17,8 @@ use stickslip::{
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
-/// Cancels at the calls of the observer of these numbers, and lets the solve continue at all others: the outcome must be
-/// the error. Returns the number of calls of a solve that is not cancelled.
+/// Cancels the solve at selected calls of the observer, lets it continue at all other calls, and checks that the solve
+/// returns the error. Returns the number of calls of a solve that is not cancelled.
 fn assert_cancelled<T>(
     stride: usize,
     mut solve: impl FnMut(Observer<'_>) -> Result<T, Error>,
@@ -50,7 +50,7 @@ fn assert_cancelled<T>(
     }
 }
 
-/// Takes the steps one after the other, each cancelled at every call first.
+/// Takes the steps in sequence; each step is first cancelled at every call of the observer.
 fn assert_steps_cancelled(history: &mut History, steps: &[LoadStep]) -> usize {
     let mut twin = history.clone();
     let mut calls = 0;
@@ -72,26 +72,26 @@ fn assert_steps_cancelled(history: &mut History, steps: &[LoadStep]) -> usize {
     calls
 }
 
-fn press(force: f64) -> LoadStep {
+fn press_step(force: f64) -> LoadStep {
     LoadStep::hold().normal(NormalControl::Force(force))
 }
 
-fn drag(load: LoadStep, force: f64) -> LoadStep {
+fn with_tangential_force(load: LoadStep, force: f64) -> LoadStep {
     load.tangential(Axis::X, TangentialControl::Force(force))
 }
 
-/// Pressing, shearing, a wider contact, a reversal, and a spring.
-fn steps() -> [LoadStep; 5] {
+/// Returns five steps: pressing, shearing, a wider contact, a reversal, and a spring.
+fn load_steps() -> [LoadStep; 5] {
     let spring = TangentialControl::Spring {
         position: 0.2,
         stiffness: 2.0,
     };
     [
-        press(0.2),
-        drag(press(0.2), 0.04),
-        drag(press(0.5), 0.05),
-        drag(LoadStep::hold(), -0.1),
-        press(0.4).tangential(Axis::X, spring),
+        press_step(0.2),
+        with_tangential_force(press_step(0.2), 0.04),
+        with_tangential_force(press_step(0.5), 0.05),
+        with_tangential_force(LoadStep::hold(), -0.1),
+        press_step(0.4).tangential(Axis::X, spring),
     ]
 }
 
@@ -100,45 +100,53 @@ fn coupled_bodies(grid: Grid) -> HalfSpace {
     HalfSpace::new(grid, ElasticPair::new(soft, Material::rigid()).unwrap()).unwrap()
 }
 
-/// A sphere on cells that are too many for a plain start.
-fn sphere(cells: usize) -> (Grid, Field) {
+/// Returns a sphere on a grid that can be too large for a start without coarser grids.
+fn sphere_gap(cells: usize) -> (Grid, Field) {
     let grid = Grid::square(cells, 3.0).unwrap();
     (grid, surface::sphere(grid, 2.0).unwrap())
 }
 
-fn friction() -> Friction {
+fn coulomb_friction() -> Friction {
     Friction::coulomb(0.3).unwrap()
 }
 
 #[test]
-fn history_step_of_alike_bodies_cancelled_is_not_taken() {
-    let (grid, gap) = sphere(thorough(16, 48));
+fn history_cancelled_step_of_similar_bodies_is_not_taken() {
+    let (grid, gap) = sphere_gap(thorough(16, 48));
     let bodies = unit_bodies(grid, 0.3);
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         for hardness in [None, Some(0.3)] {
-            let mut builder = History::builder(&bodies, &gap, friction()).model(model);
+            let mut builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
             if let Some(hardness) = hardness {
                 builder = builder.hardness(Hardness::uniform(hardness).unwrap());
             }
             let mut history = builder.build().unwrap();
-            let calls = assert_steps_cancelled(&mut history, &steps()[..]);
+            let calls = assert_steps_cancelled(&mut history, &load_steps()[..]);
             assert!(calls > 10);
             let mut worn = history.gap().clone();
             let slip = history.last_step().slip_distance();
             wear::archard(0.1, history.pressure(), slip, &mut worn).unwrap();
             history.set_gap(&worn).unwrap();
-            assert_steps_cancelled(&mut history, &[press(0.4), drag(press(0.4), 0.06)]);
+            assert_steps_cancelled(
+                &mut history,
+                &[
+                    press_step(0.4),
+                    with_tangential_force(press_step(0.4), 0.06),
+                ],
+            );
         }
     }
 }
 
-/// Steps whose coarser starts take most of the calls, and steps of a line of cells.
+/// Covers steps in which the coarser starts take most of the calls, and steps of a line of cells.
 #[test]
-fn history_step_with_a_nested_start_cancelled_is_not_taken() {
-    let (grid, gap) = sphere(48);
+fn history_cancelled_step_with_nested_start_is_not_taken() {
+    let (grid, gap) = sphere_gap(48);
     let bodies = unit_bodies(grid, 0.3);
-    let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
-    let first = drag(press(0.2), 0.04);
+    let mut history = History::builder(&bodies, &gap, coulomb_friction())
+        .build()
+        .unwrap();
+    let first = with_tangential_force(press_step(0.2), 0.04);
     assert_steps_cancelled(&mut history, &[first]);
 
     let line = Grid::line(200, 0.02).unwrap();
@@ -146,35 +154,44 @@ fn history_step_with_a_nested_start_cancelled_is_not_taken() {
     let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
     let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();
     let gap = rough(line, 3);
-    let builder = History::builder(&bodies, &gap, friction()).coupling(Coupling::Neglected);
+    let builder = History::builder(&bodies, &gap, coulomb_friction()).coupling(Coupling::Neglected);
     let mut history = builder.build().unwrap();
-    assert_steps_cancelled(&mut history, &[drag(press(0.02), 0.003), press(0.1)]);
+    assert_steps_cancelled(
+        &mut history,
+        &[
+            with_tangential_force(press_step(0.02), 0.003),
+            press_step(0.1),
+        ],
+    );
 }
 
 #[test]
-fn history_step_of_coupled_bodies_cancelled_is_not_taken() {
-    let (grid, gap) = sphere(thorough(10, 44));
+fn history_cancelled_coupled_step_is_not_taken() {
+    let (grid, gap) = sphere_gap(thorough(10, 44));
     let bodies = coupled_bodies(grid);
-    let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
-    assert!(assert_steps_cancelled(&mut history, &steps()[..]) > 10);
+    let mut history = History::builder(&bodies, &gap, coulomb_friction())
+        .build()
+        .unwrap();
+    assert!(assert_steps_cancelled(&mut history, &load_steps()[..]) > 10);
 }
 
 #[test]
-fn history_step_that_rolls_cancelled_is_not_taken() {
-    let (grid, gap) = sphere(thorough(14, 40));
+fn history_cancelled_rolling_step_is_not_taken() {
+    let (grid, gap) = sphere_gap(thorough(14, 40));
     let bodies = unit_bodies(grid, 0.3);
-    let builder = History::builder(&bodies, &gap, friction()).model(TangentialModel::Vector);
+    let builder =
+        History::builder(&bodies, &gap, coulomb_friction()).model(TangentialModel::Vector);
     let mut history = builder.build().unwrap();
-    let roll = press(0.2).roll(Rolling::new(1).creepage([0.05, 0.0]).spin(0.1));
-    assert_steps_cancelled(&mut history, &[press(0.2), roll, roll]);
+    let roll = press_step(0.2).roll(Rolling::new(1).creepage([0.05, 0.0]).spin(0.1));
+    assert_steps_cancelled(&mut history, &[press_step(0.2), roll, roll]);
 }
 
-/// Random loads: a step may end in many ways.
+/// Covers random loads, because a step can end in many ways.
 #[test]
-fn history_step_of_random_loads_cancelled_is_not_taken() {
+fn history_cancelled_step_of_random_loads_is_not_taken() {
     let mut random = Random(17);
     for case in 0..thorough(3, 300) {
-        let (grid, ball) = sphere(12);
+        let (grid, ball) = sphere_gap(12);
         let bodies = if random.chance(0.5) {
             unit_bodies(grid, 0.3)
         } else {
@@ -186,17 +203,20 @@ fn history_step_of_random_loads_cancelled_is_not_taken() {
             ball
         };
         let model = random.pick(&[TangentialModel::Scalar, TangentialModel::Vector]);
-        let builder = History::builder(&bodies, &gap, friction()).model(model);
+        let builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
         let tolerance = random.decade(-9.0, -0.3);
         let mut history = builder.tolerance(tolerance).build().unwrap();
         for _ in 0..4 {
             let force = random.decade(-3.0, 1.0);
             let step = match random.integer(0, 3) {
-                0 => press(force),
+                0 => press_step(force),
                 1 => LoadStep::hold()
                     .tangential(Axis::X, TangentialControl::Shift(random.uniform(-0.5, 0.5))),
-                2 => drag(press(force), 0.3 * force * random.uniform(-1.0, 1.0)),
-                _ => press(force).tangential(
+                2 => with_tangential_force(
+                    press_step(force),
+                    0.3 * force * random.uniform(-1.0, 1.0),
+                ),
+                _ => press_step(force).tangential(
                     Axis::X,
                     TangentialControl::Spring {
                         position: random.uniform(-2.0, 2.0),
@@ -211,10 +231,10 @@ fn history_step_of_random_loads_cancelled_is_not_taken() {
     }
 }
 
-/// A solution also reports the end of its solve.
+/// A solution also reports how its solve ended.
 #[test]
-fn solver_cancelled_reports_it() {
-    let (grid, gap) = sphere(thorough(16, 48));
+fn solver_cancelled_reports_cancellation() {
+    let (grid, gap) = sphere_gap(thorough(16, 48));
     let stride = thorough(2, 1);
     let bodies = unit_bodies(grid, 0.3);
     for (load, method) in [
@@ -244,7 +264,8 @@ fn solver_cancelled_reports_it() {
         (TangentialLoad::force([0.02, 0.03]), TangentialModel::Vector),
         (TangentialLoad::shift([10.0, 0.0]), TangentialModel::Scalar),
     ] {
-        let problem = TangentialProblem::builder(&bodies, &normal, friction(), load).model(model);
+        let problem =
+            TangentialProblem::builder(&bodies, &normal, coulomb_friction(), load).model(model);
         let problem = problem.build().unwrap();
         let solve = |observer: Observer<'_>| {
             let mut solver = problem.clone().into_solver().unwrap();
@@ -256,7 +277,7 @@ fn solver_cancelled_reports_it() {
         assert_cancelled(stride, solve);
     }
     for spin in [0.0, 0.05] {
-        let builder = RollingProblem::builder(&bodies, &normal, friction());
+        let builder = RollingProblem::builder(&bodies, &normal, coulomb_friction());
         let problem = builder.creepage([0.05, 0.0]).build().unwrap();
         let solve = |observer: Observer<'_>| {
             let mut solver = problem.clone().into_solver().unwrap();
@@ -272,15 +293,15 @@ fn solver_cancelled_reports_it() {
 }
 
 #[test]
-fn coupled_solver_cancelled_reports_it() {
-    let (grid, gap) = sphere(thorough(10, 44));
+fn coupled_solver_cancelled_reports_cancellation() {
+    let (grid, gap) = sphere_gap(thorough(10, 44));
     let bodies = coupled_bodies(grid);
     for load in [
         TangentialLoad::force([0.03, 0.0]),
         TangentialLoad::shift([0.02, 0.0]),
     ] {
         let control = NormalControl::Force(0.2);
-        let problem = CoupledProblem::builder(&bodies, &gap, friction(), control, load);
+        let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), control, load);
         let problem = problem.build().unwrap();
         let solve = |observer: Observer<'_>| {
             let mut solver = problem.clone().into_solver().unwrap();
@@ -293,10 +314,10 @@ fn coupled_solver_cancelled_reports_it() {
     }
 }
 
-/// Minima of a custom problem, and the stiffness of a step.
+/// Covers minima of a custom problem, and the stiffness of a step.
 #[test]
-fn minimum_and_stiffness_cancelled_report_it() {
-    let (grid, gap) = sphere(12);
+fn minimiser_and_stiffness_cancelled_report_cancellation() {
+    let (grid, gap) = sphere_gap(12);
     let bodies = unit_bodies(grid, 0.3);
     let operator = bodies.operator(Component::ZZ).unwrap();
     let limits = vec![0.1; grid.cells()];
@@ -318,9 +339,11 @@ fn minimum_and_stiffness_cancelled_report_it() {
         assert_cancelled(1, solve);
     }
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let builder = History::builder(&bodies, &gap, friction()).model(model);
+        let builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
         let mut history = builder.build().unwrap();
-        history.step(&drag(press(0.2), 0.03)).unwrap();
+        history
+            .step(&with_tangential_force(press_step(0.2), 0.03))
+            .unwrap();
         let solve = |observer: Observer<'_>| history.stiffness_observed(observer);
         assert_cancelled(1, solve);
     }

@@ -1,5 +1,5 @@
-//! Coated bodies are layers on a base: their coefficients are those of an independent evaluation, and contacts of them what
-//! the limits of the layers say.
+//! Coated bodies are layers on a base. Their coefficients agree with an independent evaluation, and their contacts
+//! agree with the limits of thin and thick layers.
 
 mod grids;
 #[cfg(feature = "dense")]
@@ -19,69 +19,73 @@ use stickslip::{
     LoadStep, Material, NormalControl, TangentialControl, TangentialLoad, analytical, surface,
 };
 
-/// Made by mpmath at 60 digits from Papkovich-Neuber potentials, the factor of a cell and the angle of its waves integrated in
-/// Fourier space: no formula of the library's.
+/// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
+/// angle of its waves are integrated in Fourier space; no formula of the library is used.
 const CELLS: &str = include_str!("../data/layers/cells.csv");
 const RESPONSES: &str = include_str!("../data/layers/responses.csv");
 const STACKS: &str = include_str!("../data/layers/stacks.csv");
-/// Axisymmetric contacts, from a Fredholm equation of the second kind for the pressure: contact radius, largest pressure and
-/// approach over those without a coating.
+/// Axisymmetric contacts, from a Fredholm equation of the second kind for the pressure. Columns: contact radius,
+/// largest pressure and approach, relative to the values without a coating.
 const SPHERES: &str = include_str!("../data/layers/coated_sphere.csv");
 
-fn number(text: &str) -> f64 {
+fn parse_number(text: &str) -> f64 {
     text.parse().unwrap()
 }
 
-/// From the moduli of shear.
+/// Creates a layer from its shear modulus.
 fn layer(shear_modulus: f64, nu: f64, thickness: f64) -> Layer {
     Layer::new(2.0 * (1.0 + nu) * shear_modulus, nu, thickness).unwrap()
 }
 
-fn base(text: &str) -> Material {
+fn parse_material(text: &str) -> Material {
     match text.split_once('/') {
-        Some((modulus, nu)) => Material::from_shear_modulus(number(modulus), number(nu)).unwrap(),
+        Some((modulus, nu)) => {
+            Material::from_shear_modulus(parse_number(modulus), parse_number(nu)).unwrap()
+        }
         None => Material::rigid(),
     }
 }
 
-fn stack(layers: &str, below: &str) -> Material {
+fn parse_body(layers: &str, below: &str) -> Material {
     let layers: Vec<Layer> = layers
         .split(';')
         .map(|of| {
-            let of: Vec<f64> = of.split('/').map(number).collect();
+            let of: Vec<f64> = of.split('/').map(parse_number).collect();
             layer(of[0], of[1], of[2])
         })
         .collect();
-    base(below).coated(&layers).unwrap()
+    parse_material(below).coated(&layers).unwrap()
 }
 
-fn on_rigid(body: Material) -> ElasticPair {
+fn against_rigid(body: Material) -> ElasticPair {
     ElasticPair::new(body, Material::rigid()).unwrap()
 }
 
-fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
+fn parse_rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
     table.lines().skip(1).map(|line| line.split(',').collect())
 }
 
 #[test]
-fn responses_are_those_of_an_independent_evaluation() {
+fn responses_match_independent_evaluation() {
     let near = |found: f64, expected: &str, unit: f64| {
         assert!(
-            (found - number(expected)).abs() < 2e-14 * unit,
+            (found - parse_number(expected)).abs() < 2e-14 * unit,
             "{found:e} for {expected}"
         );
     };
     let mut count = 0;
-    for row in rows(RESPONSES) {
+    for row in parse_rows(RESPONSES) {
         let [kh, m, nu_1, nu_2] = [0, 1, 2, 3].map(|n| row[n]);
         let below = if m == "0" || m == "rigid" || m == "0.0" {
             Material::rigid()
         } else {
-            Material::from_shear_modulus(1.0 / number(m), number(nu_2)).unwrap()
+            Material::from_shear_modulus(1.0 / parse_number(m), parse_number(nu_2)).unwrap()
         };
-        let body = below.coated(&[layer(1.0, number(nu_1), 1.0)]).unwrap();
-        let k = number(kh);
-        let found = on_rigid(body).response(k).unwrap();
+        let body = below
+            .coated(&[layer(1.0, parse_number(nu_1), 1.0)])
+            .unwrap();
+        let k = parse_number(kh);
+        let found = against_rigid(body).response(k).unwrap();
         near(k * found.normal, row[4], k * found.normal);
         near(k * found.along, row[5], k * found.along);
         near(k * found.across, row[6], k * found.across);
@@ -92,9 +96,9 @@ fn responses_are_those_of_an_independent_evaluation() {
         );
         count += 1;
     }
-    for row in rows(STACKS) {
-        let found = on_rigid(stack(row[1], row[2]))
-            .response(number(row[0]))
+    for row in parse_rows(STACKS) {
+        let found = against_rigid(parse_body(row[1], row[2]))
+            .response(parse_number(row[0]))
             .unwrap();
         near(found.normal, row[3], found.normal);
         near(found.along, row[4], found.along);
@@ -106,18 +110,18 @@ fn responses_are_those_of_an_independent_evaluation() {
 }
 
 #[test]
-fn coefficients_are_those_of_an_independent_evaluation() {
+fn coefficients_match_independent_evaluation() {
     let mut count = 0;
-    for row in rows(CELLS) {
-        let [a, b, x, y] = [2, 3, 4, 5].map(|n| number(row[n]));
+    for row in parse_rows(CELLS) {
+        let [a, b, x, y] = [2, 3, 4, 5].map(|n| parse_number(row[n]));
         let cell = Rectangle::new(a, b).unwrap();
-        let body = stack(row[0], row[1]);
+        let body = parse_body(row[0], row[1]);
         let found = cell.tensor(&body, x, y);
         let own = cell.tensor(&body, 0.0, 0.0);
         let unit = own.zz.max(own.xx).max(own.yy);
         let found = [found.zz, found.xx, found.yy, found.xy, found.zx, found.zy];
         for (found, expected) in found.iter().zip(&row[6..]) {
-            let error = (found - number(expected)).abs() / unit;
+            let error = (found - parse_number(expected)).abs() / unit;
             assert!(error < 1e-12, "{row:?}: {found:e}, {error:e}");
         }
         count += 1;
@@ -125,11 +129,12 @@ fn coefficients_are_those_of_an_independent_evaluation() {
     assert_eq!(count, 40);
 }
 
-/// All nine obey reciprocity, for a pair of two coated bodies too, and a pair adds up its bodies.
+/// All nine coefficients satisfy reciprocity, also for two coated bodies, and the coefficients of a pair are the sums
+/// over its bodies.
 #[test]
-fn pairs_add_up_their_bodies() {
-    let one = stack("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
-    let two = stack("0.3/0.4/1.5", "rigid");
+fn pair_coefficients_are_the_sum_over_bodies() {
+    let one = parse_body("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
+    let two = parse_body("0.3/0.4/1.5", "rigid");
     let pair = ElasticPair::new(one, two).unwrap();
     let cell = Rectangle::new(0.3, 0.2).unwrap();
     for [x, y] in [[0.0, 0.0], [0.6, 0.0], [-1.2, 0.8], [30.0, -7.0]] {
@@ -152,8 +157,8 @@ fn pairs_add_up_their_bodies() {
     }
 }
 
-/// All nine coefficients of two pairs on one grid.
-fn assert_same(one: &ElasticPair, other: &ElasticPair, grid: Grid, tolerance: f64) {
+/// Checks that all nine coefficients of two pairs agree on one grid.
+fn assert_same_coefficients(one: &ElasticPair, other: &ElasticPair, grid: Grid, tolerance: f64) {
     let unit = Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy()).unwrap();
     let unit = unit.pair_tensor(one, 0.0, 0.0).zz;
     for component in Component::ALL {
@@ -169,17 +174,17 @@ fn assert_same(one: &ElasticPair, other: &ElasticPair, grid: Grid, tolerance: f6
 }
 
 #[test]
-fn a_layer_of_its_substrate_is_no_layer() {
+fn layer_of_substrate_material_has_no_effect() {
     let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let coated = body
         .coated(&[layer(1.0, 0.3, 0.7), layer(1.0, 0.3, 0.1)])
         .unwrap();
     let grid = Grid::new(24, 9, 0.2, 0.35).unwrap();
-    assert_same(&on_rigid(body), &on_rigid(coated), grid, 1e-13);
+    assert_same_coefficients(&against_rigid(body), &against_rigid(coated), grid, 1e-13);
 
     let same = ElasticPair::new(coated, coated).unwrap();
-    assert!(!same.is_coupled() && on_rigid(coated).is_coupled());
-    let [plain, layered] = [on_rigid(body), on_rigid(coated)].map(|pair| {
+    assert!(!same.is_coupled() && against_rigid(coated).is_coupled());
+    let [plain, layered] = [against_rigid(body), against_rigid(coated)].map(|pair| {
         let bodies = HalfSpace::new(Grid::square(48, 12.0).unwrap(), pair).unwrap();
         let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
         press(
@@ -194,31 +199,32 @@ fn a_layer_of_its_substrate_is_no_layer() {
     assert!(l2_difference(layered.as_slice(), plain.as_slice()) < 1e-9);
 }
 
-/// Thin beside the cells a layer is not there, thick beside the grid it is all.
+/// A layer that is thin compared with the cells has no effect; a layer that is thick compared with the grid is a
+/// half-space.
 #[test]
-fn thin_and_thick_layers_are_their_limits() {
+fn thin_and_thick_layers_approach_their_limits() {
     let [soft, hard] = [1.0, 5.0].map(|g| Material::from_shear_modulus(g, 0.3).unwrap());
     let [nx, ny] = kit::thorough([7, 5], [12, 9]);
     let grid = Grid::new(nx, ny, 0.2, 0.35).unwrap();
-    let coated = |thickness| on_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
-    assert_same(&on_rigid(soft), &coated(1e-7), grid, 1e-5);
-    assert_same(&on_rigid(hard), &coated(1e6), grid, 1e-5);
+    let coated = |thickness| against_rigid(soft.coated(&[layer(5.0, 0.3, thickness)]).unwrap());
+    assert_same_coefficients(&against_rigid(soft), &coated(1e-7), grid, 1e-5);
+    assert_same_coefficients(&against_rigid(hard), &coated(1e6), grid, 1e-5);
     if kit::thorough(false, true) {
-        assert_same(&on_rigid(soft), &coated(1e-9), grid, 1e-7);
+        assert_same_coefficients(&against_rigid(soft), &coated(1e-9), grid, 1e-7);
     }
 }
 
-/// A bed that is thin beside the contact is a row of springs, of the oedometric modulus.
+/// A bed that is thin compared with the contact is a Winkler foundation with the oedometric modulus.
 #[test]
-fn a_thin_bed_on_a_rigid_base_is_winklers() {
+fn thin_bed_on_rigid_base_matches_winkler() {
     let (thickness, nu) = (0.02, 0.2);
     let body = Material::rigid()
         .coated(&[layer(1.0, nu, thickness)])
         .unwrap();
     let oedometric = 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu);
     let grid = Grid::square(192, 2.4).unwrap();
-    let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
-    // A contact radius of fifty thicknesses.
+    let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
+    // The contact radius is fifty thicknesses.
     let (radius, approach) = (1000.0, 5e-4);
     let gap = surface::sphere(grid, radius).unwrap();
     let contact = press(
@@ -241,17 +247,18 @@ fn a_thin_bed_on_a_rigid_base_is_winklers() {
     );
 }
 
-/// A rigid sphere on a coating, beside an axisymmetric solution: of second order in the cells.
+/// Compares a rigid sphere on a coating with an axisymmetric solution; the error is of second order in the cell size.
 #[test]
-fn spheres_on_coatings_are_those_of_an_axisymmetric_solution() {
+fn sphere_on_coating_matches_axisymmetric_solution() {
     let substrate = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let load = 1.0;
-    let hertz = analytical::HertzSphere::new(&on_rigid(substrate), 10.0, load).unwrap();
-    assert_eq!(rows(SPHERES).count(), 12);
-    for row in rows(SPHERES) {
-        let [m, thickness, radius, largest, approach] = [0, 1, 2, 3, 4].map(|k| number(row[k]));
+    let hertz = analytical::HertzSphere::new(&against_rigid(substrate), 10.0, load).unwrap();
+    assert_eq!(parse_rows(SPHERES).count(), 12);
+    for row in parse_rows(SPHERES) {
+        let [m, thickness, radius, largest, approach] =
+            [0, 1, 2, 3, 4].map(|k| parse_number(row[k]));
         let coating = layer(m, 0.3, thickness * hertz.contact_radius());
-        let pair = on_rigid(substrate.coated(&[coating]).unwrap());
+        let pair = against_rigid(substrate.coated(&[coating]).unwrap());
         let errors = [32, 64, 128].map(|n| {
             let grid = Grid::square(n, 3.1 * radius * hertz.contact_radius()).unwrap();
             let bodies = HalfSpace::new(grid, pair).unwrap();
@@ -267,23 +274,24 @@ fn spheres_on_coatings_are_those_of_an_axisymmetric_solution() {
         for (quantity, most) in [6e-5, 3.5e-4].into_iter().enumerate() {
             let [coarse, fine] = [coarse[quantity], fine[quantity]].map(f64::abs);
             let order = 0.5 * (coarse / fine).log2();
-            // Measured: 8e-6 to 4.8e-5 and 4e-5 to 2.9e-4; orders 1.76 to 1.97.
+            // Measured: errors of 8e-6 to 4.8e-5 and 4e-5 to 2.9e-4; orders of 1.76 to 1.97.
             assert!(fine < most && order > 1.7, "{m} {thickness}: {errors:?}");
         }
     }
 }
 
-/// A paraboloid on an incompressible layer bonded to a rigid base, in powers of `x = sqrt(R d) / h`:
-/// `F = F_Hertz (1 + 1.133 x + 1.497 x^2 + 1.469 x^3 + 0.755 x^4 + ...)`, Garcia and Garcia, Biophysical Journal 114 (2018)
-/// 2923, <https://doi.org/10.1016/j.bpj.2018.05.012>. In the earlier series of Dimitriadis and others (Biophysical Journal 82
-/// (2002) 2798) the second coefficient is 1.283, the square of the first, as of a flat punch.
+/// Compares a paraboloid on an incompressible layer that is bonded to a rigid base with a series in powers of `x =
+/// sqrt(R d) / h`: `F = F_Hertz (1 + 1.133 x + 1.497 x^2 + 1.469 x^3 + 0.755 x^4 + ...)`, Garcia and Garcia,
+/// Biophysical Journal 114 (2018) 2923, <https://doi.org/10.1016/j.bpj.2018.05.012>. In the earlier series of
+/// Dimitriadis and others (Biophysical Journal 82 (2002) 2798) the second coefficient is 1.283, the square of the first
+/// coefficient, as for a flat punch.
 #[test]
-fn paraboloids_on_bonded_layers_follow_a_published_series() {
+fn paraboloid_on_bonded_layer_matches_published_series() {
     let force_over_hertz = |x: f64| {
         let (radius, thickness) = (1.0, 0.1);
         let approach = (x * thickness).powi(2) / radius;
         let body = Material::rigid().coated(&[layer(1.0, 0.5, thickness)]);
-        let pair = on_rigid(body.unwrap());
+        let pair = against_rigid(body.unwrap());
         let contact_radius = (radius * approach).sqrt();
         let grid = Grid::square(192, 2.6 * contact_radius).unwrap();
         let bodies = HalfSpace::new(grid, pair).unwrap();
@@ -294,8 +302,9 @@ fn paraboloids_on_bonded_layers_follow_a_published_series() {
         // E* = 2 G / (1 - nu).
         contact.force() / (4.0 / 3.0 * 4.0 * radius.sqrt() * approach.powf(1.5))
     };
-    // The first coefficient is 2/pi times the integral of one less the response over that of the half-space, which the
-    // authors took from a fit, 1.7795 for 1.77022; the second is 7/6 of its square.
+    // The first coefficient is 2/pi times the integral of one minus the ratio of the response to the response of the
+    // half-space. The authors took the integral from a fit, 1.7795 instead of 1.77022. The second coefficient is 7/6 of
+    // the square of the first.
     let first = 2.0 / std::f64::consts::PI * 1.770_216_773_4;
     for x in [0.05, 0.1, 0.2, 0.4] {
         let found = force_over_hertz(x);
@@ -303,16 +312,16 @@ fn paraboloids_on_bonded_layers_follow_a_published_series() {
             |first: f64, second: f64| 1.0 + x * (first + x * (second + x * (1.469 + x * 0.755)));
         let exact = found - series(first, 7.0 / 6.0 * first * first);
         let [published, earlier] = [1.497, 1.283].map(|second| found - series(1.133, second));
-        // Measured: 3e-7, 2.7e-5; then the rounding of the later coefficients shows.
+        // Measured: 3e-7, 2.7e-5; for larger `x` the rounding of the later coefficients dominates.
         assert!(x > 0.1 || exact.abs() < 5e-5, "{x}: {exact:e}");
         assert!(published.abs() < 0.013 * x, "{x}: {published:e}");
         assert!(x < 0.1 || earlier > published.abs(), "{x}: {earlier:e}");
     }
 }
 
-/// The error of a solve is never below the truth.
+/// The reported error bound is never below the true error.
 #[test]
-fn certificates_hold_for_random_coatings() {
+fn certificate_bounds_error_for_random_coatings() {
     let mut random = Random(11);
     for case in 0..12 {
         let mut log = |low: f64, high: f64| 10_f64.powf(random.uniform(low, high));
@@ -322,7 +331,7 @@ fn certificates_hold_for_random_coatings() {
         let body = base.coated(&[layer(m, nu, thickness)]).unwrap();
         let grid = Grid::square(32, 3.2).unwrap();
         let boundary = [Boundary::NonPeriodic, Boundary::Periodic][case % 2];
-        let bodies = HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap();
         let heights = rough(grid, 3 + case as u64);
         let control = NormalControl::Force(load);
         let exact = press(&bodies, &heights, control, 1e-11, Method::ActiveSet);
@@ -336,14 +345,15 @@ fn certificates_hold_for_random_coatings() {
     }
 }
 
-/// At the limits of the thickness the ratio of tangential to normal stiffness is Mindlin's of substrate and layer.
+/// In the limits of thin and thick layers, the ratio of tangential to normal stiffness is Mindlin's ratio for the
+/// substrate and the layer.
 #[test]
-fn shear_meets_mindlin_at_both_limits() {
+fn shear_stiffness_matches_mindlin_in_both_limits() {
     let grid = Grid::square(48, 3.0).unwrap();
     let base = Material::from_shear_modulus(1.0, 0.0).unwrap();
     let ratio = |thickness: f64| {
         let body = base.coated(&[layer(2.0, 0.0, thickness)]).unwrap();
-        // Identical bodies: nothing couples.
+        // The bodies are identical, so pressure and traction are uncoupled.
         let pair = ElasticPair::new(body, body).unwrap();
         assert!(!pair.is_coupled());
         let bodies = HalfSpace::new(grid, pair).unwrap();
@@ -365,20 +375,20 @@ fn shear_meets_mindlin_at_both_limits() {
         1e-4 / dragged.shift()[0] / stiffness
     };
     let (thin, middle, thick) = (ratio(1e-5), ratio(0.3), ratio(1e5));
-    // (2 - 2 nu)/(2 - nu), and full stick of the cells by the small force.
+    // Mindlin's ratio is (2 - 2 nu)/(2 - nu); under the small force all cells stick.
     assert!(
         (thin - 1.0).abs() < 0.02 && (thick - 1.0).abs() < 0.02,
         "{thin} {thick}"
     );
-    // A stiff layer holds more by its membrane than by its bending.
+    // A stiff layer resists shear by its membrane stiffness more than it resists pressure by its bending stiffness.
     assert!(middle > 1.05 && middle < 1.3, "{middle}");
 }
 
 #[test]
-fn histories_balance_energy_and_go_on() {
-    let body = stack("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
+fn coated_history_balances_energy_and_restarts() {
+    let body = parse_body("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
     let grid = Grid::square(40, 12.0).unwrap();
-    for pair in [ElasticPair::new(body, body).unwrap(), on_rigid(body)] {
+    for pair in [ElasticPair::new(body, body).unwrap(), against_rigid(body)] {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let gap = surface::sphere(grid, 20.0).unwrap();
         let friction = Friction::coulomb(0.4).unwrap();
@@ -405,7 +415,7 @@ fn histories_balance_energy_and_go_on() {
             step(&mut again, 4.0, force);
         }
         assert_eq!(history.to_bytes(), again.to_bytes());
-        let plain = HalfSpace::new(grid, on_rigid(base("1/0.2"))).unwrap();
+        let plain = HalfSpace::new(grid, against_rigid(parse_material("1/0.2"))).unwrap();
         assert!(matches!(
             History::from_bytes(&plain, &bytes),
             Err(Error::MaterialMismatch { .. })
@@ -414,7 +424,7 @@ fn histories_balance_energy_and_go_on() {
 }
 
 #[test]
-fn bad_layers_are_refused() {
+fn layers_that_are_invalid_are_rejected() {
     assert!(matches!(
         Layer::new(0.0, 0.3, 1.0),
         Err(Error::NotPositive { value: 0.0, .. })
@@ -443,42 +453,56 @@ fn bad_layers_are_refused() {
             limit: LIMIT
         })
     );
-    // Contrasts that the integrals over waves have no numbers for.
+    // The integrals over wave numbers cannot be evaluated for these contrasts.
     let refused = [
         Material::rigid().coated(&[layer(1.0, 0.3, 1e308), layer(1.0, 0.3, 1e-3)]),
-        base("1e160/0.3").coated(&[layer(1e-140, 0.3, 1.0)]),
-        base("1/0.3").coated(&[layer(1e13, 0.3, 1.0)]),
+        parse_material("1e160/0.3").coated(&[layer(1e-140, 0.3, 1.0)]),
+        parse_material("1/0.3").coated(&[layer(1e13, 0.3, 1.0)]),
     ];
     for body in refused.map(Result::unwrap) {
         let pair = ElasticPair::new(body, Material::rigid());
         assert!(matches!(pair, Err(Error::BelowMinimum { .. })), "{pair:?}");
     }
-    let thin = on_rigid(base("1/0.3").coated(&[layer(2.0, 0.3, 1e-307)]).unwrap());
+    let thin = against_rigid(
+        parse_material("1/0.3")
+            .coated(&[layer(2.0, 0.3, 1e-307)])
+            .unwrap(),
+    );
     let grid = Grid::square(8, 1.0).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, thin),
         Err(Error::BelowMinimum { .. })
     ));
-    // A layer without an end is its own half-space.
-    let thick = on_rigid(base("1/0.3").coated(&[layer(2.0, 0.2, 1e308)]).unwrap());
+    // A layer of nearly infinite thickness behaves as its own half-space.
+    let thick = against_rigid(
+        parse_material("1/0.3")
+            .coated(&[layer(2.0, 0.2, 1e308)])
+            .unwrap(),
+    );
     let response = thick.response(1.0).unwrap();
     assert!((response.normal - 0.4).abs() < 1e-15 && (response.across - 0.5).abs() < 1e-15);
 }
 
-/// Bodies of one surface modulus, one of them under a coating of it, are not alike.
+/// Two bodies with the same material at the surface are dissimilar if only one of them has it as a coating.
 #[test]
-fn one_coating_couples_what_two_would_not() {
-    let top = base("4/0.3");
-    let coated = base("1/0.3").coated(&[layer(4.0, 0.3, 0.5)]).unwrap();
+fn coating_on_one_body_couples_pair() {
+    let top = parse_material("4/0.3");
+    let coated = parse_material("1/0.3")
+        .coated(&[layer(4.0, 0.3, 0.5)])
+        .unwrap();
     let one = ElasticPair::new(coated, top).unwrap();
     assert!(one.is_coupled() && one.dundurs_beta() == 0.0);
     assert!(!ElasticPair::new(coated, coated).unwrap().is_coupled());
 }
 
-/// Ranks find the bits of one process.
+/// Results on several ranks are bitwise identical to the results of one process.
 #[test]
-fn ranks_share_coated_bodies() {
-    let pair = on_rigid(base("1/0.3").coated(&[layer(4.0, 0.3, 0.2)]).unwrap());
+fn coated_contact_on_ranks_is_bitwise_identical() {
+    let pair = against_rigid(
+        parse_material("1/0.3")
+            .coated(&[layer(4.0, 0.3, 0.2)])
+            .unwrap(),
+    );
     let grid = Grid::new(48, 40, 0.05, 0.05).unwrap();
     let find = |bodies: &HalfSpace| {
         let gap = surface::sphere(bodies.grid(), 5.0).unwrap();
@@ -496,11 +520,11 @@ fn ranks_share_coated_bodies() {
     }
 }
 
-/// What knows one modulus alone says so of coated bodies.
+/// Functions that require a single modulus return an error for coated bodies.
 #[test]
-fn questions_of_one_modulus_are_refused() {
-    let body = stack("4/0.3/0.05", "1/0.2");
-    let pair = on_rigid(body);
+fn functions_of_a_single_modulus_reject_coated_bodies() {
+    let body = parse_body("4/0.3/0.05", "1/0.2");
+    let pair = against_rigid(body);
     assert!(matches!(
         analytical::HertzSphere::new(&pair, 1.0, 1.0),
         Err(Error::UnsupportedForCoatings { .. })

@@ -1,4 +1,4 @@
-//! The fast product equals the direct sum, for all nine components and for tensors of them, on any grid.
+//! The fast product equals the direct sum for all nine components, and for tensors composed of them, on any grid.
 
 use kit::{max_abs, max_difference};
 use proptest::prelude::*;
@@ -7,8 +7,8 @@ use stickslip::influence::Component;
 use stickslip::influence::Direction::{self, X, Y, Z};
 use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, Operator, Scratch};
 
-/// Odd and even, square and not, one row, one column, one cell.
-fn grid() -> impl Strategy<Value = Grid> {
+/// Generates grids: odd and even, square and not, with one row, one column or one cell.
+fn any_grid() -> impl Strategy<Value = Grid> {
     let side = prop_oneof![Just(1_usize), 2..12_usize, 12..24_usize];
     (side.clone(), side, -9.0..3.0_f64, -1.0..1.0_f64).prop_map(|(nx, ny, size, aspect)| {
         let dx = 10_f64.powf(size);
@@ -16,7 +16,7 @@ fn grid() -> impl Strategy<Value = Grid> {
     })
 }
 
-fn pair() -> impl Strategy<Value = ElasticPair> {
+fn any_pair() -> impl Strategy<Value = ElasticPair> {
     (0.0..12.0_f64, -0.5..0.5_f64, 0.0..12.0_f64, -0.5..0.5_f64).prop_map(|(e1, nu1, e2, nu2)| {
         let body = |decade, nu| Material::new(10_f64.powf(decade), nu).unwrap();
         ElasticPair::new(body(e1, nu1), body(e2, nu2)).unwrap()
@@ -28,7 +28,7 @@ struct Tensor<const N: usize> {
     bodies: HalfSpace,
     directions: [Direction; N],
     cells: usize,
-    /// All components of the cells, one behind the other.
+    /// Matrix of all components, stored in consecutive blocks.
     matrix: DenseOperator,
 }
 
@@ -40,7 +40,7 @@ impl<const N: usize> Tensor<N> {
         let parts = directions.map(|u| {
             directions.map(|t| DenseOperator::of_half_space(&bodies, Component::of(u, t)).unwrap())
         });
-        // A mean on a periodic grid moves nothing: raise its eigenvalue beyond all others.
+        // A mean causes no displacement on a periodic grid, so its eigenvalue is raised above all others.
         let raised = match bodies.boundary() {
             Boundary::Periodic => (0..N)
                 .map(|n| parts[n][n].get(0, 0).unwrap())
@@ -63,7 +63,7 @@ impl<const N: usize> Tensor<N> {
         }
     }
 
-    /// The largest sum of magnitudes in a row: what round-off of products of numbers up to one refers to.
+    /// Returns the largest row sum of magnitudes, the scale of the round-off in products of numbers up to one.
     fn scale(&self) -> f64 {
         let len = N * self.cells;
         let entry = |i, j| self.matrix.get(i, j).unwrap().abs();
@@ -72,7 +72,7 @@ impl<const N: usize> Tensor<N> {
             .fold(0.0, f64::max)
     }
 
-    /// Random numbers up to one; of mean zero where a mean moves nothing.
+    /// Returns random numbers up to one, with zero mean if a mean causes no displacement.
     fn traction(&self, random: &mut kit::Random) -> Vectors<N> {
         std::array::from_fn(|_| {
             let mut values: Vec<f64> = (0..self.cells).map(|_| random.uniform(-1.0, 1.0)).collect();
@@ -86,7 +86,7 @@ impl<const N: usize> Tensor<N> {
         })
     }
 
-    /// By the operator in double and in single precision, and by the matrix.
+    /// Computes the products by the operator in double and in single precision, and by the matrix.
     fn products(&self, x: &Vectors<N>) -> [Vectors<N>; 3] {
         let fast = self.bodies.tensor_operator(self.directions).unwrap();
         let mut workspace = fast.scratch().unwrap();
@@ -133,12 +133,12 @@ impl<const N: usize> Tensor<N> {
             .unwrap()
             .lower_bound();
         if self.cells == 1 && self.bodies.boundary() == Boundary::Periodic {
-            // There is no field of mean zero to bound.
+            // The space of fields with zero mean is empty.
             prop_assert!(bound > 0.0);
             return Ok(());
         }
         let smallest = self.matrix.lower_bound();
-        // What the matrix rounds off grows with its largest eigenvalue.
+        // The round-off of the matrix grows with its largest eigenvalue.
         prop_assert!(
             bound <= smallest + 1e-13 * scale,
             "{} above {}",
@@ -146,13 +146,13 @@ impl<const N: usize> Tensor<N> {
             smallest
         );
         let has_wave = self.bodies.boundary() != Boundary::Periodic || self.cells > 1;
-        // Strong coupling of auxetic bodies makes some continuations indefinite.
+        // Strong coupling of auxetic bodies makes some periodic continuations indefinite.
         let is_definite = N == 1 || self.bodies.pair().dundurs_beta().abs() <= 0.5;
         prop_assert!(!has_wave || !is_definite || bound > 0.0);
         Ok(())
     }
 
-    /// On a periodic grid the preconditioner is the inverse, in single precision.
+    /// On a periodic grid the preconditioner equals the inverse to single precision.
     fn check_inverse(&self, x: &Vectors<N>) -> Result<(), TestCaseError> {
         if self.bodies.boundary() != Boundary::Periodic {
             return Ok(());
@@ -170,7 +170,7 @@ impl<const N: usize> Tensor<N> {
     }
 }
 
-/// Small enough for three unknowns a cell.
+/// Generates grids that are small enough for three unknowns per cell.
 fn small_grid() -> impl Strategy<Value = Grid> {
     let side = prop_oneof![Just(1_usize), 2..11_usize];
     (side.clone(), side, -9.0..3.0_f64, -1.0..1.0_f64).prop_map(|(nx, ny, size, aspect)| {
@@ -183,14 +183,14 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(24, 256)))]
 
     #[test]
-    fn all_nine_components(
-        (grid, pair, boundary, seed) in (grid(), pair(), 0..3_usize, any::<u64>())
+    fn convolution_of_all_nine_components_equals_direct_sum(
+        (grid, pair, boundary, seed) in (any_grid(), any_pair(), 0..3_usize, any::<u64>())
     ) {
         let boundary = kit::boundaries(grid)[boundary];
         let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
         let mut random = kit::Random(seed);
         let mut traction: Vec<f64> = (0..grid.cells()).map(|_| random.uniform(-1.0, 1.0)).collect();
-        // Rows without traction take a shorter way.
+        // Rows without traction take a shorter code path.
         for row in traction.chunks_exact_mut(grid.nx()).step_by(3) {
             row.fill(0.0);
         }
@@ -200,7 +200,7 @@ proptest! {
             let (mut u, mut expected) = (vec![0.0; grid.cells()], vec![0.0; grid.cells()]);
             fast.apply([&traction], [&mut u], &mut fast.scratch().unwrap());
             dense.apply([&traction], [&mut expected], &mut Scratch::none());
-            // The scale of a product, not of its cancelled remainder: row sum times traction.
+            // The error is relative to the product of row sum and traction, because the result itself may cancel.
             let row_sum = (0..grid.cells())
                 .map(|i| (0..grid.cells()).map(|j| dense.get(i, j).unwrap().abs()).sum::<f64>())
                 .fold(0.0, f64::max);
@@ -212,10 +212,10 @@ proptest! {
         }
     }
 
-    /// Products, symmetry, bound and inverse of one, two and three directions, in any order.
+    /// Checks products, symmetry, bound and inverse for one, two and three directions in any order.
     #[test]
-    fn tensors_of_all_directions(
-        (grid, pair, boundary, seed) in (small_grid(), pair(), 0..3_usize, any::<u64>())
+    fn tensors_of_all_directions_satisfy_their_properties(
+        (grid, pair, boundary, seed) in (small_grid(), any_pair(), 0..3_usize, any::<u64>())
     ) {
         let boundary = kit::boundaries(grid)[boundary];
         let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
@@ -230,31 +230,32 @@ proptest! {
         }
     }
 
-    /// On a periodic grid the bound is that of fields of mean zero: with a mean that counts, of all.
+    /// On a periodic grid the bound applies to fields of zero mean. If the eigenvalue of the mean is raised, the bound
+    /// applies to all fields.
     #[test]
-    fn the_smallest_periodic_eigenvalue_is_bounded((grid, pair) in (grid(), pair())) {
+    fn smallest_periodic_eigenvalue_is_bounded((grid, pair) in (any_grid(), any_pair())) {
         let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
         let cells = grid.cells();
         for component in [Component::XX, Component::YY, Component::ZZ] {
             let bound = bodies.operator(component).unwrap().lower_bound();
             prop_assert!(bound > 0.0);
             if cells == 1 {
-                // There is no field of mean zero to bound.
+                // The space of fields with zero mean is empty.
                 continue;
             }
             let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
             let own = dense.get(0, 0).unwrap();
             let entry = |n: usize| dense.get(n / cells, n % cells).unwrap() + own;
             let raised = DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap();
-            // The mean has become the largest eigenvalue; round-off is a part of that.
+            // The mean now has the largest eigenvalue, which determines the round-off.
             let round_off = 1e-13 * own * cells as f64;
             prop_assert!((bound - raised.lower_bound()).abs() <= round_off + 1e-9 * bound);
         }
     }
 
-    /// The bound that certificates rest on is below the true smallest eigenvalue, and not far.
+    /// The bound used by the certificates is below the smallest eigenvalue and close to it.
     #[test]
-    fn the_smallest_eigenvalue_is_bounded((grid, pair) in (grid(), pair())) {
+    fn smallest_eigenvalue_is_bounded((grid, pair) in (any_grid(), any_pair())) {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         for component in [Component::XX, Component::YY, Component::ZZ] {
             let dense = DenseOperator::of_half_space(&bodies, component).unwrap();
@@ -266,7 +267,7 @@ proptest! {
 }
 
 #[test]
-fn a_larger_grid_equals_the_direct_sum_too() {
+fn convolution_on_larger_grid_equals_direct_sum() {
     let grid = Grid::new(61, 40, 0.3, 0.2).unwrap();
     let bodies = kit::unit_bodies(grid, 0.3);
     let mut random = kit::Random(7);

@@ -1,5 +1,5 @@
-//! Prescribing the displacement that a force caused gives the force back, and the same fields; on a grid that repeats,
-//! the certified error is that against the answer under the force found.
+//! Prescribing the displacement caused by a force reproduces the force and the fields. On a periodic grid, the
+//! certified error is relative to the solution for the computed force.
 
 use kit::{energy_difference, l2_difference, rough, unit_bodies, unit_pair};
 use stickslip::influence::Component;
@@ -9,7 +9,7 @@ use stickslip::{
 };
 
 #[test]
-fn approach_and_shift_give_back_the_forces() {
+fn approach_and_shift_reproduce_the_forces() {
     let grid = Grid::new(96, 80, 1.0, 1.2).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     for gap in [
@@ -57,7 +57,7 @@ fn approach_and_shift_give_back_the_forces() {
 }
 
 #[test]
-fn the_error_of_a_motion_on_a_periodic_grid_is_within_its_certificate() {
+fn error_of_prescribed_motion_on_periodic_grid_is_within_certificate() {
     let grid = Grid::new(96, 80, 1.0, 1.2).unwrap();
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     let gap = rough(grid, 3);

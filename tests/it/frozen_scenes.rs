@@ -1,18 +1,18 @@
-//! What a rebuilt core must not change: costs and answers of small scenes, as `tests/data/frozen_scenes.csv` holds
-//! them.
+//! Costs and results of small scenes, recorded in `tests/data/frozen_scenes.csv`, which must not change when the engine
+//! is rewritten.
 //!
-//! `FREEZE=write cargo test --test it frozen_scenes` writes that file anew; without the variable the test recomputes
-//! and compares. In scenes that are `Exact`, counts must be equal and numbers equal to 1e-13 of their scale. In those
-//! that are `Rounded`, the order of sums has changed since the file was written: counts must agree to a few, numbers to
-//! 1e-9 of their scale. In those of the `Solver` counts are not compared, and numbers agree to 1e-9 of their scale.
+//! `FREEZE=write cargo test --test it frozen_scenes` writes that file; without the variable the test recomputes and
+//! compares. For `Exact` scenes, counts must be equal and numbers equal to 1e-13 of their scale. For `Rounded` scenes,
+//! the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of their
+//! scale. For `Solver` scenes, counts are not compared, and numbers must agree to 1e-9 of their scale.
 //!
-//! The iterations enlarge rounding: where gaps change in their last bits, numbers of more than half of the scenes
-//! change by more than 1e-13 (up to 2e-9, where solves have a tolerance of 1e-8), and counts of a few solves by one to
-//! five. So `exact` asks for the same sums in the same order, on a processor with the vector units of the one that
-//! wrote the file.
+//! The iterations amplify rounding. If gaps change in their last bits, numbers of more than half of the scenes change
+//! by more than 1e-13 (up to 2e-9, if solves have a tolerance of 1e-8), and counts of a few solves by one to five.
+//! `Exact` therefore requires the same sums in the same order, on a processor with the same vector units as the one
+//! that wrote the file.
 //!
-//! The test also leaves a hash of all bits of every scene in `frozen_bits`, in the folder for temporary files of the
-//! target directory: two versions of the code can be compared on one machine.
+//! The test also writes a hash of all bits of every scene to `frozen_bits`, in the folder for temporary files of the
+//! target directory. The hashes of two versions of the code can be compared on one machine.
 
 use std::fmt::Write;
 
@@ -25,7 +25,7 @@ use stickslip::{
     TangentialModel, TangentialProblem, TangentialSolution, TangentialSolver, Zone, surface,
 };
 
-/// How closely a scene must be found again.
+/// How closely a recomputed scene must agree with the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Agreement {
     Exact,
@@ -46,11 +46,11 @@ impl Agreement {
 /// Without its feature a scene is left out, and the file is not written.
 const HAS_ALL_SCENES: bool = cfg!(feature = "dense");
 
-/// By how much rounding moves counts of iterations and products: measured up to 6.
+/// Largest change of counts of iterations and products by rounding; measured up to 6.
 const ROUNDED_COUNTS: i64 = 8;
 
-/// Transforms choose their code by the vector units of the processor: with others than those of the one that wrote the
-/// file, all scenes are rounded otherwise.
+/// Returns whether the transforms use the same code as on the processor that wrote the file. Transforms depend on the
+/// vector units of the processor, which affects the rounding of all scenes.
 fn has_the_same_transforms() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
@@ -62,9 +62,9 @@ fn has_the_same_transforms() -> bool {
     }
 }
 
-type Scene = (&'static str, Agreement, fn(&mut Record));
+type FrozenScene = (&'static str, Agreement, fn(&mut Record));
 
-const SCENES: &[Scene] = &[
+const SCENES: &[FrozenScene] = &[
     ("sphere_by_force", Exact, sphere_by_force),
     ("sphere_by_approach", Exact, sphere_by_approach),
     ("rough_tenth_in_contact", Exact, rough_tenth_in_contact),
@@ -98,24 +98,24 @@ const SCENES: &[Scene] = &[
 ];
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What is kept of a scene.
+// Record of a scene.
 
-/// A line of the data: what the value is, the value, and its scale or the kind of count it is.
+/// A line of the data: the quantity, its value, and its scale or the kind of count.
 struct Row {
     quantity: String,
     value: String,
     scale: String,
 }
 
-/// Counts that every scene must keep, and those of the solver's work.
+/// Kinds of counts: counts that every scene must reproduce, and counts of the work of the solver.
 const CELLS: &str = "cells";
 const COSTS: &str = "costs";
 
 struct Record {
     rows: Vec<Row>,
-    /// FNV-1a of all bits.
+    /// FNV-1a hash of all bits.
     hash: u64,
-    /// Goes before the quantities of a solve.
+    /// Prefix of the quantities of a solve.
     solve: String,
 }
 
@@ -154,7 +154,7 @@ impl Record {
         self.bits(&counts);
     }
 
-    /// Iterations, products in double and in single precision.
+    /// Records iterations and products in double and in single precision.
     fn costs(&mut self, quantity: &str, report: &Report) {
         let (double, single) = (
             report.double_precision_products,
@@ -169,8 +169,8 @@ impl Record {
         self.row(quantity, format!("{value:.16e}"), &format!("{scale:.3e}"));
     }
 
-    /// Three sums of each of some lists of one kind, with weights drawn once and for all; their scale is what the
-    /// largest may be.
+    /// Records three weighted sums of each list, with weights that never change. The lists have a common scale, the
+    /// largest possible value of the sum.
     fn sums(&mut self, lists: &[(&str, &[f64])]) {
         for draw in 0..3 {
             let weights = |i: usize| Random(3 * i as u64 + draw).uniform(-1.0, 1.0);
@@ -202,7 +202,7 @@ impl Record {
         self.bits(&zones);
     }
 
-    fn pressed(&mut self, solve: &str, answer: &NormalSolution) {
+    fn record_normal(&mut self, solve: &str, answer: &NormalSolution) {
         self.solve = format!("{solve}: ");
         self.costs("costs", answer.report());
         self.counts("contact cells", &[answer.contact_cells()], CELLS);
@@ -212,7 +212,7 @@ impl Record {
         self.sums(&[("gap", answer.gap().as_slice())]);
     }
 
-    fn sheared(&mut self, solve: &str, answer: &TangentialSolution) {
+    fn record_tangential(&mut self, solve: &str, answer: &TangentialSolution) {
         self.solve = format!("{solve}: ");
         self.costs("costs", answer.report());
         self.zones(answer.zones());
@@ -229,10 +229,10 @@ impl Record {
     }
 }
 
-/// A history, and the numbers of its steps.
+/// A history and the numbers of its steps.
 struct Steps<'a> {
     record: &'a mut Record,
-    /// Which of the histories of a scene.
+    /// Prefix that distinguishes the histories of a scene.
     name: &'a str,
     numbers: [Vec<f64>; 12],
 }
@@ -296,7 +296,7 @@ impl<'a> Steps<'a> {
         }
     }
 
-    /// The sums over the steps, and the state they ended in.
+    /// Records the sums over the steps and the final state.
     fn end(self, history: &History) {
         let record = self.record;
         record.solve = format!("{}steps: ", self.name);
@@ -316,19 +316,19 @@ impl<'a> Steps<'a> {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The crate's names, once each.
+// Helper functions around the API of the crate.
 
 const FRICTION: f64 = 0.4;
 const LOAD: f64 = 4.0;
 const LIMIT: f64 = FRICTION * LOAD;
 
-/// Contact radius 3.9 under [`LOAD`], of a side of 12.
-fn ball(cells: usize) -> (HalfSpace, Field) {
+/// Returns a ball with a contact radius of 3.9 under [`LOAD`], on a square with a side of 12.
+fn ball_problem(cells: usize) -> (HalfSpace, Field) {
     let grid = Grid::square(cells, 12.0).unwrap();
     (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap())
 }
 
-fn repeating(grid: Grid) -> HalfSpace {
+fn periodic_bodies(grid: Grid) -> HalfSpace {
     HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap()
 }
 
@@ -360,7 +360,7 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     )
 }
 
-fn coulomb() -> Friction {
+fn coulomb_friction() -> Friction {
     Friction::coulomb(FRICTION).unwrap()
 }
 
@@ -376,11 +376,11 @@ fn shear_solver<'a>(
     problem.into_solver().unwrap()
 }
 
-fn pull(force: [f64; 2]) -> TangentialLoad {
+fn force_load(force: [f64; 2]) -> TangentialLoad {
     TangentialLoad::force(force)
 }
 
-fn drag(shift: [f64; 2]) -> TangentialLoad {
+fn shift_load(shift: [f64; 2]) -> TangentialLoad {
     TangentialLoad::shift(shift)
 }
 
@@ -399,8 +399,8 @@ fn solve_shear(solver: &mut TangentialSolver) -> TangentialSolution {
     answer
 }
 
-/// One solve, and its record.
-fn sheared<'a>(
+/// Solves once and records the solution.
+fn solve_and_record<'a>(
     record: &mut Record,
     solve: &str,
     bodies: &'a HalfSpace,
@@ -408,18 +408,24 @@ fn sheared<'a>(
     load: TangentialLoad,
     how: (TangentialModel, Method, f64),
 ) {
-    let answer = solve_shear(&mut shear_solver(bodies, pressure, coulomb(), load, how));
-    record.sheared(solve, &answer);
+    let answer = solve_shear(&mut shear_solver(
+        bodies,
+        pressure,
+        coulomb_friction(),
+        load,
+        how,
+    ));
+    record.record_tangential(solve, &answer);
 }
 
-fn history(
+fn new_history(
     bodies: &HalfSpace,
     gap: &Field,
     axis: Option<Axis>,
     friction: Friction,
     tolerance: f64,
 ) -> History {
-    // The rule that the old core had.
+    // The old engine had this rule.
     let builder = History::builder(bodies, gap, friction)
         .tolerance(tolerance)
         .entry_rule(EntryRule::WholeStep);
@@ -430,7 +436,7 @@ fn history(
     builder.build().unwrap()
 }
 
-fn pressing(force: f64) -> LoadStep {
+fn press_step(force: f64) -> LoadStep {
     LoadStep::hold().normal(NormalControl::Force(force))
 }
 
@@ -444,33 +450,38 @@ fn spring(position: f64, stiffness: f64) -> TangentialControl {
 // ---------------------------------------------------------------------------------------------------------------------
 // Normal contacts.
 
-fn pressed_by_both(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: NormalControl) {
+fn press_by_both_methods(
+    record: &mut Record,
+    bodies: &HalfSpace,
+    gap: &Field,
+    load: NormalControl,
+) {
     for (solve, method) in [
         ("active set", Method::ActiveSet),
         ("polonsky keer", Method::PolonskyKeer),
     ] {
-        record.pressed(solve, &kit::press(bodies, gap, load, 1e-8, method));
+        record.record_normal(solve, &kit::press(bodies, gap, load, 1e-8, method));
     }
 }
 
 fn sphere_by_force(record: &mut Record) {
-    let (bodies, gap) = ball(64);
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(LOAD));
+    let (bodies, gap) = ball_problem(64);
+    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(LOAD));
 }
 
 fn sphere_by_approach(record: &mut Record) {
-    let (bodies, gap) = ball(65);
-    pressed_by_both(record, &bodies, &gap, NormalControl::Approach(0.7));
+    let (bodies, gap) = ball_problem(65);
+    press_by_both_methods(record, &bodies, &gap, NormalControl::Approach(0.7));
 }
 
 fn rough_tenth_in_contact(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 1);
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(ROUGH_TENTH));
+    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(ROUGH_TENTH));
 }
 
 fn rough_two_fifths(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 2);
-    pressed_by_both(
+    press_by_both_methods(
         record,
         &bodies,
         &gap,
@@ -478,20 +489,20 @@ fn rough_two_fifths(record: &mut Record) {
     );
 }
 
-/// Forces under which 10 % and 40 % of a rough plate of 96 x 96 cells touch.
+/// Forces for which 10 % and 40 % of a rough surface of 96 x 96 cells are in contact.
 const ROUGH_TENTH: f64 = 70.0;
 const ROUGH_TWO_FIFTHS: f64 = 300.0;
 
 fn periodic_rough(record: &mut Record) {
     let grid = Grid::new(64, 48, 1.0, 1.0).unwrap();
-    let (bodies, gap) = (repeating(grid), rough(grid, 3));
-    pressed_by_both(
+    let (bodies, gap) = (periodic_bodies(grid), rough(grid, 3));
+    press_by_both_methods(
         record,
         &bodies,
         &gap,
         NormalControl::Force(0.03 * grid.area()),
     );
-    record.pressed(
+    record.record_normal(
         "approach",
         &kit::press(
             &bodies,
@@ -506,10 +517,10 @@ fn periodic_rough(record: &mut Record) {
 fn periodic_wavy(record: &mut Record) {
     let grid = Grid::square(48, 12.0).unwrap();
     let (bodies, gap) = (
-        repeating(grid),
+        periodic_bodies(grid),
         surface::bisinusoidal(grid, 0.3, [6.0, 12.0]).unwrap(),
     );
-    pressed_by_both(
+    press_by_both_methods(
         record,
         &bodies,
         &gap,
@@ -524,52 +535,52 @@ fn oblong_odd_grid(record: &mut Record) {
         surface::ellipsoid(grid, 150.0, 70.0).unwrap(),
     );
     gap.add_scaled(0.1, &rough(grid, 4)).unwrap();
-    pressed_by_both(record, &bodies, &gap, NormalControl::Force(20.0));
+    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(20.0));
 }
 
 fn warm_normal_loads(record: &mut Record) {
     let (bodies, gap) = rough_plate(64, 5);
     let first = NormalControl::Force(60.0);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
-    record.pressed("first", &solve_normal(&mut solver));
+    record.record_normal("first", &solve_normal(&mut solver));
     for (solve, load) in [
         ("more", NormalControl::Force(66.0)),
         ("less", NormalControl::Force(30.0)),
         ("approach", NormalControl::Approach(2.0)),
     ] {
         solver.set_load(load).unwrap();
-        record.pressed(solve, &solve_normal(&mut solver));
+        record.record_normal(solve, &solve_normal(&mut solver));
     }
     solver.set_gap(&rough(bodies.grid(), 6)).unwrap();
-    record.pressed("other gap", &solve_normal(&mut solver));
+    record.record_normal("other gap", &solve_normal(&mut solver));
     solver.reset();
-    record.pressed("cold", &solve_normal(&mut solver));
+    record.record_normal("cold", &solve_normal(&mut solver));
 }
 
 fn contact_leaves_window(record: &mut Record) {
-    let (bodies, gap) = ball(72);
+    let (bodies, gap) = ball_problem(72);
     let first = NormalControl::Force(0.01 * LOAD);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
-    record.pressed("small", &solve_normal(&mut solver));
+    record.record_normal("small", &solve_normal(&mut solver));
     for (solve, force) in [("big", 1.5 * LOAD), ("small again", 0.02 * LOAD)] {
         solver.set_load(NormalControl::Force(force)).unwrap();
-        record.pressed(solve, &solve_normal(&mut solver));
+        record.record_normal(solve, &solve_normal(&mut solver));
     }
 }
 
-/// Nested starts, windows and single precision, pressed and sheared.
+/// Covers nested starts, windows and single precision, for pressure and shear.
 fn large_nested(record: &mut Record) {
-    let (bodies, mut gap) = ball(256);
+    let (bodies, mut gap) = ball_problem(256);
     gap.add_scaled(0.02, &rough(bodies.grid(), 7)).unwrap();
     let load = NormalControl::Force(LOAD);
     let normal = kit::press(&bodies, &gap, load, 1e-6, Method::ActiveSet);
-    record.pressed("press", &normal);
+    record.record_normal("press", &normal);
     for (solve, lateral) in [
         ("shear", TangentialModel::Scalar),
         ("plane", TangentialModel::Vector),
     ] {
-        let load = pull([0.6 * LIMIT, 0.0]);
-        sheared(
+        let load = force_load([0.6 * LIMIT, 0.0]);
+        solve_and_record(
             record,
             solve,
             &bodies,
@@ -584,11 +595,11 @@ fn large_nested(record: &mut Record) {
 // Shear along an axis.
 
 fn shear_x_by_force(record: &mut Record) {
-    let (bodies, gap) = ball(64);
+    let (bodies, gap) = ball_problem(64);
     let normal = press(&bodies, &gap, LOAD);
     for (solve, part) in [("little", 0.1), ("back", -0.5), ("much", 0.95)] {
-        let load = pull([part * LIMIT, 0.0]);
-        sheared(record, solve, &bodies, &normal, load, SCALAR);
+        let load = force_load([part * LIMIT, 0.0]);
+        solve_and_record(record, solve, &bodies, &normal, load, SCALAR);
     }
 }
 
@@ -596,8 +607,8 @@ fn shear_y_by_shift(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 1);
     let normal = press(&bodies, &gap, ROUGH_TENTH);
     for (solve, shift) in [("little", 0.1), ("more", -0.4)] {
-        let load = drag([0.0, shift]);
-        sheared(record, solve, &bodies, &normal, load, SCALAR);
+        let load = shift_load([0.0, shift]);
+        solve_and_record(record, solve, &bodies, &normal, load, SCALAR);
     }
 }
 
@@ -611,23 +622,30 @@ fn friction_per_cell_capped(record: &mut Record) {
     let friction = friction
         .max_shear_stress(0.2 * normal.pressure().max())
         .unwrap();
-    for (solve, load) in [("force", pull([15.0, 0.0])), ("shift", drag([0.0, 0.3]))] {
+    for (solve, load) in [
+        ("force", force_load([15.0, 0.0])),
+        ("shift", shift_load([0.0, 0.3])),
+    ] {
         let mut solver = shear_solver(&bodies, &normal, friction.clone(), load, SCALAR);
-        record.sheared(solve, &solve_shear(&mut solver));
+        record.record_tangential(solve, &solve_shear(&mut solver));
     }
 }
 
 fn gross_sliding(record: &mut Record) {
-    let (bodies, gap) = ball(48);
+    let (bodies, gap) = ball_problem(48);
     let normal = press(&bodies, &gap, LOAD);
     let limit = FRICTION * normal.force();
     for (solve, load, how) in [
-        ("scalar force", pull([-limit, 0.0]), SCALAR),
-        ("scalar shift", drag([0.0, 5.0]), SCALAR),
-        ("plane force", pull([0.6 * limit, -0.8 * limit]), PLANE),
-        ("plane shift", drag([5.0, 2.0]), PLANE),
+        ("scalar force", force_load([-limit, 0.0]), SCALAR),
+        ("scalar shift", shift_load([0.0, 5.0]), SCALAR),
+        (
+            "plane force",
+            force_load([0.6 * limit, -0.8 * limit]),
+            PLANE,
+        ),
+        ("plane shift", shift_load([5.0, 2.0]), PLANE),
     ] {
-        sheared(record, solve, &bodies, &normal, load, how);
+        solve_and_record(record, solve, &bodies, &normal, load, how);
     }
 }
 
@@ -635,35 +653,42 @@ fn shear_polonsky_keer(record: &mut Record) {
     let (bodies, gap) = rough_plate(48, 9);
     let normal = press(&bodies, &gap, 60.0);
     let how = (TangentialModel::Scalar, Method::PolonskyKeer, 1e-8);
-    sheared(
+    solve_and_record(
         record,
         "force",
         &bodies,
         &normal,
-        pull([0.5 * FRICTION * 60.0, 0.0]),
+        force_load([0.5 * FRICTION * 60.0, 0.0]),
         how,
     );
-    sheared(record, "shift", &bodies, &normal, drag([0.0, 0.2]), how);
+    solve_and_record(
+        record,
+        "shift",
+        &bodies,
+        &normal,
+        shift_load([0.0, 0.2]),
+        how,
+    );
 }
 
 fn warm_shears(record: &mut Record, how: (TangentialModel, Method, f64), across: f64) {
-    let (bodies, gap) = ball(60);
+    let (bodies, gap) = ball_problem(60);
     let normals = [1.0, 1.2, 0.7].map(|part| press(&bodies, &gap, part * LOAD));
-    let load = |part: f64| pull([part * LIMIT, across * part * LIMIT]);
-    let mut solver = shear_solver(&bodies, &normals[0], coulomb(), load(0.4), how);
-    record.sheared("first", &solve_shear(&mut solver));
+    let load = |part: f64| force_load([part * LIMIT, across * part * LIMIT]);
+    let mut solver = shear_solver(&bodies, &normals[0], coulomb_friction(), load(0.4), how);
+    record.record_tangential("first", &solve_shear(&mut solver));
     solver.set_load(load(0.5)).unwrap();
-    record.sheared("more", &solve_shear(&mut solver));
+    record.record_tangential("more", &solve_shear(&mut solver));
     solver.set_pressure(&normals[1]).unwrap();
-    record.sheared("pressed more", &solve_shear(&mut solver));
+    record.record_tangential("pressed more", &solve_shear(&mut solver));
     solver.set_pressure(&normals[2]).unwrap();
     solver.set_load(load(-0.3)).unwrap();
-    record.sheared("pressed less and back", &solve_shear(&mut solver));
+    record.record_tangential("pressed less and back", &solve_shear(&mut solver));
     solver
         .set_friction(&Friction::coulomb(0.3).unwrap())
         .unwrap();
-    solver.set_load(drag([0.1, across * 0.1])).unwrap();
-    record.sheared("other friction and shift", &solve_shear(&mut solver));
+    solver.set_load(shift_load([0.1, across * 0.1])).unwrap();
+    record.record_tangential("other friction and shift", &solve_shear(&mut solver));
 }
 
 fn warm_shear(record: &mut Record) {
@@ -674,49 +699,70 @@ fn warm_shear(record: &mut Record) {
 // Shear in the plane.
 
 fn plane_oblique_force(record: &mut Record) {
-    let (bodies, gap) = ball(64);
+    let (bodies, gap) = ball_problem(64);
     let normal = press(&bodies, &gap, LOAD);
-    let load = pull([0.5 * LIMIT, -0.3 * LIMIT]);
-    sheared(record, "ball", &bodies, &normal, load, PLANE);
+    let load = force_load([0.5 * LIMIT, -0.3 * LIMIT]);
+    solve_and_record(record, "ball", &bodies, &normal, load, PLANE);
     let (bodies, gap) = rough_plate(64, 1);
     let normal = press(&bodies, &gap, 100.0);
-    sheared(record, "rough", &bodies, &normal, pull([-8.0, 20.0]), PLANE);
+    solve_and_record(
+        record,
+        "rough",
+        &bodies,
+        &normal,
+        force_load([-8.0, 20.0]),
+        PLANE,
+    );
 }
 
 fn plane_oblique_shift(record: &mut Record) {
     let (bodies, gap) = rough_plate(72, 10);
     let normal = press(&bodies, &gap, 80.0);
-    sheared(record, "shift", &bodies, &normal, drag([0.15, 0.1]), PLANE);
+    solve_and_record(
+        record,
+        "shift",
+        &bodies,
+        &normal,
+        shift_load([0.15, 0.1]),
+        PLANE,
+    );
 }
 
 fn plane_near_sliding(record: &mut Record) {
-    let (bodies, gap) = ball(48);
+    let (bodies, gap) = ball_problem(48);
     let normal = press(&bodies, &gap, LOAD);
     let force = 0.999 * FRICTION * normal.force();
-    sheared(
+    solve_and_record(
         record,
         "ball",
         &bodies,
         &normal,
-        pull([0.8 * force, 0.6 * force]),
+        force_load([0.8 * force, 0.6 * force]),
         PLANE,
     );
 }
 
 fn plane_periodic(record: &mut Record) {
     let grid = Grid::new(48, 45, 1.0, 1.1).unwrap();
-    let bodies = repeating(grid);
+    let bodies = periodic_bodies(grid);
     let normal = press(&bodies, &rough(grid, 11), 0.03 * grid.area());
     let force = FRICTION * normal.force();
-    sheared(
+    solve_and_record(
         record,
         "force",
         &bodies,
         &normal,
-        pull([0.3 * force, 0.4 * force]),
+        force_load([0.3 * force, 0.4 * force]),
         PLANE,
     );
-    sheared(record, "shift", &bodies, &normal, drag([-0.1, 0.2]), PLANE);
+    solve_and_record(
+        record,
+        "shift",
+        &bodies,
+        &normal,
+        shift_load([-0.1, 0.2]),
+        PLANE,
+    );
 }
 
 fn plane_prescribed(record: &mut Record) {
@@ -730,12 +776,12 @@ fn plane_prescribed(record: &mut Record) {
     let force = FRICTION * pressure.integral();
     for (solve, how) in [("plane", PLANE), ("scalar", SCALAR)] {
         let across = if how == PLANE { 0.5 * force } else { 0.0 };
-        sheared(
+        solve_and_record(
             record,
             solve,
             &bodies,
             &pressure,
-            pull([0.4 * force, across]),
+            force_load([0.4 * force, across]),
             how,
         );
     }
@@ -748,12 +794,12 @@ fn plane_warm(record: &mut Record) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Histories.
 
-/// Normal load and gap change under a force to and fro.
+/// The normal load and the gap change under a force that oscillates.
 fn history_wear(record: &mut Record) {
-    let (bodies, gap) = ball(48);
-    let mut history = history(&bodies, &gap, Some(Axis::X), coulomb(), 1e-8);
+    let (bodies, gap) = ball_problem(48);
+    let mut history = new_history(&bodies, &gap, Some(Axis::X), coulomb_friction(), 1e-8);
     let mut steps = Steps::new(record, "");
-    steps.step(&mut history, &pressing(LOAD));
+    steps.step(&mut history, &press_step(LOAD));
     let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
     for (number, force) in path.cycles(2).enumerate() {
         let normal = LOAD * [1.0, 1.1, 1.3, 0.9][number % 4];
@@ -773,12 +819,12 @@ fn history_wear(record: &mut Record) {
     record.sums(&[("gap", history.gap().as_slice())]);
 }
 
-/// Forces turn in a circle under twist, and the box of the contact grows.
+/// The force rotates under a twist, and the window of the contact grows.
 fn history_plane_growth(record: &mut Record) {
-    let (bodies, gap) = ball(48);
-    let mut history = history(&bodies, &gap, None, coulomb(), 1e-8);
+    let (bodies, gap) = ball_problem(48);
+    let mut history = new_history(&bodies, &gap, None, coulomb_friction(), 1e-8);
     let mut steps = Steps::new(record, "");
-    steps.step(&mut history, &pressing(0.05 * LOAD));
+    steps.step(&mut history, &press_step(0.05 * LOAD));
     steps.step(&mut history, &LoadStep::force([0.03 * LIMIT, 0.0]));
     let circle = LoadPath::ellipse([0.6 * LIMIT; 2], std::f64::consts::FRAC_PI_2, 8).unwrap();
     for (number, force) in circle.cycles(1).enumerate() {
@@ -808,22 +854,22 @@ fn history_shifts_holds(record: &mut Record) {
         ("periodic ", None, true),
     ] {
         let bodies = if periodic {
-            repeating(grid)
+            periodic_bodies(grid)
         } else {
             bodies.clone()
         };
-        let mut history = history(&bodies, &gap, axis, friction.clone(), 1e-8);
+        let mut history = new_history(&bodies, &gap, axis, friction.clone(), 1e-8);
         let across = if axis.is_none() { 0.1 } else { 0.0 };
         let mut steps = Steps::new(record, name);
         for load in [
             LoadStep::hold().normal(NormalControl::Approach(0.5)),
             LoadStep::shift([across, 0.1]),
             LoadStep::shift([-across, 0.25]).normal(NormalControl::Force(LOAD)),
-            pressing(0.6 * LOAD),
+            press_step(0.6 * LOAD),
             LoadStep::hold(),
             LoadStep::hold().tangential(Axis::Y, TangentialControl::Shift(-0.2)),
-            pressing(0.0),
-            pressing(0.8 * LOAD),
+            press_step(0.0),
+            press_step(0.8 * LOAD),
             LoadStep::hold().tangential(Axis::Y, TangentialControl::Force(0.1)),
         ] {
             steps.step(&mut history, &load);
@@ -833,13 +879,13 @@ fn history_shifts_holds(record: &mut Record) {
 }
 
 fn history_restored(record: &mut Record) {
-    let (bodies, gap) = ball(40);
+    let (bodies, gap) = ball_problem(40);
     for (name, axis) in [("along y ", Some(Axis::Y)), ("plane ", None)] {
-        let mut history = history(&bodies, &gap, axis, coulomb(), 1e-8);
+        let mut history = new_history(&bodies, &gap, axis, coulomb_friction(), 1e-8);
         let across = if axis.is_none() { 0.3 } else { 0.0 };
         let load = |part: f64| LoadStep::force([across * part * LIMIT, part * LIMIT]);
         let mut steps = Steps::new(record, name);
-        for load in [pressing(LOAD), load(0.7), load(-0.2)] {
+        for load in [press_step(LOAD), load(0.7), load(-0.2)] {
             steps.step(&mut history, &load);
         }
         let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
@@ -855,11 +901,11 @@ fn history_restored(record: &mut Record) {
 }
 
 fn springs_scalar(record: &mut Record) {
-    let (bodies, gap) = ball(48);
+    let (bodies, gap) = ball_problem(48);
     for (name, stiffness) in [("soft ", 0.1), ("equal ", 4.0), ("stiff ", 1e3)] {
-        let mut history = history(&bodies, &gap, Some(Axis::Y), coulomb(), 1e-12);
+        let mut history = new_history(&bodies, &gap, Some(Axis::Y), coulomb_friction(), 1e-12);
         let mut steps = Steps::new(record, name);
-        steps.step(&mut history, &pressing(LOAD));
+        steps.step(&mut history, &press_step(LOAD));
         for part in [0.5, 0.9, -0.4, 3.0, 0.2] {
             let position = part * LIMIT * (0.25 + 1.0 / stiffness);
             let load = LoadStep::hold().tangential(Axis::Y, spring(position, stiffness));
@@ -870,10 +916,10 @@ fn springs_scalar(record: &mut Record) {
 }
 
 fn springs_plane(record: &mut Record) {
-    let (bodies, gap) = ball(48);
-    let mut history = history(&bodies, &gap, None, coulomb(), 1e-12);
+    let (bodies, gap) = ball_problem(48);
+    let mut history = new_history(&bodies, &gap, None, coulomb_friction(), 1e-12);
     let mut steps = Steps::new(record, "");
-    steps.step(&mut history, &pressing(LOAD));
+    steps.step(&mut history, &press_step(LOAD));
     for (x, y, twist) in [
         (spring(0.4, 4.0), spring(-0.2, 1.0), 0.0),
         (
@@ -935,14 +981,14 @@ fn dense_intervals(record: &mut Record) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Write or compare.
+// Writing and comparison.
 
 const HEADING: &str = "# Costs and answers of small scenes, computed by this crate itself: see tests/it/frozen_scenes.rs.\n\
     # Written by FREEZE=write cargo test --test it frozen_scenes. Costs: iterations, products in double and single precision.\n\
     scene,quantity,value,scale\n";
 
 #[test]
-fn scenes_are_as_they_were() {
+fn frozen_scenes_are_unchanged() {
     let (mut text, mut hashes, mut faults) = (HEADING.to_owned(), String::new(), String::new());
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/frozen_scenes.csv");
     let is_writing = std::env::var("FREEZE").is_ok_and(|word| word == "write");
@@ -987,11 +1033,14 @@ fn scenes_are_as_they_were() {
     );
     if !is_writing && HAS_ALL_SCENES {
         let (found, frozen) = (text.lines().count(), frozen.lines().count());
-        assert_eq!(found, frozen, "the file has scenes that are not run");
+        assert_eq!(
+            found, frozen,
+            "the file contains scenes that are not computed"
+        );
     }
 }
 
-/// Whether a frozen line holds this quantity, with this value.
+/// Returns whether a frozen line contains this quantity with this value.
 fn agrees(line: &str, [quantity, value, scale]: [&String; 3], agreement: Agreement) -> bool {
     let words: Vec<&str> = line.split(',').collect();
     let [old_quantity, old_value, old_scale] = words[..] else {

@@ -1,5 +1,5 @@
-//! Gaussian filters pass half a wave at their nesting index, lose nothing, keep missing heights out, and give the contact
-//! of a noisy measurement back.
+//! Gaussian filters transmit half the amplitude of a wave at their nesting index. Their parts sum to the surface, and
+//! missing heights have no effect. Filtering recovers the contact of a noisy measurement.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI, TAU};
@@ -34,13 +34,14 @@ fn assert_close(found: &Field, expected: &Field, tolerance: f64) {
     }
 }
 
-/// Part of a wave of so many periods along each side that is left in the middle of the surface.
+/// Returns the transmitted fraction, in the middle of the surface, of a wave with the given numbers of periods along
+/// the sides.
 fn transmission(filter: GaussianFilter, grid: Grid, periods: [f64; 2]) -> f64 {
     let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
     let q = [0, 1].map(|axis| TAU * periods[axis] / sides[axis]);
     let wave = Field::from_fn(grid, |x, y| (q[0] * x + q[1] * y).cos());
     let filtered = filter.apply(&wave).unwrap();
-    // The part of the wave by least squares over the middle half.
+    // The amplitude is a least-squares fit over the middle half.
     let middle = |field: &Field| {
         let range = |cells: usize| match cells {
             1 => 0..1,
@@ -54,8 +55,8 @@ fn transmission(filter: GaussianFilter, grid: Grid, periods: [f64; 2]) -> f64 {
 }
 
 #[test]
-fn half_of_a_wave_passes_at_the_nesting_index() {
-    // Length of the wave in units of the side, its periods along x and y, and the filter of either kind.
+fn filter_transmits_half_of_a_wave_at_nesting_index() {
+    // Covers wavelengths relative to the side, numbers of periods along x and y, and filters of both kinds.
     let grid = Grid::new(96, 120, 1.0, 0.8).unwrap();
     let side: f64 = 96.0;
     for periods in [
@@ -82,7 +83,7 @@ fn half_of_a_wave_passes_at_the_nesting_index() {
                 (found - 1.0 + passed).abs() < 1e-13,
                 "{periods:?} {factor}: {found}"
             );
-            // In the middle of a surface that ends, whether the wave fits or not.
+            // The middle of a non-periodic surface has the same transmission, whether or not the wave fits the sides.
             if factor * length < 0.4 * side {
                 let periods = periods.map(|count| 0.97 * count);
                 let filter = GaussianFilter::s(factor * length / 0.97);
@@ -97,7 +98,7 @@ fn half_of_a_wave_passes_at_the_nesting_index() {
 }
 
 #[test]
-fn profiles_are_filtered_along_themselves() {
+fn filter_of_profiles_acts_along_one_axis() {
     let line = Grid::new(200, 1, 0.5, 3.0).unwrap();
     for index in [4.0, 10.0] {
         let found = transmission(
@@ -118,7 +119,7 @@ fn profiles_are_filtered_along_themselves() {
             assert!(a.is_nan() && b.is_nan() || (a - b).abs() < 1e-13);
         }
     }
-    // Along y it is the filter along x of the surface turned.
+    // Filtering along y equals filtering the transposed surface along x.
     let turned = |field: &Field| {
         let grid = Grid::new(48, 64, 1.0, 1.0).unwrap();
         Field::from_indices(grid, |ix, iy| field[(iy, ix)])
@@ -135,9 +136,10 @@ fn profiles_are_filtered_along_themselves() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
-    /// What is left and what is taken off add up, holes stay holes, a datum and a unit change nothing else.
+    /// The filtered surface and the removed parts sum to the original, and missing heights stay missing. A datum and a
+    /// unit have no other effect.
     #[test]
-    fn parts_add_up_to_the_surface(
+    fn filter_parts_sum_to_the_surface(
         [nx, ny] in [1usize..50, 2usize..50], seed in any::<u64>(), share in 0.0..0.6,
         indices in [0.0f64..1.0, 0.0f64..1.0], kind in 0usize..3, axis in 0usize..3, is_periodic: bool,
     ) {
@@ -164,16 +166,16 @@ proptest! {
         for (a, b) in moved.heights().iter().zip(filtered.heights().iter()) {
             prop_assert!(b.is_nan() || (a - datum - 0.25 * b).abs() < 1e-12);
         }
-        // A flat surface is flat, whatever is missing of it.
+        // A flat surface remains flat, regardless of missing heights.
         let flat = filter.apply(&surface.map(|z| 0.0 * z + 3.0)).unwrap();
         let expected = if kind == 0 { 3.0 } else { 0.0 };
         prop_assert!(flat.heights().iter().all(|z| z.is_nan() || (z - expected).abs() == 0.0));
     }
 }
 
-/// The weights of the standard, summed directly over the heights that are there.
+/// Compares with the direct sum over the available heights with the weights of the standard.
 #[test]
-fn means_are_those_of_the_standard() {
+fn filter_weights_match_the_standard() {
     let grid = Grid::new(40, 31, 1.0, 1.25).unwrap();
     let surface = with_holes(&noise(grid, 21, 1.0), 22, 0.3);
     let index = 10.0;
@@ -194,9 +196,10 @@ fn means_are_those_of_the_standard() {
     }
 }
 
-/// surfalize cuts the weights off at four standard deviations, 0.75 nesting indices: 6e-5 of them an axis.
+/// surfalize truncates the weights at four standard deviations, 0.75 nesting indices, which neglects 6e-5 of them per
+/// axis.
 #[test]
-fn another_program_agrees() {
+fn filter_matches_surfalize() {
     let text = include_str!("../data/surface/filtered.csv");
     let mut cases: BTreeMap<&str, Vec<Vec<&str>>> = BTreeMap::new();
     for line in text.lines().skip(1) {
@@ -225,7 +228,7 @@ fn another_program_agrees() {
             filter
         };
         let filtered = filter.apply(&surface).unwrap();
-        // Away from the edges, which it mirrors.
+        // Points near the edges are excluded, because surfalize mirrors the surface there.
         let margin = |side: f64| {
             if edges == "wrap" {
                 0.0
@@ -253,7 +256,7 @@ fn another_program_agrees() {
 }
 
 #[test]
-fn edges_reach_half_an_index_in() {
+fn filter_edge_effect_reaches_half_an_index() {
     let grid = Grid::new(120, 90, 1.0, 1.0).unwrap();
     let rough = SelfAffine::with_rms_height(1.0)
         .roll_off_wavelength(40.0)
@@ -278,7 +281,7 @@ fn edges_reach_half_an_index_in() {
 }
 
 #[test]
-fn filters_that_make_no_sense_are_refused() {
+fn filters_with_invalid_indices_are_rejected() {
     let grid = Grid::new(40, 30, 0.5, 1.0).unwrap();
     let surface = noise(grid, 1, 1.0);
     let size = |filter: GaussianFilter| {
@@ -298,7 +301,7 @@ fn filters_that_make_no_sense_are_refused() {
                 matches!(refused, Error::NotPositive { quantity: q, .. } if q.starts_with(quantity))
             );
         }
-        // Two cells of 1 along y; along x they are half as long. The longer side is 30, the other 20.
+        // Along y, two cells of size 1; along x, cells are half as long. The longer side is 30, the other 20.
         assert!(matches!(
             size(make(1.9)),
             Err(Error::BelowMinimum {
@@ -359,8 +362,8 @@ fn filters_that_make_no_sense_are_refused() {
     assert_close(&small.heights().scaled(1e300), expected.heights(), 1e-13);
 }
 
-/// Spots, largest pressure and area of a contact.
-fn of_contact(contact: &NormalSolution) -> [f64; 3] {
+/// Returns the number of spots, the largest pressure and the area of a contact.
+fn contact_quantities(contact: &NormalSolution) -> [f64; 3] {
     [
         contact.spots().as_slice().len() as f64,
         contact.pressure().max(),
@@ -368,9 +371,9 @@ fn of_contact(contact: &NormalSolution) -> [f64; 3] {
     ]
 }
 
-/// Both bodies are measured with noise, and pressed as they are or filtered first.
+/// Both surfaces are measured with noise, and pressed either unchanged or filtered.
 #[test]
-fn noise_is_filtered_out_of_a_contact() {
+fn filter_removes_noise_from_a_contact() {
     let grid = Grid::square(128, 128.0).unwrap();
     let steel = Material::new(1.0, 0.3).unwrap();
     let pair = ElasticPair::new(steel, steel).unwrap();
@@ -390,9 +393,9 @@ fn noise_is_filtered_out_of_a_contact() {
         let gap = surface::gap_between(&surfaces[0], &surfaces[1]).unwrap();
         let force = 0.002 * pair.contact_modulus() * grid.area();
         let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
-        of_contact(&problem.tolerance(1e-6).build().unwrap().solve().unwrap())
+        contact_quantities(&problem.tolerance(1e-6).build().unwrap().solve().unwrap())
     };
-    // Under a third of the shortest wave: 93 % of it pass.
+    // The index is less than a third of the shortest wavelength, of which 93 % are transmitted.
     let filter = GaussianFilter::s(5.0).periodic();
     let filtered = |surfaces: &[Field; 2]| {
         surfaces

@@ -1,7 +1,7 @@
-//! The paper's sphere: its Table 2 at 512 x 512 cells, and the laws by which the error falls.
+//! The sphere of the paper: its Table 2 on 512 x 512 cells, and the convergence of the error.
 //!
-//! Bounds of the laws: order and constant of the largest error over eight offsets of the sphere
-//! within a cell, as a function of a/h, contact radius over cell side.
+//! Error bounds are given by an order and a constant for the largest error over eight offsets of the sphere within a
+//! cell, as a function of a/h, the ratio of contact radius to cell side.
 
 use kit::{Random, Table2, l2_difference, max_abs};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
@@ -18,7 +18,7 @@ fn exact(friction: f64, force: f64) -> CattaneoMindlin {
     CattaneoMindlin::new(hertz(), friction, force).unwrap()
 }
 
-/// The sphere touching at `centre`, on `n` x `n` cells of a square of `width` contact radii.
+/// Presses the sphere that touches at `centre` on `n` x `n` cells of a square of `width` contact radii.
 fn press(n: usize, width: f64, centre: [f64; 2], tolerance: f64) -> (HalfSpace, NormalSolution) {
     let grid = Grid::square(n, width * Table2::CONTACT_RADIUS).unwrap();
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
@@ -55,10 +55,10 @@ fn relative(found: f64, expected: f64) -> f64 {
 }
 
 #[test]
-fn table_2_at_512_cells() {
+fn sphere_on_512_cells_matches_table_2() {
     let (bodies, normal) = press(512, 3.0, [0.0; 2], 1e-6);
     let cells_per_radius = 512.0 / 3.0;
-    // Numbers of the paper's Table 2, worked out to 17 digits.
+    // Numbers of the paper's Table 2, computed to 17 digits.
     assert!(relative(normal.pressure().max(), 2774530779.353719) < 1e-4);
     assert!(relative(normal.approach(), 4.916814175043048e-6) < 1e-5);
     assert!(relative(normal.force(), 100.0) < 1e-12);
@@ -80,7 +80,7 @@ fn table_2_at_512_cells() {
     );
     assert!(main.report().products() <= 40, "{}", main.report());
 
-    // Figures 7 and 8f: stick ratio and shift under ten forces; the shifts in micrometres.
+    // Figures 7 and 8f: stick ratio and shift under ten forces; shifts in micrometres.
     let shifts = [
         0.200809831448524,
         0.4092151420728142,
@@ -107,7 +107,7 @@ fn table_2_at_512_cells() {
         );
     }
 
-    // Figure 9, with the friction 0.2 its caption names: profiles under forces that stick.
+    // Figure 9, with the friction coefficient 0.2 stated in its caption: profiles under forces below the limit.
     let profiles = [
         (0.2, 2.3),
         (0.4, 0.55),
@@ -128,16 +128,16 @@ fn table_2_at_512_cells() {
     }
 }
 
-/// `error <= constant * (a/h)^-order`, for each quantity in turn.
-struct Law {
+/// An error of a quantity and its bound `error <= constant * (a/h)^-order`.
+struct ErrorBound {
     name: &'static str,
     constant: f64,
     order: f64,
     error: f64,
 }
 
-fn law(name: &'static str, constant: f64, order: f64, error: f64) -> Law {
-    Law {
+fn error_bound(name: &'static str, constant: f64, order: f64, error: f64) -> ErrorBound {
+    ErrorBound {
         name,
         constant,
         order,
@@ -146,7 +146,7 @@ fn law(name: &'static str, constant: f64, order: f64, error: f64) -> Law {
 }
 
 #[test]
-fn errors_fall_by_their_laws() {
+fn errors_are_within_convergence_bounds() {
     let mut random = Random(5);
     let closed = hertz();
     for &n in kit::thorough(&[32, 64, 128][..], &[32, 64, 128, 256]) {
@@ -155,21 +155,21 @@ fn errors_fall_by_their_laws() {
             let cell = width * closed.contact_radius() / n as f64;
             let centre = [0, 1].map(|_| random.uniform(-0.5, 0.5) * cell);
             let (bodies, normal) = press(n, width, centre, 1e-11);
-            let mut laws = normal_laws(&normal, centre);
+            let mut bounds = normal_bounds(&normal, centre);
             for (f, constants) in [
                 (0.1, [2.3, 0.25, 0.55]),
                 (0.4, [0.55, 0.05, 0.55]),
                 (0.9, [0.23, 0.01, 0.9]),
             ] {
-                laws.extend(tangential_laws(&bodies, &normal, centre, f, constants));
+                bounds.extend(tangential_bounds(&bodies, &normal, centre, f, constants));
             }
             let resolution = closed.contact_radius() / cell;
-            for Law {
+            for ErrorBound {
                 name,
                 constant,
                 order,
                 error,
-            } in laws
+            } in bounds
             {
                 let bound = constant * resolution.powf(-order);
                 assert!(
@@ -185,7 +185,7 @@ fn distance(x: f64, y: f64, centre: [f64; 2]) -> f64 {
     (x - centre[0]).hypot(y - centre[1])
 }
 
-fn normal_laws(normal: &NormalSolution, centre: [f64; 2]) -> Vec<Law> {
+fn normal_bounds(normal: &NormalSolution, centre: [f64; 2]) -> Vec<ErrorBound> {
     let closed = hertz();
     let (a, p0) = (closed.contact_radius(), closed.max_pressure());
     let exact = Field::from_fn(normal.grid(), |x, y| {
@@ -201,32 +201,32 @@ fn normal_laws(normal: &NormalSolution, centre: [f64; 2]) -> Vec<Law> {
         .zip(is_inner.as_slice())
         .map(|(e, i)| e * i)
         .collect();
-    // Against the largest value at the centre of a cell: the peak itself may fall between.
+    // The reference is the largest value at a cell centre, because the peak may lie between cells.
     let largest = relative(normal.pressure().max(), exact.max());
     let l2 = l2_difference(normal.pressure().as_slice(), exact.as_slice());
     let area = relative(normal.contact_area(), closed.contact_area());
     vec![
-        law("largest pressure", 0.10, 2.0, largest),
-        law("pressure within 0.8 a", 0.35, 2.0, max_abs(&inner)),
-        law("pressure, L2", 0.18, 1.0, l2),
-        law("pressure anywhere", 0.25, 0.5, max_abs(&errors)),
-        law(
+        error_bound("largest pressure", 0.10, 2.0, largest),
+        error_bound("pressure within 0.8 a", 0.35, 2.0, max_abs(&inner)),
+        error_bound("pressure, L2", 0.18, 1.0, l2),
+        error_bound("pressure anywhere", 0.25, 0.5, max_abs(&errors)),
+        error_bound(
             "approach",
             0.07,
             2.0,
             relative(normal.approach(), closed.approach()),
         ),
-        law("contact area", 0.45, 1.0, area),
+        error_bound("contact area", 0.45, 1.0, area),
     ]
 }
 
-fn tangential_laws(
+fn tangential_bounds(
     bodies: &HalfSpace,
     normal: &NormalSolution,
     centre: [f64; 2],
     f: f64,
     [l2, shift, stick]: [f64; 3],
-) -> [Law; 3] {
+) -> [ErrorBound; 3] {
     let force = f * Table2::FRICTION * Table2::FORCE;
     let closed = exact(Table2::FRICTION, force);
     let solution = shear(bodies, normal, Table2::FRICTION, force, 1e-11);
@@ -236,19 +236,19 @@ fn tangential_laws(
     let found = solution.traction()[0].as_slice();
     let stick_area = closed.stick_ratio() * closed.hertz().contact_area();
     [
-        law(
+        error_bound(
             "traction, L2",
             l2,
             1.0,
             l2_difference(found, traction.as_slice()),
         ),
-        law(
+        error_bound(
             "shift",
             shift,
             1.5,
             relative(solution.shift()[0], closed.shift()),
         ),
-        law(
+        error_bound(
             "stick area",
             stick,
             1.0,

@@ -14,9 +14,9 @@
     reason = "a test fails loudly and says what it has done; what threads alone are tested for lies beside the scenes"
 )]
 
-mod every_scene_goes_on_to_the_same_bits;
-mod every_scene_obeys_the_laws;
+mod history_continuation_is_bitwise;
 mod ranks_share_a_contact;
+mod scene_laws;
 
 use std::process::{Command, ExitCode};
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use kit::table::{Scene, UnitTransform};
 use stickslip::ranks::{Mpi, Ranks};
 use stickslip::{Field, HalfSpace};
 
-use every_scene_goes_on_to_the_same_bits::{found, shared_scenes};
+use history_continuation_is_bitwise::{found, shared_scenes};
 
 /// Longer than a rank solves a scene by itself.
 const PATIENCE: Duration = Duration::from_secs(300);

@@ -11,7 +11,7 @@ use stickslip::layers::Response;
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::*;
 
-use crate::files_of_slabs_are_never_half::Leaving;
+use crate::distributed_io_is_atomic::LostRank;
 use crate::ranks_share_a_contact::{PATIENCE, pair};
 use crate::ranks_share_a_history::{ball, begun, fine, friction, run};
 
@@ -231,7 +231,7 @@ fn a_step_is_taken_wholly_or_not_at_all() {
     let step_until = |calls: usize, coupling: Coupling, is_adaptive: bool| {
         Threads::run(3, PATIENCE, |rank| {
             let is_lost = rank.rank() == 1;
-            let ranks = Arc::new(Leaving {
+            let ranks = Arc::new(LostRank {
                 rank,
                 calls_left: last.into(),
             });
@@ -306,7 +306,7 @@ fn changes_are_made_wholly_or_not_at_all() {
     let change_until = |change: Change, calls: usize| {
         Threads::run(3, PATIENCE, |rank| {
             let is_lost = rank.rank() == 1;
-            let ranks = Arc::new(Leaving {
+            let ranks = Arc::new(LostRank {
                 rank,
                 calls_left: last.into(),
             });

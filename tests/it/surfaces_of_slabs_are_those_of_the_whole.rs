@@ -5,7 +5,7 @@ use stickslip::ranks::RankFailure;
 use stickslip::surface::{self, Form, PowerSpectrum, Statistics};
 use stickslip::*;
 
-use crate::files_of_slabs_are_those_of_the_whole::{SIZES, bits, height, on_ranks, ranks};
+use crate::distributed_io::{SIZES, bits, height, on_ranks, ranks};
 
 /// Everything that is said of a surface, in numbers, and the levelled heights held here.
 fn told(bodies: &HalfSpace, z: impl Fn(f64, f64) -> f64) -> (Vec<f64>, Vec<f64>) {

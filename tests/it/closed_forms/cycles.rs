@@ -1,4 +1,4 @@
-//! A sphere under a tangential force that comes and goes.
+//! A sphere under an oscillating tangential force.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
@@ -8,34 +8,34 @@ use stickslip::analytical::MindlinDeresiewicz;
 use stickslip::{Error, Result};
 
 use super::{
-    FRICTION, LIMIT, assert_bad_shear_is_refused, assert_close, ball, disc_integral, integral,
+    FRICTION, LIMIT, assert_bad_shear_is_rejected, assert_close, ball, disc_integral, integral,
     sheared_ball,
 };
 
-/// The ball after a force that took these parts of the friction limit in turn.
-fn after(path: &[f64]) -> Result<MindlinDeresiewicz> {
+/// Returns the ball after a sequence of forces, given as fractions of the friction limit.
+fn after_path(path: &[f64]) -> Result<MindlinDeresiewicz> {
     let forces: Vec<f64> = path.iter().map(|part| part * LIMIT).collect();
     MindlinDeresiewicz::new(ball()?, FRICTION, &forces)
 }
 
-/// The head of the file states the case and its source.
+/// The header of the file states the case and its source.
 const UNLOADING: &str = include_str!("../../data/unloading.csv");
 
-/// Part of the friction limit, energy per cycle.
+/// Fraction of the friction limit, energy per cycle.
 const CYCLES: [[f64; 2]; 3] = [
     [0.4, 1.9278027314025586e-06],
     [0.8, 2.62446228167928e-05],
     [1.0, 0.00011841904562427609],
 ];
 
-/// Equal up to the round-off of the parts of the sum, each up to `scale`.
+/// Checks equality up to the round-off of a sum with terms of size up to `scale`.
 #[track_caller]
 fn assert_near(found: f64, expected: f64, scale: f64) {
     assert_relative_eq!(found, expected, max_relative = 0.0, epsilon = 1e-14 * scale);
 }
 
 #[test]
-fn unloading_and_reloading_have_their_numbers() -> Result<()> {
+fn unloading_and_reloading_match_reference_values() -> Result<()> {
     let ball = ball()?;
     let (a, mu_p0) = (ball.contact_radius(), FRICTION * ball.max_pressure());
     let mut lines = UNLOADING.lines().filter(|line| !line.starts_with('#'));
@@ -47,9 +47,9 @@ fn unloading_and_reloading_have_their_numbers() -> Result<()> {
         let [from, to, shift, stick, ref tractions @ ..] = numbers[..] else {
             panic!("{line}");
         };
-        let unloaded = after(&[from, to])?;
-        // The way back up from the other end is the way down, turned around.
-        let reloaded = after(&[from, -from, -to])?;
+        let unloaded = after_path(&[from, to])?;
+        // Reloading is the unloading path with opposite sign.
+        let reloaded = after_path(&[from, -from, -to])?;
         for (contact, sign) in [(&unloaded, 1.0), (&reloaded, -1.0)] {
             assert_close(contact.force(), sign * to * LIMIT);
             assert_close(contact.amplitude(), from * LIMIT);
@@ -64,8 +64,8 @@ fn unloading_and_reloading_have_their_numbers() -> Result<()> {
     }
     assert_eq!(cases, 12);
     for [part, energy] in CYCLES {
-        assert_close(after(&[part])?.energy_per_cycle(), energy);
-        // Johnson's form, of which the crate's is a factorisation.
+        assert_close(after_path(&[part])?.energy_per_cycle(), energy);
+        // This is Johnson's form, which the crate factorises.
         let s = 1.0 - part;
         let bracket = 1.0 - s.powf(5.0 / 3.0) - 5.0 * s.powf(2.0 / 3.0) + 5.0 * s;
         let scale = LIMIT * sheared_ball(LIMIT)?.shift();
@@ -75,11 +75,11 @@ fn unloading_and_reloading_have_their_numbers() -> Result<()> {
 }
 
 #[test]
-fn small_cycles_keep_their_digits() -> Result<()> {
+fn energy_of_small_cycles_is_accurate() -> Result<()> {
     let scale = LIMIT * sheared_ball(LIMIT)?.shift();
     for part in [1e-3_f64, 1e-6, 1e-9] {
         let series = 4.0 / 27.0 * part.powi(3) * (1.0 + 2.0 / 3.0 * part);
-        let found = after(&[part])?.energy_per_cycle() / scale;
+        let found = after_path(&[part])?.energy_per_cycle() / scale;
         assert_relative_eq!(
             found,
             series,
@@ -90,18 +90,18 @@ fn small_cycles_keep_their_digits() -> Result<()> {
     Ok(())
 }
 
-/// Along the first loading all is as Cattaneo and Mindlin have it, in however many steps.
+/// On first loading the result agrees with Cattaneo and Mindlin, for any number of steps.
 #[test]
-fn first_loading_is_that_of_a_growing_force() -> Result<()> {
+fn first_loading_matches_cattaneo_mindlin() -> Result<()> {
     let a = ball()?.contact_radius();
-    let unloaded = after(&[])?;
+    let unloaded = after_path(&[])?;
     assert_close(unloaded.shift(), 0.0);
     assert_close(unloaded.traction(0.3 * a), 0.0);
     assert_close(unloaded.stick_radius(), a);
     assert_close(unloaded.energy_per_cycle(), 0.0);
     let shear = sheared_ball(-30.0)?;
     for path in [&[-0.6][..], &[0.0, -0.6], &[-0.1, -0.2, -0.2, -0.6, -0.6]] {
-        let contact = after(path)?;
+        let contact = after_path(path)?;
         assert_close(contact.shift(), shear.shift());
         assert_close(contact.stick_radius(), shear.stick_radius());
         assert_close(contact.traction(0.4 * a), shear.traction(0.4 * a));
@@ -117,12 +117,12 @@ fn first_loading_is_that_of_a_growing_force() -> Result<()> {
     Ok(())
 }
 
-/// A closed loop leaves nothing but the energy it took.
+/// A closed loop affects only the dissipated energy.
 #[test]
-fn closed_loops_are_forgotten() -> Result<()> {
+fn closed_loops_leave_only_their_dissipation() -> Result<()> {
     let a = ball()?.contact_radius();
-    let loop_energy = |half_range: f64| after(&[half_range]).unwrap().energy_per_cycle();
-    // A path, the same without its closed loops, the half ranges of those.
+    let loop_energy = |half_range: f64| after_path(&[half_range]).unwrap().energy_per_cycle();
+    // A path, the same path without its closed loops, and the half ranges of these loops.
     let cases = [
         (&[0.5, 0.1, 0.5][..], &[0.5][..], &[0.2][..]),
         (&[0.5, 0.1, 0.7], &[0.7], &[0.2]),
@@ -139,7 +139,7 @@ fn closed_loops_are_forgotten() -> Result<()> {
         ),
     ];
     for (path, rest, half_ranges) in cases {
-        let (long, short) = (after(path)?, after(rest)?);
+        let (long, short) = (after_path(path)?, after_path(rest)?);
         assert_near(long.shift(), short.shift(), short.sliding_shift());
         assert_close(long.stick_radius(), short.stick_radius());
         for i in 0..20 {
@@ -156,8 +156,8 @@ fn closed_loops_are_forgotten() -> Result<()> {
             epsilon = 0.0
         );
     }
-    // From one end of the cycle to the other the contact is that of a first loading there.
-    let (turned, loaded) = (after(&[0.7, -0.7])?, after(&[-0.7])?);
+    // After a full reversal the contact equals the contact after first loading in that direction.
+    let (turned, loaded) = (after_path(&[0.7, -0.7])?, after_path(&[-0.7])?);
     assert_close(turned.shift(), loaded.shift());
     assert_close(turned.traction(0.9 * a), loaded.traction(0.9 * a));
     let tripled = 3.0 * loaded.dissipated_energy();
@@ -166,34 +166,34 @@ fn closed_loops_are_forgotten() -> Result<()> {
     let many: Vec<f64> = (0..=200)
         .map(|i| if i % 2 == 0 { 0.7 } else { -0.7 })
         .collect();
-    let cycled = after(&many)?;
+    let cycled = after_path(&many)?;
     let expected = loaded.dissipated_energy() + 100.0 * loaded.energy_per_cycle();
     assert_relative_eq!(cycled.dissipated_energy(), expected, max_relative = 1e-13);
     Ok(())
 }
 
-/// What a cycle dissipates is the area of its loop of force over shift.
+/// The dissipation of a cycle equals the area of its loop of force over shift.
 #[test]
-fn energy_is_the_area_of_the_loop() -> Result<()> {
+fn cycle_energy_equals_loop_area() -> Result<()> {
     for part in [0.3, 0.9] {
-        let unloading = |force: f64| after(&[part, force]).unwrap().shift();
+        let unloading = |force: f64| after_path(&[part, force]).unwrap().shift();
         let area = integral(-part, part, |force| {
             let reloading = -unloading(-force);
             LIMIT * (unloading(force) - reloading)
         });
-        let energy = after(&[part])?.energy_per_cycle();
+        let energy = after_path(&[part])?.energy_per_cycle();
         assert_relative_eq!(area, energy, max_relative = 1e-10, epsilon = 0.0);
     }
     Ok(())
 }
 
-/// Along every way, the traction of the slipping ring times the slip gained there.
+/// On each segment of the path, the dissipation is the traction in the slip ring times the slip increment.
 #[test]
-fn energy_is_traction_times_slip() -> Result<()> {
+fn energy_increment_equals_traction_times_slip() -> Result<()> {
     let a = ball()?.contact_radius();
     let path = [0.8, -0.4, 0.3, 0.1];
     for turns in 1..path.len() {
-        let (before, now) = (after(&path[..turns])?, after(&path[..=turns])?);
+        let (before, now) = (after_path(&path[..turns])?, after_path(&path[..=turns])?);
         // The mean over directions is the value at 45 degrees.
         let work = disc_integral(now.stick_radius(), a, |r| {
             let along = r * FRAC_1_SQRT_2;
@@ -206,11 +206,11 @@ fn energy_is_traction_times_slip() -> Result<()> {
     Ok(())
 }
 
-/// The traction of three turns, each of which leaves a kink.
+/// Integrates the traction after three reversals, each of which leaves a kink.
 #[test]
-fn traction_carries_the_force() -> Result<()> {
+fn traction_integrates_to_the_force() -> Result<()> {
     let a = ball()?.contact_radius();
-    let contact = after(&[0.8, -0.4, 0.3])?;
+    let contact = after_path(&[0.8, -0.4, 0.3])?;
     let mut carried = 0.0;
     let mut from = 0.0;
     for half_range in [0.8, 0.6, 0.35, 0.0_f64] {
@@ -227,9 +227,9 @@ fn traction_carries_the_force() -> Result<()> {
 }
 
 #[test]
-fn sliding_wipes_the_history_out() -> Result<()> {
+fn gross_slip_erases_the_load_history() -> Result<()> {
     let a = ball()?.contact_radius();
-    let sliding = after(&[0.8, -0.5, 0.2, 1.0])?;
+    let sliding = after_path(&[0.8, -0.5, 0.2, 1.0])?;
     assert_close(sliding.stick_radius(), 0.0);
     assert_close(sliding.shift(), sheared_ball(LIMIT)?.shift());
     for ratio in [0.1, 0.9] {
@@ -238,16 +238,16 @@ fn sliding_wipes_the_history_out() -> Result<()> {
             FRICTION * ball()?.pressure(ratio * a),
         );
     }
-    let back = after(&[0.8, 1.0, -1.0])?;
+    let back = after_path(&[0.8, 1.0, -1.0])?;
     assert_close(back.shift(), -sliding.shift());
     Ok(())
 }
 
 #[test]
-fn wrong_paths_are_refused() -> Result<()> {
+fn paths_with_invalid_forces_are_rejected() -> Result<()> {
     let ball = ball()?;
     for place in 0..3 {
-        assert_bad_shear_is_refused(LIMIT, |friction, force| {
+        assert_bad_shear_is_rejected(LIMIT, |friction, force| {
             let mut path = [0.0; 3];
             path[place] = force;
             MindlinDeresiewicz::new(ball, friction, &path)
@@ -261,11 +261,11 @@ fn wrong_paths_are_refused() -> Result<()> {
 }
 
 proptest! {
-    /// Whatever the path, friction holds the traction, all of it in the ring that slips, and the disc
-    /// that has never slipped moves as one.
+    /// For any path, the traction is within the friction limit and at the limit throughout the slip ring. The disc that
+    /// has never slipped moves as a rigid body.
     #[test]
-    fn any_path_obeys_friction(path in proptest::collection::vec(-1.0..1.0_f64, 1..12)) {
-        let (ball, contact) = (ball().unwrap(), after(&path).unwrap());
+    fn any_path_satisfies_the_friction_law(path in proptest::collection::vec(-1.0..1.0_f64, 1..12)) {
+        let (ball, contact) = (ball().unwrap(), after_path(&path).unwrap());
         let a = ball.contact_radius();
         let c = contact.stick_radius();
         for i in 0..40 {

@@ -1,5 +1,5 @@
-//! Cylinders in plane strain: energies of partial slip under bulk stress, and the stresses of the bodies, against
-//! quadrature of what they follow from.
+//! Cylinders in plane strain: energies of partial slip under bulk stress, and stresses in the bodies, compared with
+//! quadrature of independent expressions.
 
 use super::*;
 use stickslip::analytical::{
@@ -9,20 +9,21 @@ use stickslip::analytical::{
 const LOAD: f64 = 100.0;
 const DATUM: f64 = 50.0;
 
-/// A steel roller of radius 10 under 100 N/mm; mm, N, MPa.
+/// Returns a steel roller of radius 10 under 100 N/mm; mm, N, MPa.
 fn roller() -> Result<HertzLine> {
     HertzLine::new(&pair(210e3, 0.3)?, 10.0, LOAD)
 }
 
-/// Sheared by a part of what friction holds, with the strip that sticks moved by `moved` half-widths.
-fn sheared(part: f64, moved: f64) -> Result<CattaneoMindlinLine> {
+/// Shears the roller by a fraction of the friction limit, with the stick strip shifted by `moved` half-widths.
+fn shear_roller(part: f64, moved: f64) -> Result<CattaneoMindlinLine> {
     let hertz = roller()?;
     let shear = CattaneoMindlinLine::new(hertz, FRICTION, part * FRICTION * LOAD)?;
     shear.with_bulk_stress([4.0 * FRICTION * hertz.max_pressure() * moved, 0.0])
 }
 
-/// The integral over the contact of what has square roots at the edges of the contact and of the strip that sticks.
-fn over_contact(shear: &CattaneoMindlinLine, integrand: impl Fn(f64) -> f64) -> f64 {
+/// Integrates over the contact; the integrand may have square-root singularities at the edges of the contact and of the
+/// stick strip.
+fn integrate_over_contact(shear: &CattaneoMindlinLine, integrand: impl Fn(f64) -> f64) -> f64 {
     let (a, c, e) = (
         shear.hertz().half_width(),
         shear.stick_half_width(),
@@ -35,7 +36,7 @@ fn over_contact(shear: &CattaneoMindlinLine, integrand: impl Fn(f64) -> f64) -> 
         .sum()
 }
 
-/// The displacement along x by the tractions, from that of line loads: with a logarithm.
+/// Returns the displacement along x by superposition of line loads, with a logarithmic kernel.
 fn displacement(shear: &CattaneoMindlinLine, x: f64) -> f64 {
     let hertz = shear.hertz();
     let a = hertz.half_width();
@@ -51,9 +52,10 @@ fn displacement(shear: &CattaneoMindlinLine, x: f64) -> f64 {
     2.0 / PI / hertz.pair().contact_modulus() * parts.sum::<f64>()
 }
 
-/// Where the strip sticks, displacement and strain make up the shift; where it slips, friction works on the rest.
+/// In the stick strip, displacement and strain add up to the shift; in the slip zones, friction does work on the
+/// remainder.
 #[test]
-fn shift_and_energy_under_bulk_stress_are_those_of_the_slip() -> Result<()> {
+fn shift_and_energy_under_bulk_stress_match_the_slip() -> Result<()> {
     for (part, moved) in [
         (0.6, 0.1238),
         (0.6, -0.2),
@@ -61,7 +63,7 @@ fn shift_and_energy_under_bulk_stress_are_those_of_the_slip() -> Result<()> {
         (-0.8, 0.35),
         (0.9, 0.0),
     ] {
-        let shear = sheared(part, moved)?;
+        let shear = shear_roller(part, moved)?;
         let hertz = shear.hertz();
         let (a, e, c) = (
             hertz.half_width(),
@@ -89,9 +91,9 @@ fn shift_and_energy_under_bulk_stress_are_those_of_the_slip() -> Result<()> {
     Ok(())
 }
 
-/// All closed forms call the energy of the first loading and that of a cycle by the same names.
+/// All closed forms use the same names for the energy of first loading and the energy of a cycle.
 #[test]
-fn a_cycle_takes_four_first_quarters() -> Result<()> {
+fn cycle_energy_is_four_first_quarters() -> Result<()> {
     let shear = sheared_ball(30.0)?;
     assert_close(
         shear.energy_per_cycle(),
@@ -113,39 +115,40 @@ fn a_cycle_takes_four_first_quarters() -> Result<()> {
 }
 
 #[test]
-fn coupled_bodies_and_too_much_strain_are_refused() -> Result<()> {
+fn coupled_bodies_and_excessive_strain_are_rejected() -> Result<()> {
     let unlike = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
     let hertz = HertzLine::new(&unlike, 10.0, 0.01)?;
     let refused = CattaneoMindlinLine::new(hertz, FRICTION, 1e-3);
     let beta = unlike.dundurs_beta();
     assert_eq!(refused, Err(Error::CoupledMaterials { beta }));
-    // The strip that sticks would leave the contact, at 1 - sqrt(1 - f).
-    assert!(sheared(0.6, 0.3675).is_ok());
+    // With more strain the stick strip would leave the contact, at 1 - sqrt(1 - f).
+    assert!(shear_roller(0.6, 0.3675).is_ok());
     assert!(matches!(
-        sheared(0.6, 0.3676),
+        shear_roller(0.6, 0.3676),
         Err(Error::BelowMinimum { .. })
     ));
     assert!(matches!(
-        sheared(0.0, 1e-3),
+        shear_roller(0.0, 1e-3),
         Err(Error::BelowMinimum { .. })
     ));
-    let refused = sheared(0.6, 0.1)?.with_bulk_stress([f64::NAN, 0.0]);
+    let refused = shear_roller(0.6, 0.1)?.with_bulk_stress([f64::NAN, 0.0]);
     assert!(matches!(refused, Err(Error::Sample { .. })));
     Ok(())
 }
 
-/// Stresses `[xx, zz, xz]` at the depth z under line loads at `s` along z and along x. Flamant; Johnson (1985), 2.13-2.16.
-fn of_line_loads([p, q]: [f64; 2], s: f64, x: f64, z: f64) -> [f64; 3] {
+/// Returns the stresses `[xx, zz, xz]` at the depth z under line loads at `s` along z and along x. Flamant; Johnson
+/// (1985), 2.13-2.16.
+fn stress_of_line_loads([p, q]: [f64; 2], s: f64, x: f64, z: f64) -> [f64; 3] {
     let (x, square) = (x - s, (x - s).powi(2) + z * z);
     let radial = -2.0 / PI * (p * z + q * x) / (square * square);
     [radial * x * x, radial * z * z, radial * x * z]
 }
 
-/// Below the surface the stresses are those of line loads, and in body 2 those of the opposite traction.
+/// Stresses below the surface are the superposition of line loads; in body 2 the traction has the opposite sign.
 #[test]
-fn stresses_are_the_sum_of_line_loads() -> Result<()> {
+fn stresses_match_superposition_of_line_loads() -> Result<()> {
     for (part, moved) in [(0.6, 0.12), (-0.7, 0.2), (0.9, 0.0), (1.0, -0.3)] {
-        let shear = sheared(part, moved)?;
+        let shear = shear_roller(part, moved)?;
         let hertz = shear.hertz();
         let (a, p0) = (hertz.half_width(), hertz.max_pressure());
         let bulk = 4.0 * FRICTION * p0 * moved;
@@ -153,9 +156,9 @@ fn stresses_are_the_sum_of_line_loads() -> Result<()> {
             for z in [0.3, 1.0, 4.0] {
                 let (x, z) = (x * a, z * a);
                 let of = |component: usize, side: f64| {
-                    over_contact(&shear, |s| {
+                    integrate_over_contact(&shear, |s| {
                         let loads = [hertz.pressure(s), side * shear.traction(s)];
-                        of_line_loads(loads, s, x, z)[component]
+                        stress_of_line_loads(loads, s, x, z)[component]
                     })
                 };
                 let [one, two] = shear.stress(x, z);
@@ -167,7 +170,7 @@ fn stresses_are_the_sum_of_line_loads() -> Result<()> {
                     );
                 }
                 for (k, found) in two.into_iter().enumerate() {
-                    // Seen from body 2, z is turned round.
+                    // In the frame of body 2, the z axis is reversed.
                     let expected = if k == 2 { -of(k, -1.0) } else { of(k, -1.0) };
                     assert!(
                         (found - expected).abs() < 1e-7 * p0,
@@ -180,17 +183,17 @@ fn stresses_are_the_sum_of_line_loads() -> Result<()> {
     Ok(())
 }
 
-/// On the surface the stresses along z are the tractions, and that along x is the pressure and the principal value
-/// $`-\frac2\pi \int q(s)/(x-s)\,ds`$ of the traction, beside the contact and in it.
+/// On the surface, the stress components along z equal the tractions. The stress along x is minus the pressure plus the
+/// principal value $`-\frac2\pi \int q(s)/(x-s)\,ds`$ of the traction, inside and outside the contact.
 #[test]
-fn stress_of_the_surface_is_the_principal_value() -> Result<()> {
+fn surface_stress_matches_the_principal_value() -> Result<()> {
     for (part, moved) in [(0.6, 0.12), (-0.7, 0.2), (0.9, 0.0)] {
-        let shear = sheared(part, moved)?;
+        let shear = shear_roller(part, moved)?;
         let hertz = shear.hertz();
         let (a, p0) = (hertz.half_width(), hertz.max_pressure());
         let bulk = 4.0 * FRICTION * p0 * moved;
         for x in [-2.0, -1.01, -0.97, -0.4, 0.05, 0.3, 0.9, 1.3].map(|x| x * a) {
-            // The traction at x is taken off, whose principal value is a logarithm.
+            // The traction at x is subtracted; its principal value is a logarithm.
             let here = shear.traction(x);
             let (c, e) = (shear.stick_half_width(), shear.stick_centre());
             let mut ends = vec![-a, e - c, e + c, a];
@@ -227,14 +230,14 @@ fn stress_of_the_surface_is_the_principal_value() -> Result<()> {
             assert!((zz + hertz.pressure(x)).abs() < 1e-13 * p0);
             assert!((xz + here).abs() < 1e-13 * p0);
         }
-        // The edge that the traction pulls away from bears the largest tension.
+        // The largest tension occurs at the edge that the traction pulls away from.
         let edge = -a * part.signum();
         let [largest, _] = shear.surface_stress(edge);
         for k in -400..=400 {
             let [stress, _] = shear.surface_stress(a * f64::from(k) / 200.0);
             assert!(stress <= largest + 1e-9 * p0);
         }
-        // In gross sliding it is that of the whole traction.
+        // In gross slip the tension results from the complete traction.
         let sliding = CattaneoMindlinLine::new(hertz, FRICTION, FRICTION * LOAD)?;
         assert_close(sliding.surface_stress(-a)[0], 2.0 * FRICTION * p0);
     }

@@ -1,6 +1,6 @@
-//! The closed-form contacts against their numbers and against the laws they obey.
+//! Closed-form contacts, compared with reference values and with the laws that they satisfy.
 //!
-//! The case is the paper's Table 2 unless a test says otherwise: a steel ball, in SI units.
+//! Unless a test states otherwise, the case is the paper's Table 2: a steel ball, in SI units.
 
 mod cycles;
 mod lines;
@@ -22,7 +22,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{ElasticPair, Error, Material, Result};
 
 const FRICTION: f64 = 0.5;
-/// The largest tangential force friction holds.
+/// Largest tangential force that friction can carry.
 const LIMIT: f64 = 50.0;
 
 fn pair(youngs_modulus: f64, poisson_ratio: f64) -> Result<ElasticPair> {
@@ -42,18 +42,18 @@ fn sheared_ball(force: f64) -> Result<CattaneoMindlin> {
     CattaneoMindlin::new(ball()?, FRICTION, force)
 }
 
-/// An incompressible body on a rigid one, of contact modulus 25 MPa: no coupling.
+/// Returns an incompressible body on a rigid one, with a contact modulus of 25 MPa and without coupling.
 fn rubber() -> Result<ElasticPair> {
     ElasticPair::new(Material::new(18.75e6, 0.5)?, Material::rigid())
 }
 
-/// Equal to a few roundings, whatever the unit: no absolute part.
+/// Checks equality up to a few roundings, without an absolute tolerance, for any unit.
 #[track_caller]
 fn assert_close(found: f64, expected: f64) {
     assert_relative_eq!(found, expected, max_relative = 1e-12, epsilon = 0.0);
 }
 
-/// Simpson's rule.
+/// Integrates by Simpson's rule.
 fn integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let intervals = 2000_u32;
     let step = (to - from) / f64::from(intervals);
@@ -71,7 +71,7 @@ fn integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     sum * step / 3.0
 }
 
-/// The area integral of `field(r)`, smooth but for a kink at `kink`, over the disc of radius `edge`.
+/// Returns the area integral of `field(r)`, smooth except for a kink at `kink`, over the disc of radius `edge`.
 fn disc_integral(kink: f64, edge: f64, field: impl Fn(f64) -> f64) -> f64 {
     // r = R sin t removes the square root at r = R.
     let part = |scale: f64, from: f64| {
@@ -83,7 +83,7 @@ fn disc_integral(kink: f64, edge: f64, field: impl Fn(f64) -> f64) -> f64 {
     part(kink, 0.0) + part(edge, (kink / edge).asin())
 }
 
-/// The double-exponential rule: for integrands that are singular at the ends.
+/// Integrates by the double-exponential rule, for integrands that are singular at the ends.
 fn singular_integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let step = 0.05;
     let length = to - from;
@@ -100,8 +100,8 @@ fn singular_integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 
     terms.sum::<f64>() * step * length
 }
 
-/// The integral of the axisymmetric `field(r)` of radius `edge`, with a kink at `kink`, along the chord at
-/// the distance `d` from the centre.
+/// Integrates the axisymmetric `field(r)` of radius `edge`, with a kink at `kink`, along the chord at the distance `d`
+/// from the centre.
 fn chord_integral(kink: f64, edge: f64, d: f64, field: impl Fn(f64) -> f64) -> f64 {
     let half = |radius: f64| ((radius - d) * (radius + d)).max(0.0).sqrt();
     let along = |l: f64| field(d.hypot(l));
@@ -109,8 +109,8 @@ fn chord_integral(kink: f64, edge: f64, d: f64, field: impl Fn(f64) -> f64) -> f
     2.0 * (inner + singular_integral(half(kink), half(edge), along))
 }
 
-/// The integral over directions of the chords of radius `edge` through a point at the distance `r`
-/// from the centre, each `chord(d, t)` at its distance from the centre and its angle to the radius.
+/// Integrates `chord(d, t)` over the directions of the chords of radius `edge` through a point at the distance `r` from
+/// the centre; `d` is the distance of the chord from the centre, and `t` its angle to the radius.
 fn sum_over_chords(edge: f64, r: f64, chord: impl Fn(f64, f64) -> f64) -> f64 {
     let reach = if r > edge {
         (edge / r).asin()
@@ -123,7 +123,7 @@ fn sum_over_chords(edge: f64, r: f64, chord: impl Fn(f64, f64) -> f64) -> f64 {
     })
 }
 
-/// Refused with [`Error::NotPositive`], whatever the value.
+/// Checks that the result is [`Error::NotPositive`] for any value.
 #[track_caller]
 fn assert_not_positive<T: std::fmt::Debug>(result: &Result<T>) {
     assert!(
@@ -132,10 +132,10 @@ fn assert_not_positive<T: std::fmt::Debug>(result: &Result<T>) {
     );
 }
 
-/// Coefficients of friction and forces that no contact of the friction limit `limit`, at the
-/// coefficient [`FRICTION`], may take.
+/// Checks that invalid coefficients of friction, and forces beyond the friction limit `limit` at the coefficient
+/// [`FRICTION`], are rejected.
 #[track_caller]
-fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
+fn assert_bad_shear_is_rejected<T: std::fmt::Debug>(
     limit: f64,
     shear: impl Fn(f64, f64) -> Result<T>,
 ) {
@@ -156,7 +156,7 @@ fn assert_bad_shear_is_refused<T: std::fmt::Debug>(
             force, limit: held, ..
         }) = shear(FRICTION, beyond)
         else {
-            panic!("a force beyond friction was accepted");
+            panic!("a force beyond the friction limit was accepted");
         };
         assert_close(force, beyond.abs());
         assert_close(held, limit);

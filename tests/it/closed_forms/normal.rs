@@ -1,4 +1,4 @@
-//! The laws of the normal contacts.
+//! Properties of the closed forms of normal contact.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,14 +9,14 @@ use stickslip::analytical::{CattaneoMindlinEllipse, HertzEllipse};
 use super::{FRICTION, assert_close, ball, disc_integral, integral, sheared_ball, steel};
 
 #[test]
-fn pressure_carries_the_load() -> Result<()> {
+fn pressure_integrates_to_the_load() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     assert_close(disc_integral(0.5 * a, a, |r| ball.pressure(r)), 100.0);
 
     let barrel = HertzEllipse::new(&steel()?, 7e-3, 2e-3, 100.0)?;
     let [along_x, along_y] = barrel.semi_axes();
-    // Every ray from the centre carries the same load.
+    // Every ray from the centre contributes the same load.
     let per_ray = disc_integral(0.5, 1.0, |rho| {
         barrel.pressure(0.6 * rho * along_x, 0.8 * rho * along_y)
     });
@@ -25,7 +25,7 @@ fn pressure_carries_the_load() -> Result<()> {
 }
 
 #[test]
-fn ellipse_becomes_the_sphere() -> Result<()> {
+fn ellipse_of_equal_radii_matches_sphere() -> Result<()> {
     let pair = steel()?;
     let ball = ball()?;
     let shear = sheared_ball(20.0)?;
@@ -55,7 +55,7 @@ fn ellipse_becomes_the_sphere() -> Result<()> {
 
 /// The Hertz pressure of the ellipse displaces its centre by the approach and flattens the gap.
 #[test]
-fn ellipse_pressure_closes_the_gap() -> Result<()> {
+fn ellipse_pressure_closes_the_gap_in_contact() -> Result<()> {
     let pair = steel()?;
     for [radius_x, radius_y] in [
         [7e-3, 2e-3],
@@ -67,8 +67,8 @@ fn ellipse_pressure_closes_the_gap() -> Result<()> {
         let hertz = HertzEllipse::new(&pair, radius_x, radius_y, 100.0)?;
         let [along_x, along_y] = hertz.semi_axes();
         assert_eq!(along_x > along_y, radius_x > radius_y);
-        // Boussinesq's kernel along chords: of the direction (along_x cos t, along_y sin t), which
-        // makes the chords those of a unit disc.
+        // Integrates Boussinesq's kernel along chords in the direction (along_x cos t, along_y sin t), which map to the
+        // chords of a unit disc.
         let displacement = |x: f64, y: f64| {
             let (xi, eta) = (x / along_x, y / along_y);
             let sum = integral(0.0, PI, |t| {
@@ -93,9 +93,9 @@ fn ellipse_pressure_closes_the_gap() -> Result<()> {
     Ok(())
 }
 
-/// A long ellipse: the logarithms of a line, at any ratio a double can hold.
+/// Long ellipses have the logarithms of a line, at any aspect ratio that a double can represent.
 #[test]
-fn thin_ellipses_keep_their_digits() -> Result<()> {
+fn thin_ellipse_is_accurate() -> Result<()> {
     let pair = steel()?;
     for ratio in [1e3_f64, 1e6, 1e100, 1e290] {
         let along = HertzEllipse::new(&pair, 1e-3 * ratio, 1e-3, 1.0)?;

@@ -1,7 +1,7 @@
-//! The numbers of the closed forms.
+//! Reference values of the closed forms.
 //!
-//! The constants are the closed forms evaluated to 20 digits in extended precision, independently
-//! of this crate, and rounded to double.
+//! The constants are the closed forms evaluated to 20 digits in extended precision, independently of this crate, and
+//! rounded to double.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -68,8 +68,8 @@ const PARTIAL_SLIP: [[f64; 4]; 6] = [
     ],
 ];
 
-/// Distance over the contact radius, traction, slip at 0, 45 and 90 degrees from the force, for a
-/// force of 0.4 of the limit.
+/// Distance over the contact radius, traction, and slip at 0, 45 and 90 degrees from the force, for a force of 0.4 of
+/// the limit.
 const FIELDS_AT_0_4: [[f64; 5]; 9] = [
     [0.0, 217200444.58083636, 0.0, 0.0, 0.0],
     [0.1, 218499720.82644063, 0.0, 0.0, 0.0],
@@ -106,7 +106,7 @@ const FIELDS_AT_0_4: [[f64; 5]; 9] = [
     ],
 ];
 
-/// As [`FIELDS_AT_0_4`], for a force of 0.95 of the limit.
+/// Values as in [`FIELDS_AT_0_4`], for a force of 0.95 of the limit.
 const FIELDS_AT_0_95: [[f64; 5]; 9] = [
     [0.0, 876192450.4225425, 0.0, 0.0, 0.0],
     [0.1, 888426997.1454501, 0.0, 0.0, 0.0],
@@ -155,7 +155,7 @@ const FIELDS_AT_0_95: [[f64; 5]; 9] = [
     ],
 ];
 
-/// An elliptic contact: two equal bodies, and its numbers.
+/// Reference values of an elliptic contact of two equal bodies.
 struct Ellipse {
     /// Young's modulus, Poisson's ratio.
     material: [f64; 2],
@@ -168,11 +168,11 @@ struct Ellipse {
     area: f64,
     gross_shift: f64,
     full_stick_compliance: f64,
-    /// Force over the friction limit, axis of the stick ellipse over that of the contact, shift.
+    /// Force over the friction limit, axis of the stick ellipse over axis of the contact, shift.
     partial_slip: [[f64; 3]; 6],
 }
 
-/// The force along the longer axis, and along the shorter.
+/// Ellipses with the force along the longer axis, and along the shorter axis.
 const ELLIPSES: [Ellipse; 2] = [
     Ellipse {
         material: [210e9, 0.3],
@@ -217,7 +217,7 @@ const ELLIPSES: [Ellipse; 2] = [
 ];
 
 #[test]
-fn sphere_has_its_numbers() -> Result<()> {
+fn sphere_matches_reference_values() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     assert_close(a, 0.00013118250497932507);
@@ -233,7 +233,7 @@ fn sphere_has_its_numbers() -> Result<()> {
 }
 
 #[test]
-fn ellipses_have_their_numbers() -> Result<()> {
+fn ellipses_match_reference_values() -> Result<()> {
     for case in &ELLIPSES {
         let pair = pair(case.material[0], case.material[1])?;
         let hertz = HertzEllipse::new(&pair, case.radii[0], case.radii[1], case.load)?;
@@ -253,7 +253,7 @@ fn ellipses_have_their_numbers() -> Result<()> {
             }
         }
         assert_close(shear(limit)?.shift(), case.gross_shift);
-        // A small force hardly slips: the compliance less (1 - f)^(2/3) = 1 - (2/3) f - f^2/9.
+        // A small force causes hardly any slip: the compliance follows from 1 - (1 - f)^(2/3) = (2/3) f + f^2/9 + ...
         let small = 1e-10 * limit;
         assert_relative_eq!(
             shear(small)?.shift() / small,
@@ -266,7 +266,7 @@ fn ellipses_have_their_numbers() -> Result<()> {
 }
 
 #[test]
-fn sheared_sphere_has_its_numbers() -> Result<()> {
+fn sheared_sphere_matches_reference_values() -> Result<()> {
     let a = ball()?.contact_radius();
     for [fraction, radius, ratio, shift] in PARTIAL_SLIP {
         let shear = sheared_ball(fraction * LIMIT)?;
@@ -280,7 +280,7 @@ fn sheared_sphere_has_its_numbers() -> Result<()> {
             let r = ratio * a;
             assert_close(shear.traction(r), traction);
             for (slip, theta) in slips.into_iter().zip([0.0, FRAC_PI_4, FRAC_PI_2]) {
-                // Rounding may put a point meant for the edge just outside it.
+                // Rounding may move a point at the edge just outside the contact.
                 let inside = r * (1.0 - 1e-15);
                 let found = shear.slip(inside * f64::cos(theta), inside * f64::sin(theta));
                 assert_close(found, slip);
@@ -290,9 +290,9 @@ fn sheared_sphere_has_its_numbers() -> Result<()> {
     Ok(())
 }
 
-/// What a full cycle dissipates is four times what the first loading does.
+/// A full cycle dissipates four times the energy of the first loading.
 #[test]
-fn dissipated_energy_has_its_numbers() -> Result<()> {
+fn dissipated_energy_matches_reference_values() -> Result<()> {
     let cycles = [
         (0.4, 1.9278027314025586e-06),
         (0.8, 2.62446228167928e-05),

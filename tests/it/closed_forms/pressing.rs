@@ -1,15 +1,16 @@
-//! Bodies of different materials pressed together: without slip, and with as much as Goodman's assumption gives.
+//! Dissimilar bodies pressed together: in full stick, and with slip under Goodman's assumption.
 
 use approx::assert_relative_eq;
 use stickslip::analytical::{FlatPunch, HertzSphere, NoSlipPunch, NoSlipSphere, SpencePressing};
 use stickslip::{ElasticPair, Error, Material, Result};
 
-fn on_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
+fn against_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
     ElasticPair::new(Material::new(1.0, poisson_ratio)?, Material::rigid())
 }
 
-/// Poisson's ratio; punch stiffness over the frictionless one; 1/I, the approach over `a^2 / 2R`; loads of the sphere at
-/// equal approach and at equal radius. The integral by a rule of its own, and by ring elements to 2e-5.
+/// Poisson's ratio; punch stiffness relative to the frictionless one; 1/I, the approach relative to `a^2 / 2R`;
+/// relative loads of the sphere at equal approach and at equal radius. The integral was evaluated independently, and by
+/// ring elements to 2e-5.
 const NO_SLIP: [[f64; 5]; 5] = [
     [0.0, 1.09861, 2.17747, 1.05289, 1.19609],
     [0.1, 1.07495, 2.13274, 1.04096, 1.14629],
@@ -19,9 +20,9 @@ const NO_SLIP: [[f64; 5]; 5] = [
 ];
 
 #[test]
-fn sticking_stiffens() -> Result<()> {
+fn full_stick_stiffens_punch_and_sphere() -> Result<()> {
     for [poisson_ratio, punch, approach, at_approach, at_radius] in NO_SLIP {
-        let pair = on_rigid(poisson_ratio)?;
+        let pair = against_rigid(poisson_ratio)?;
         let (stuck, smooth) = (
             NoSlipPunch::new(&pair, 0.7, 2.0)?,
             FlatPunch::new(&pair, 0.7, 2.0)?,
@@ -40,7 +41,7 @@ fn sticking_stiffens() -> Result<()> {
         let stuck = NoSlipSphere::new(&pair, 5.0, 1e-3)?;
         let reach = stuck.contact_radius().powi(2) / (2.0 * stuck.radius());
         assert_relative_eq!(stuck.approach() / reach, approach, max_relative = 5e-6);
-        // Loads of Hertz that lead to the same approach, and to the same radius.
+        // These are Hertzian loads for the same approach and for the same radius.
         let stiffness = 4.0 / 3.0 * pair.contact_modulus();
         let same_approach = stiffness * stuck.approach().powf(1.5) * stuck.radius().sqrt();
         assert_relative_eq!(
@@ -55,8 +56,8 @@ fn sticking_stiffens() -> Result<()> {
 }
 
 #[test]
-fn without_coupling_nothing_is_stiffened() -> Result<()> {
-    let pair = on_rigid(0.5)?;
+fn full_stick_without_coupling_does_not_stiffen() -> Result<()> {
+    let pair = against_rigid(0.5)?;
     let (stuck, smooth) = (
         NoSlipSphere::new(&pair, 5.0, 1e-3)?,
         HertzSphere::new(&pair, 5.0, 1e-3)?,
@@ -85,8 +86,8 @@ fn without_coupling_nothing_is_stiffened() -> Result<()> {
     Ok(())
 }
 
-/// Stick ratio, friction over beta for round and for plane contacts: (1/2k) ln((1+k)/(1-k)) / K'(k) and K(k) / K'(k) by
-/// tables of elliptic integrals.
+/// Stick ratio; friction over beta for round and for plane contacts: (1/2k) ln((1+k)/(1-k)) / K'(k) and K(k) / K'(k),
+/// from tables of elliptic integrals.
 const SPENCE: [[f64; 3]; 4] = [
     [0.1, 0.27150, 0.42610],
     [0.3, 0.39262, 0.61194],
@@ -95,16 +96,16 @@ const SPENCE: [[f64; 3]; 4] = [
 ];
 
 #[test]
-fn the_stick_zone_of_pressing() -> Result<()> {
+fn stick_zone_under_pressing_matches_spence() -> Result<()> {
     for beta in [0.5, 2.0 / 7.0, 0.05] {
-        let pair = on_rigid((1.0 - 2.0 * beta) / (2.0 - 2.0 * beta))?;
+        let pair = against_rigid((1.0 - 2.0 * beta) / (2.0 - 2.0 * beta))?;
         for [stick, round, plane] in SPENCE {
             let found = SpencePressing::round(&pair, round * beta)?;
             assert_relative_eq!(found.stick_radius(), stick, max_relative = 2e-4);
             let found = SpencePressing::plane(&pair, plane * beta)?;
             assert_relative_eq!(found.stick_radius(), stick, max_relative = 2e-4);
         }
-        // The bodies may be exchanged.
+        // The bodies can be exchanged.
         let turned = ElasticPair::new(Material::rigid(), pair.bodies()[0])?;
         assert_eq!(
             SpencePressing::round(&turned, 0.1)?,
@@ -115,10 +116,10 @@ fn the_stick_zone_of_pressing() -> Result<()> {
         assert!(SpencePressing::round(&pair, 1e-4)?.stick_radius() >= 0.0);
     }
     assert_eq!(
-        SpencePressing::plane(&on_rigid(0.5)?, 0.0)?.stick_radius(),
+        SpencePressing::plane(&against_rigid(0.5)?, 0.0)?.stick_radius(),
         1.0
     );
-    let refused = SpencePressing::plane(&on_rigid(0.0)?, -0.1);
+    let refused = SpencePressing::plane(&against_rigid(0.0)?, -0.1);
     assert!(matches!(refused, Err(Error::NegativeOrNotFinite { .. })));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The cone, the flat punch and the circle that sticks: numbers and laws.
+//! The cone, the flat punch and the circle in full stick: reference values and properties.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,12 +8,12 @@ use stickslip::Result;
 use stickslip::analytical::{CattaneoMindlin, Cone, ConePartialSlip, FlatPunch, MindlinFullStick};
 
 use super::{
-    FRICTION, assert_bad_shear_is_refused, assert_close, assert_not_positive, ball, chord_integral,
-    pair, rubber, singular_integral, steel, sum_over_chords,
+    FRICTION, assert_bad_shear_is_rejected, assert_close, assert_not_positive, ball,
+    chord_integral, pair, rubber, singular_integral, steel, sum_over_chords,
 };
 
-/// Distance over the contact radius, pressure, displacement; tangential displacement per force at
-/// the angles [`ANGLES`] from the force. From the closed forms in extended precision, rounded.
+/// Distance over the contact radius, pressure, displacement, and tangential displacement per force at the angles
+/// [`ANGLES`] from the force. Values of the closed forms in extended precision, rounded.
 const FLAT_PUNCH: [[f64; 6]; 13] = [
     [
         0.0,
@@ -122,7 +122,7 @@ const FLAT_PUNCH: [[f64; 6]; 13] = [
 ];
 const ANGLES: [f64; 3] = [0.0, 0.5, FRAC_PI_2];
 
-/// Distances over the contact radius, and the pressures there; as [`FLAT_PUNCH`].
+/// Distances over the contact radius and the pressures there, computed as in [`FLAT_PUNCH`].
 const CONE_PRESSURE: [[f64; 2]; 7] = [
     [0.1, 1870764.278828988],
     [0.25, 1289648.1680597253],
@@ -213,7 +213,7 @@ fn cone() -> Result<Cone> {
 }
 
 #[test]
-fn flat_punch_has_its_numbers() -> Result<()> {
+fn flat_punch_matches_reference_values() -> Result<()> {
     let punch = punch()?;
     let a = punch.contact_radius();
     assert_close(punch.approach(), 4.333333333333333e-06);
@@ -227,8 +227,7 @@ fn flat_punch_has_its_numbers() -> Result<()> {
         assert_close(punch.displacement(r), normal);
         assert_close(stick.traction(r), -20.0 / 1000.0 * pressure);
         for (displacement, theta) in tangential.into_iter().zip(ANGLES) {
-            // Rounding may put a point meant for the edge just outside it, where the slope is
-            // infinite.
+            // Rounding may move a point at the edge just outside the contact, where the slope is infinite.
             let r = if ratio > 1.0 { r } else { r * (1.0 - 1e-15) };
             let found = stick.displacement(r * theta.cos(), r * theta.sin());
             assert_close(found, -20.0 * displacement);
@@ -238,7 +237,7 @@ fn flat_punch_has_its_numbers() -> Result<()> {
 }
 
 #[test]
-fn cone_has_its_numbers() -> Result<()> {
+fn cone_matches_reference_values() -> Result<()> {
     let cone = cone()?;
     let a = cone.contact_radius();
     assert_close(a, 2.256758334191025e-05);
@@ -263,7 +262,7 @@ fn cone_has_its_numbers() -> Result<()> {
 }
 
 #[test]
-fn stress_carries_the_force() -> Result<()> {
+fn stress_integrates_to_the_force() -> Result<()> {
     let (cone, punch) = (cone()?, punch()?);
     let a = cone.contact_radius();
     let load = singular_integral(0.0, a, |r| 2.0 * PI * r * cone.pressure(r));
@@ -274,11 +273,11 @@ fn stress_carries_the_force() -> Result<()> {
         let c = shear.stick_radius();
         let ring = |r: f64| 2.0 * PI * r * shear.traction(r);
         let carried = singular_integral(0.0, c, ring) + singular_integral(c, a, ring);
-        // In the ring, r < a is known to a rounding only.
+        // In the slip ring, r < a holds only up to rounding.
         assert_relative_eq!(carried, force, max_relative = 1e-10, epsilon = 0.0);
     }
-    // Every chord of the punch carries W/2a; l = L sin t removes the pole at its ends, and the midpoint
-    // rule stays off them.
+    // Every chord of the punch carries W/2a. The substitution l = L sin t removes the pole at the ends of the chord,
+    // and the midpoint rule avoids the ends.
     let a = punch.contact_radius();
     for d in [0.0, 0.5 * a, 0.99 * a] {
         let half = ((a - d) * (a + d)).sqrt();
@@ -290,9 +289,9 @@ fn stress_carries_the_force() -> Result<()> {
     Ok(())
 }
 
-/// Boussinesq's kernel along chords: independent of every formula for `u_z`.
+/// Integrates Boussinesq's kernel along chords, independently of all formulas for `u_z`.
 #[test]
-fn displacement_is_that_of_the_pressure() -> Result<()> {
+fn displacement_matches_integral_of_pressure() -> Result<()> {
     let cone = cone()?;
     let a = cone.contact_radius();
     for ratio in [0.0, 0.3, 0.8, 1.0, 1.01, 1.5, 10.0] {
@@ -312,7 +311,7 @@ fn displacement_is_that_of_the_pressure() -> Result<()> {
             epsilon = 1e-14 * cone.approach() * (1.0 + ratio)
         );
     }
-    // Every chord of a flat punch carries the same.
+    // Every chord of a flat punch carries the same load.
     let punch = punch()?;
     let a = punch.contact_radius();
     for ratio in [0.0, 0.5, 1.0, 1.2, 7.0] {
@@ -323,9 +322,10 @@ fn displacement_is_that_of_the_pressure() -> Result<()> {
     Ok(())
 }
 
-/// Cerruti's kernel along chords: where the closed form says stick, all moves by the shift.
+/// Integrates Cerruti's kernel along chords: throughout the stick zone of the closed form, the displacement equals the
+/// shift.
 #[test]
-fn tangential_displacement_is_that_of_the_traction() -> Result<()> {
+fn tangential_displacement_matches_integral_of_traction() -> Result<()> {
     let nu = 0.3;
     let pair = pair(210e9, nu)?;
     let kernel = |angle: f64| {
@@ -345,7 +345,7 @@ fn tangential_displacement_is_that_of_the_traction() -> Result<()> {
             let found = at(ratio * c, theta);
             assert_relative_eq!(found, shear.shift(), max_relative = 1e-9, epsilon = 0.0);
         }
-        // Outside, the surface lags behind.
+        // Outside the stick zone, the displacement is smaller than the shift.
         assert!(at(0.5 * (a + c), 0.0) / shear.shift() < 1.0);
     }
     let stick = MindlinFullStick::new(&pair, 1e-3, 7.0)?;
@@ -365,9 +365,9 @@ fn tangential_displacement_is_that_of_the_traction() -> Result<()> {
     Ok(())
 }
 
-/// Friction that holds everything makes partial slip full stick.
+/// For very large friction, partial slip tends to full stick.
 #[test]
-fn full_stick_is_the_limit_of_partial_slip() -> Result<()> {
+fn full_stick_is_the_limit_for_large_friction() -> Result<()> {
     let ball = ball()?;
     let stick = MindlinFullStick::new(&steel()?, ball.contact_radius(), 20.0)?;
     let shear = CattaneoMindlin::new(ball, 1e5, 20.0)?;
@@ -393,7 +393,7 @@ fn full_stick_is_the_limit_of_partial_slip() -> Result<()> {
 }
 
 #[test]
-fn far_away_only_the_forces_are_felt() -> Result<()> {
+fn far_displacement_matches_point_force() -> Result<()> {
     let (cone, punch) = (cone()?, punch()?);
     let far = 1e7 * cone.contact_radius();
     let unit = CONE_LOAD / (PI * cone.pair().contact_modulus() * far);
@@ -409,7 +409,7 @@ fn far_away_only_the_forces_are_felt() -> Result<()> {
 }
 
 #[test]
-fn rest_sliding_and_edges() -> Result<()> {
+fn zero_force_gross_slip_and_edges_are_exact() -> Result<()> {
     let cone = cone()?;
     let a = cone.contact_radius();
     let limit = FRICTION * CONE_LOAD;
@@ -430,16 +430,17 @@ fn rest_sliding_and_edges() -> Result<()> {
         -FRICTION * cone.pressure(0.3 * a),
     );
     assert!(cone.pressure(0.0).is_infinite());
-    // At the apex, where both pressures are infinite, a logarithm.
+    // At the apex, where the pressure and the pressure subtracted from it are infinite, their difference is a
+    // logarithm.
     let forth = shear(FRICTION, 0.3 * limit)?;
     let c = forth.stick_radius();
     assert_close(forth.traction(0.0), FRICTION * 625e3 * (a / c).ln());
-    // Small forces keep their digits: the traction of full stick.
+    // For small forces, the traction is accurate and equals the traction of full stick.
     let small = shear(FRICTION, 1e-14 * limit)?;
     let stick = MindlinFullStick::new(cone.pair(), a, 1e-14 * limit)?;
     assert_close(small.shift(), stick.shift());
     assert_close(small.traction(0.6 * a), stick.traction(0.6 * a));
-    // Outside all circles nothing acts, and on an edge nothing is infinite.
+    // Outside the contact all stresses are zero, and at the edge they are finite.
     let punch = punch()?;
     let b = punch.contact_radius();
     for r in [b, 1.5 * b, -2.0 * b] {
@@ -452,12 +453,12 @@ fn rest_sliding_and_edges() -> Result<()> {
 
 proptest! {
     #[test]
-    fn traction_obeys_friction(
+    fn traction_satisfies_the_friction_law(
         fraction in -1.0..1.0_f64, more in 0.0..1.0_f64, ratio in 0.0..1.2_f64,
     ) {
         let build = || -> Result<_> {
             let (cone, limit) = (cone()?, FRICTION * CONE_LOAD);
-            // A second force of the same sign, nearer to sliding.
+            // The second force has the same sign and is closer to sliding.
             let greater = fraction + more * (fraction.signum() - fraction);
             let one = ConePartialSlip::new(cone, FRICTION, fraction * limit)?;
             Ok((one, ConePartialSlip::new(cone, FRICTION, greater * limit)?))
@@ -479,7 +480,7 @@ proptest! {
 }
 
 #[test]
-fn wrong_arguments_are_refused() -> Result<()> {
+fn punches_with_invalid_arguments_are_rejected() -> Result<()> {
     let pair = steel()?;
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_not_positive(&Cone::new(&pair, wrong, 1.0));
@@ -488,7 +489,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
         assert_not_positive(&FlatPunch::new(&pair, 1.0, wrong));
         assert_not_positive(&MindlinFullStick::new(&pair, wrong, 1.0));
     }
-    // Results beyond the range of a double.
+    // These results are beyond the range of a double.
     assert_not_positive(&Cone::new(&pair, 1e308, 1e-300));
     assert_not_positive(&Cone::new(&pair, 1e-320, 1e300));
     assert_not_positive(&FlatPunch::new(&pair, 1e-200, 1.0));
@@ -498,10 +499,10 @@ fn wrong_arguments_are_refused() -> Result<()> {
         assert!(MindlinFullStick::new(&pair, 1.0, wrong).is_err());
     }
     let (cone, punch) = (cone()?, punch()?);
-    assert_bad_shear_is_refused(FRICTION * CONE_LOAD, |friction, force| {
+    assert_bad_shear_is_rejected(FRICTION * CONE_LOAD, |friction, force| {
         ConePartialSlip::new(cone, friction, force)
     });
-    assert_bad_shear_is_refused(FRICTION * 1000.0, |friction, force| {
+    assert_bad_shear_is_rejected(FRICTION * 1000.0, |friction, force| {
         punch.full_stick(friction, force)
     });
     Ok(())

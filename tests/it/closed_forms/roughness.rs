@@ -1,4 +1,4 @@
-//! The areas of rough surfaces and what of them sticks: numbers and laws.
+//! Contact areas and stick areas of rough surfaces: reference values and properties.
 
 use std::f64::consts::PI;
 
@@ -8,11 +8,11 @@ use stickslip::analytical::{HertzSphere, Persson, RoughSphere, linear_stick_rati
 use stickslip::{Error, Result};
 
 use super::{
-    FRICTION, assert_bad_shear_is_refused, assert_close, assert_not_positive, ball, rubber,
+    FRICTION, assert_bad_shear_is_rejected, assert_close, assert_not_positive, ball, rubber,
     singular_integral,
 };
 
-/// Coefficient, reduced pressure, relative area; from the closed form in extended precision, rounded.
+/// Coefficient, reduced pressure, relative area; values of the closed form in extended precision, rounded.
 const ROUGH_SPHERE: [[f64; 3]; 18] = [
     [1.5957691216057308, 1e-06, 1.5957691216042946e-06],
     [1.5957691216057308, 0.001, 0.0015957676854149064],
@@ -34,7 +34,7 @@ const ROUGH_SPHERE: [[f64; 3]; 18] = [
     [2.2, 2.0, 0.985385221020028],
 ];
 
-/// Coefficient, reduced pressure, area fraction; the stick ratio at each of [`FRACTIONS`]. As
+/// Coefficient, reduced pressure, area fraction, and the stick ratio at each of [`FRACTIONS`], computed as in
 /// [`ROUGH_SPHERE`].
 const ROUGH_PLANE: [[f64; 9]; 16] = [
     [
@@ -226,26 +226,26 @@ const TABLE_3: [[f64; 3]; 4] = [
     [0.15, 0.0404308, 0.0806751],
 ];
 
-fn to_14_digits(found: f64, expected: f64) {
+fn assert_equal_to_14_digits(found: f64, expected: f64) {
     assert_relative_eq!(found, expected, max_relative = 1e-14, epsilon = 0.0);
 }
 
-/// A surface of unit slope at a given reduced pressure.
-fn plane(reduced_pressure: f64, area_coefficient: f64) -> Result<Persson> {
+/// Returns a surface of unit slope at the given reduced pressure.
+fn rough_plane(reduced_pressure: f64, area_coefficient: f64) -> Result<Persson> {
     Persson::new(&rubber()?, 1.0, 25e6 * reduced_pressure)?.with_area_coefficient(area_coefficient)
 }
 
 #[test]
-fn rough_spheres_have_their_numbers() -> Result<()> {
+fn rough_spheres_match_reference_values() -> Result<()> {
     for [coefficient, reduced_pressure, area] in ROUGH_SPHERE {
-        to_14_digits(RoughSphere::area_law(reduced_pressure, coefficient)?, area);
-        // A slope that brings the ball to that reduced pressure.
+        assert_equal_to_14_digits(RoughSphere::area_law(reduced_pressure, coefficient)?, area);
+        // The slope is chosen such that the ball has the reduced pressure.
         let ball = ball()?;
         let slope = ball.mean_pressure() / ball.pair().contact_modulus() / reduced_pressure;
         let rough = RoughSphere::new(ball, slope)?.with_area_coefficient(coefficient)?;
-        to_14_digits(rough.reduced_pressure(), reduced_pressure);
-        to_14_digits(rough.relative_contact_area(), area);
-        to_14_digits(rough.contact_area(), area * ball.contact_area());
+        assert_equal_to_14_digits(rough.reduced_pressure(), reduced_pressure);
+        assert_equal_to_14_digits(rough.relative_contact_area(), area);
+        assert_equal_to_14_digits(rough.contact_area(), area * ball.contact_area());
     }
     for [load, reduced_pressure, area] in TABLE_3 {
         let smooth = HertzSphere::new(&rubber()?, 3.5e-3, load)?;
@@ -261,24 +261,24 @@ fn rough_spheres_have_their_numbers() -> Result<()> {
 }
 
 #[test]
-fn rough_planes_have_their_numbers() -> Result<()> {
+fn rough_planes_match_reference_values() -> Result<()> {
     for [coefficient, reduced_pressure, area, ratios @ ..] in ROUGH_PLANE {
-        to_14_digits(Persson::area_law(reduced_pressure, coefficient)?, area);
-        let plane = plane(reduced_pressure, coefficient)?;
-        to_14_digits(plane.contact_fraction(), area);
+        assert_equal_to_14_digits(Persson::area_law(reduced_pressure, coefficient)?, area);
+        let plane = rough_plane(reduced_pressure, coefficient)?;
+        assert_equal_to_14_digits(plane.contact_fraction(), area);
         for (fraction, ratio) in FRACTIONS.into_iter().zip(ratios) {
             let traction = fraction * FRICTION * plane.mean_pressure();
-            to_14_digits(plane.stick_ratio(FRICTION, traction)?, ratio);
-            to_14_digits(plane.stick_ratio(FRICTION, -traction)?, ratio);
+            assert_equal_to_14_digits(plane.stick_ratio(FRICTION, traction)?, ratio);
+            assert_equal_to_14_digits(plane.stick_ratio(FRICTION, -traction)?, ratio);
         }
     }
     assert_close(Persson::AREA_COEFFICIENT, (8.0 / PI).sqrt());
     Ok(())
 }
 
-/// The area of the rough sphere is that of the plane, averaged over the Hertz pressure.
+/// The area of the rough sphere is the area of the rough plane, averaged over the Hertz pressure.
 #[test]
-fn sphere_averages_the_plane() -> Result<()> {
+fn rough_sphere_averages_the_rough_plane() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     for slope in [1e-6, 1e-3, 0.02, 0.3, 10.0] {
@@ -299,26 +299,26 @@ fn sphere_averages_the_plane() -> Result<()> {
 }
 
 #[test]
-fn light_loads_are_proportional_and_heavy_ones_close_everything() -> Result<()> {
+fn area_is_linear_for_light_loads_and_full_for_heavy_loads() -> Result<()> {
     for coefficient in [
         Persson::AREA_COEFFICIENT,
         RoughSphere::AREA_COEFFICIENT,
         2.5,
     ] {
         for light in [1e-300, 1e-100, 1e-10] {
-            to_14_digits(
+            assert_equal_to_14_digits(
                 RoughSphere::area_law(light, coefficient)?,
                 coefficient * light,
             );
-            to_14_digits(Persson::area_law(light, coefficient)?, coefficient * light);
-            // Without a digit lost, nor a zero divided.
-            let plane = plane(light, coefficient)?;
+            assert_equal_to_14_digits(Persson::area_law(light, coefficient)?, coefficient * light);
+            // No digits are lost, and no division by zero occurs.
+            let plane = rough_plane(light, coefficient)?;
             let traction = 0.4 * FRICTION * plane.mean_pressure();
-            to_14_digits(plane.stick_ratio(FRICTION, traction)?, 0.6);
+            assert_equal_to_14_digits(plane.stick_ratio(FRICTION, traction)?, 0.6);
         }
         for heavy in [1e9, 1e200, f64::MAX] {
-            to_14_digits(RoughSphere::area_law(heavy, coefficient)?, 1.0);
-            to_14_digits(Persson::area_law(heavy, coefficient)?, 1.0);
+            assert_equal_to_14_digits(RoughSphere::area_law(heavy, coefficient)?, 1.0);
+            assert_equal_to_14_digits(Persson::area_law(heavy, coefficient)?, 1.0);
         }
         assert_close(RoughSphere::area_law(0.0, coefficient)?, 0.0);
         assert_close(Persson::area_law(0.0, coefficient)?, 0.0);
@@ -327,8 +327,8 @@ fn light_loads_are_proportional_and_heavy_ones_close_everything() -> Result<()> 
 }
 
 #[test]
-fn nothing_sticks_at_sliding_and_all_at_rest() -> Result<()> {
-    let plane = plane(0.3, 2.0)?;
+fn stick_ratio_is_one_at_zero_force_and_zero_when_sliding() -> Result<()> {
+    let plane = rough_plane(0.3, 2.0)?;
     let limit = FRICTION * plane.mean_pressure();
     assert_close(plane.stick_ratio(FRICTION, 0.0)?, 1.0);
     assert_close(plane.stick_ratio(FRICTION, limit)?, 0.0);
@@ -339,14 +339,14 @@ fn nothing_sticks_at_sliding_and_all_at_rest() -> Result<()> {
     assert_close(linear_stick_ratio(100.0, FRICTION, -10.0)?, 0.8);
     assert_close(linear_stick_ratio(100.0, FRICTION, -50.0)?, 0.0);
     assert_close(linear_stick_ratio(100.0, 0.0, 0.0)?, 0.0);
-    // 0.29 * 100 is a rounding less than 29: the force meant to equal the limit is accepted.
+    // 0.29 * 100 rounds to slightly less than 29; a force meant to equal the limit is accepted.
     assert_close(linear_stick_ratio(100.0, 0.29, 29.0)?, 0.0);
     Ok(())
 }
 
 proptest! {
     #[test]
-    fn areas_grow_with_the_load_and_stick_shrinks_with_the_force(
+    fn area_grows_with_load_and_stick_ratio_falls_with_force(
         exponent in -9.0..3.0_f64,
         more in 1.0..10.0_f64,
         coefficient in 1.5..2.6_f64,
@@ -357,7 +357,7 @@ proptest! {
             let (light, heavy) = (10f64.powf(exponent), more * 10f64.powf(exponent));
             let spheres = [light, heavy].map(|p| RoughSphere::area_law(p, coefficient));
             let planes = [light, heavy].map(|p| Persson::area_law(p, coefficient));
-            let plane = plane(light, coefficient)?;
+            let plane = rough_plane(light, coefficient)?;
             let limit = FRICTION * plane.mean_pressure();
             let ratios = [fraction, part * fraction]
                 .map(|fraction| plane.stick_ratio(FRICTION, fraction * limit));
@@ -370,7 +370,7 @@ proptest! {
             let (light, heavy) = (area(light)?, area(heavy)?);
             prop_assert!(0.0 < light && heavy <= 1.0 + 1e-15);
             prop_assert!(light <= heavy * (1.0 + 1e-15));
-            // Concave: the share per load falls.
+            // The area is a concave function of the load.
             prop_assert!(heavy / more <= light * (1.0 + 1e-14));
         }
         let (less, greater) = (less.unwrap_or(f64::NAN), greater.unwrap_or(f64::NAN));
@@ -381,7 +381,7 @@ proptest! {
 }
 
 #[test]
-fn wrong_arguments_are_refused() -> Result<()> {
+fn roughness_models_with_invalid_arguments_are_rejected() -> Result<()> {
     let (ball, pair) = (ball()?, rubber()?);
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_not_positive(&RoughSphere::new(ball, wrong));
@@ -401,14 +401,14 @@ fn wrong_arguments_are_refused() -> Result<()> {
             assert!(matches!(refused, Err(Error::NegativeOrNotFinite { .. })));
         }
     }
-    // Results beyond the range of a double.
+    // These results are beyond the range of a double.
     assert_not_positive(&RoughSphere::new(ball, 1e-320));
     assert_not_positive(&Persson::new(&pair, 1e300, 1e-300));
-    let plane = plane(0.1, 2.0)?;
-    assert_bad_shear_is_refused(FRICTION * plane.mean_pressure(), |friction, traction| {
+    let plane = rough_plane(0.1, 2.0)?;
+    assert_bad_shear_is_rejected(FRICTION * plane.mean_pressure(), |friction, traction| {
         plane.stick_ratio(friction, traction)
     });
-    assert_bad_shear_is_refused(FRICTION * 100.0, |friction, force| {
+    assert_bad_shear_is_rejected(FRICTION * 100.0, |friction, force| {
         linear_stick_ratio(100.0, friction, force)
     });
     Ok(())

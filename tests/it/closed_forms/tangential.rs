@@ -1,4 +1,4 @@
-//! The laws of the contacts in partial slip, and the arguments refused.
+//! Properties of contacts in partial slip, and rejected arguments.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
@@ -9,14 +9,14 @@ use stickslip::{Error, Result};
 use super::{FRICTION, LIMIT, assert_close, ball, disc_integral, integral, sheared_ball, steel};
 
 #[test]
-fn traction_carries_the_force_and_obeys_friction() -> Result<()> {
+fn traction_integrates_to_the_force_within_friction_limit() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     for fraction in [0.01, 0.4, 0.95] {
         let force = fraction * LIMIT;
         let shear = sheared_ball(force)?;
         let c = shear.stick_radius();
-        // The quadrature has few points where the traction turns at c: it is the coarser side.
+        // The quadrature has few points near c, where the slope of the traction changes, and limits the accuracy.
         let carried = disc_integral(c, a, |r| shear.traction(r));
         assert_relative_eq!(carried, force, max_relative = 1e-10);
         for i in 0..200 {
@@ -38,9 +38,9 @@ fn traction_carries_the_force_and_obeys_friction() -> Result<()> {
     Ok(())
 }
 
-/// Cerruti's kernel integrated over the traction: independent of every formula for `u_x`.
+/// Integrates Cerruti's kernel over the traction, independently of all formulas for `u_x`.
 #[test]
-fn displacement_is_that_of_the_traction() -> Result<()> {
+fn displacement_matches_integral_of_traction() -> Result<()> {
     let pair = steel()?;
     let ball = ball()?;
     let (a, p0) = (ball.contact_radius(), ball.max_pressure());
@@ -48,8 +48,8 @@ fn displacement_is_that_of_the_traction() -> Result<()> {
         pair.equivalent_poisson_ratio(),
         pair.equivalent_shear_modulus(),
     );
-    // A chord at the distance d from the centre crosses q0 sqrt(1 - r^2/b^2) with the integral
-    // (pi/2) q0 (b^2 - d^2)/b, and the kernel depends on its direction t alone.
+    // A chord at the distance d from the centre crosses q0 sqrt(1 - r^2/b^2) with the integral (pi/2) q0 (b^2 - d^2)/b,
+    // and the kernel depends only on its direction t.
     let hertzian = |q0: f64, b: f64, x: f64, y: f64| {
         let (r, theta) = (x.hypot(y), y.atan2(x));
         let reach = if r > b { (b / r).asin() } else { FRAC_PI_2 };
@@ -81,7 +81,7 @@ fn displacement_is_that_of_the_traction() -> Result<()> {
 }
 
 #[test]
-fn far_away_only_the_forces_are_felt() -> Result<()> {
+fn far_displacement_matches_point_force() -> Result<()> {
     let pair = steel()?;
     let far = 1e6 * ball()?.contact_radius();
     let normal = 100.0 / (PI * pair.contact_modulus() * far);
@@ -95,7 +95,7 @@ fn far_away_only_the_forces_are_felt() -> Result<()> {
 }
 
 #[test]
-fn stick_disc_moves_as_one_and_slip_opposes_traction() -> Result<()> {
+fn stick_disc_is_rigid_and_slip_opposes_traction() -> Result<()> {
     let a = ball()?.contact_radius();
     for force in [-45.0, -10.0, 0.5, 20.0, 49.9] {
         let shear = sheared_ball(force)?;
@@ -147,7 +147,7 @@ fn fields_are_continuous_at_the_edges() -> Result<()> {
 }
 
 #[test]
-fn turning_the_force_turns_everything() -> Result<()> {
+fn reversed_force_reverses_all_fields() -> Result<()> {
     let (forth, back) = (sheared_ball(20.0)?, sheared_ball(-20.0)?);
     let a = forth.hertz().contact_radius();
     assert_close(back.shift(), -forth.shift());
@@ -171,7 +171,7 @@ fn turning_the_force_turns_everything() -> Result<()> {
 }
 
 #[test]
-fn dissipated_energy_is_traction_times_slip() -> Result<()> {
+fn dissipated_energy_equals_traction_times_slip() -> Result<()> {
     let a = ball()?.contact_radius();
     for force in [1.0, 20.0, 49.0] {
         let shear = sheared_ball(force)?;
@@ -188,7 +188,7 @@ fn dissipated_energy_is_traction_times_slip() -> Result<()> {
             epsilon = 0.0
         );
     }
-    // For a small force, mu W delta_0 f^3/27, with all digits.
+    // For a small force, the energy is mu W delta_0 f^3/27 to full precision.
     let gross = sheared_ball(LIMIT)?.shift();
     let fraction = 1e-5_f64;
     assert_relative_eq!(
@@ -201,7 +201,7 @@ fn dissipated_energy_is_traction_times_slip() -> Result<()> {
 }
 
 #[test]
-fn zero_force_sticks_and_the_limit_slides() -> Result<()> {
+fn zero_force_sticks_and_limit_force_slides() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     let still = sheared_ball(0.0)?;
@@ -219,7 +219,7 @@ fn zero_force_sticks_and_the_limit_slides() -> Result<()> {
         -FRICTION * ball.pressure(0.3 * a),
     );
     assert_close(sliding.displacement(0.0, 0.0), sliding.shift());
-    // Without friction nothing sticks and nothing moves.
+    // Without friction there is neither a stick zone nor a shift.
     let smooth = CattaneoMindlin::new(ball, 0.0, 0.0)?;
     assert_close(smooth.stick_radius(), 0.0);
     assert_close(smooth.shift(), 0.0);
@@ -228,7 +228,7 @@ fn zero_force_sticks_and_the_limit_slides() -> Result<()> {
 }
 
 #[test]
-fn small_forces_keep_their_digits() -> Result<()> {
+fn small_forces_are_accurate() -> Result<()> {
     let pair = steel()?;
     let a = ball()?.contact_radius();
     let force = 1e-12;
@@ -236,7 +236,7 @@ fn small_forces_keep_their_digits() -> Result<()> {
     let compliance =
         (2.0 - pair.equivalent_poisson_ratio()) / (8.0 * pair.equivalent_shear_modulus() * a);
     assert_close(shear.shift(), force * compliance);
-    // The traction of full stick, which the slip ring, 1e-14 wide, cannot change here.
+    // The slip ring is 1e-14 wide and does not affect the traction of full stick here.
     let full_stick = |r: f64| force / (2.0 * PI * a * (a * a - r * r).sqrt());
     assert_close(shear.traction(0.0), full_stick(0.0));
     assert_close(shear.traction(0.9 * a), full_stick(0.9 * a));
@@ -244,7 +244,7 @@ fn small_forces_keep_their_digits() -> Result<()> {
 }
 
 #[test]
-fn wrong_arguments_are_refused() -> Result<()> {
+fn tangential_contacts_with_invalid_arguments_are_rejected() -> Result<()> {
     let pair = steel()?;
     let ball = ball()?;
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -257,7 +257,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
         refused(HertzEllipse::new(&pair, 1.0, wrong, 1.0).err());
         refused(HertzEllipse::new(&pair, 1.0, 1.0, wrong).err());
     }
-    // Results beyond the range of a double.
+    // These results are beyond the range of a double.
     assert!(HertzSphere::new(&pair, 1e300, 1e300).is_err());
     assert!(HertzSphere::new(&pair, 1e-300, 1e-300).is_err());
     assert!(HertzEllipse::new(&pair, 1e-200, 1e200, 1.0).is_err());
@@ -275,7 +275,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
     assert!(matches!(shear(1e307, 1.0), Some(Error::NotFinite { .. })));
     for beyond in [50.000001, -50.000001] {
         let Some(Error::BeyondFrictionCapacity { force, limit, .. }) = shear(0.5, beyond) else {
-            panic!("a force beyond friction was accepted");
+            panic!("a force beyond the friction limit was accepted");
         };
         assert_close(force, 50.000001);
         assert_close(limit, 50.0);
@@ -284,7 +284,7 @@ fn wrong_arguments_are_refused() -> Result<()> {
         shear(0.0, 1e-300),
         Some(Error::BeyondFrictionCapacity { .. })
     ));
-    // 0.29 * 100 is a rounding less than 29: the force meant to equal the limit is accepted.
+    // 0.29 * 100 rounds to slightly less than 29; a force meant to equal the limit is accepted.
     assert_eq!(shear(0.29, 29.0), None);
     Ok(())
 }

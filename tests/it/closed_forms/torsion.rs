@@ -11,9 +11,9 @@ use super::{
     sum_over_chords,
 };
 
-/// Stick radius over contact radius, twist times the shear modulus over the friction on the largest
-/// pressure, moment over friction, load and contact radius. Lubkin's relations evaluated to 20
-/// digits in extended precision, independently of this crate, and rounded to double.
+/// Stick radius over contact radius; twist times the shear modulus over the friction limit at the largest pressure;
+/// moment over friction, load and contact radius. Lubkin's relations evaluated to 20 digits in extended precision,
+/// independently of this crate, and rounded to double.
 const TORSION: [[f64; 3]; 5] = [
     [0.1, 1.3398219089823253, 0.5886198850944907],
     [0.3, 0.7656479073460584, 0.5768680425718781],
@@ -22,21 +22,21 @@ const TORSION: [[f64; 3]; 5] = [
     [0.9, 0.08066327969565987, 0.17634538145161682],
 ];
 
-/// The ball of steel, twisted by so many times the friction on the largest pressure over the shear
+/// Twists the steel ball by the given multiple of the ratio of the friction limit at the largest pressure to the shear
 /// modulus.
-fn twisted(strain: f64) -> Result<LubkinTorsion> {
+fn twist_ball(strain: f64) -> Result<LubkinTorsion> {
     let ball = ball()?;
     let unit = FRICTION * ball.max_pressure() / steel()?.equivalent_shear_modulus();
     LubkinTorsion::new(ball, FRICTION, strain * unit)
 }
 
 #[test]
-fn torsion_has_its_numbers() -> Result<()> {
+fn torsion_matches_reference_values() -> Result<()> {
     let a = ball()?.contact_radius();
     let unit = FRICTION * 100.0 * a;
     for [ratio, strain, moment] in TORSION {
         for sign in [1.0, -1.0] {
-            let torsion = twisted(sign * strain)?;
+            let torsion = twist_ball(sign * strain)?;
             assert_close(torsion.stick_radius(), ratio * a);
             assert_close(torsion.stick_ratio(), ratio * ratio);
             assert_close(torsion.moment(), sign * moment * unit);
@@ -47,11 +47,11 @@ fn torsion_has_its_numbers() -> Result<()> {
 }
 
 #[test]
-fn traction_carries_the_moment() -> Result<()> {
+fn traction_integrates_to_the_moment() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
     for strain in [-1e-3, 0.05, 0.3, 1.0, 3.0] {
-        let torsion = twisted(strain)?;
+        let torsion = twist_ball(strain)?;
         let c = torsion.stick_radius();
         let arm = |r: f64| torsion.traction(r) * 2.0 * PI * r * r;
         let moment = singular_integral(0.0, c, arm) + singular_integral(c, a, arm);
@@ -75,17 +75,17 @@ fn traction_carries_the_moment() -> Result<()> {
     Ok(())
 }
 
-/// Cerruti's kernel along chords, from which Poisson's ratio drops out: a ring turns by the twist
-/// where it sticks, and by less where it slips.
+/// Integrates Cerruti's kernel along chords, in which Poisson's ratio cancels. A ring rotates by the twist if it
+/// sticks, and by less if it slips.
 #[test]
-fn stick_disc_turns_by_the_twist() -> Result<()> {
+fn stick_disc_rotates_by_the_twist() -> Result<()> {
     let rubber = Material::new(3e6, 0.5)?;
     let unlike = ElasticPair::new(Material::new(213e9, 0.1)?, rubber)?;
     let unlike_ball = HertzSphere::new(&unlike, 3.5e-3, 1e-3)?;
     let torsions = [
         LubkinTorsion::new(unlike_ball, 0.5, -0.2)?,
-        twisted(1.0)?,
-        twisted(0.05)?,
+        twist_ball(1.0)?,
+        twist_ball(0.05)?,
     ];
     for torsion in &torsions[..kit::thorough(1, 3)] {
         let (a, c) = (torsion.hertz().contact_radius(), torsion.stick_radius());
@@ -108,13 +108,13 @@ fn stick_disc_turns_by_the_twist() -> Result<()> {
 }
 
 #[test]
-fn small_and_large_twists_keep_their_digits() -> Result<()> {
+fn small_and_large_twists_are_accurate() -> Result<()> {
     let ball = ball()?;
     let (a, shear_modulus) = (ball.contact_radius(), steel()?.equivalent_shear_modulus());
-    let small = twisted(1e-13)?;
+    let small = twist_ball(1e-13)?;
     let stiffness = 16.0 / 3.0 * shear_modulus * a.powi(3);
     assert_close(small.moment(), stiffness * small.twist());
-    // The traction of a disc that sticks throughout.
+    // This is the traction of a disc in full stick.
     for ratio in [0.1_f64, 0.6, 0.95] {
         let root = (1.0 - ratio * ratio).sqrt();
         let expected = 4.0 * shear_modulus * small.twist() / PI * ratio / root;
@@ -122,17 +122,17 @@ fn small_and_large_twists_keep_their_digits() -> Result<()> {
     }
     // K - E is ln(4 a/c) - 1 for a small stick disc.
     for strain in [20.0, 300.0] {
-        let large = twisted(strain)?;
+        let large = twist_ball(strain)?;
         let expected = (2.0 * strain + 1.0 - 4.0_f64.ln()).exp().recip();
         assert_relative_eq!(large.stick_radius() / a, expected, max_relative = 1e-12);
         assert_close(large.moment(), large.sliding_moment());
     }
-    // The slope of the moment is that of a disc that sticks, of the radius that does.
-    let (below, above) = (twisted(0.2 - 1e-5)?, twisted(0.2 + 1e-5)?);
+    // The derivative of the moment is the stiffness of a disc in full stick with the present stick radius.
+    let (below, above) = (twist_ball(0.2 - 1e-5)?, twist_ball(0.2 + 1e-5)?);
     let slope = (above.moment() - below.moment()) / (above.twist() - below.twist());
-    let stuck = 16.0 / 3.0 * shear_modulus * twisted(0.2)?.stick_radius().powi(3);
+    let stuck = 16.0 / 3.0 * shear_modulus * twist_ball(0.2)?.stick_radius().powi(3);
     assert_relative_eq!(slope, stuck, max_relative = 1e-8);
-    let still = twisted(0.0)?;
+    let still = twist_ball(0.0)?;
     assert_close(still.moment(), 0.0);
     assert_close(still.stick_radius(), a);
     assert_close(still.traction(0.7 * a), 0.0);
@@ -140,7 +140,7 @@ fn small_and_large_twists_keep_their_digits() -> Result<()> {
 }
 
 #[test]
-fn wrong_twists_are_refused() -> Result<()> {
+fn torsion_with_invalid_arguments_is_rejected() -> Result<()> {
     let ball = ball()?;
     for wrong in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         assert_not_positive(&LubkinTorsion::new(ball, wrong, 0.1));
@@ -149,8 +149,8 @@ fn wrong_twists_are_refused() -> Result<()> {
         let refused = LubkinTorsion::new(ball, FRICTION, wrong);
         assert!(matches!(refused, Err(Error::NotFinite { .. })));
     }
-    // No stick radius is left that a double can hold.
-    assert_not_positive(&twisted(400.0));
+    // The stick radius is smaller than any double.
+    assert_not_positive(&twist_ball(400.0));
     assert_not_positive(&LubkinTorsion::new(ball, 1e-300, 1e9));
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! No length, force or pressure of its own.
+//! Closed forms do not depend on the system of units.
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
@@ -12,9 +12,9 @@ use stickslip::analytical::{
 use super::{FRICTION, LIMIT, assert_close, pair};
 
 proptest! {
-    /// The same contact in units of length and force `length` and `force` times smaller.
+    /// Solves the same contact in units of length and force that are smaller by the factors `length` and `force`.
     #[test]
-    fn units_do_not_matter(
+    fn paraboloid_contacts_in_any_units_are_invariant(
         exponents in [-6.0..6.0_f64, -6.0..6.0],
         ratio in -3.0..3.0_f64,
         poisson_ratio in -0.5..0.5_f64,
@@ -38,7 +38,7 @@ proptest! {
         let (theirs, their_barrel) =
             solve(length, force).map_err(|e| TestCaseError::fail(e.to_string()))?;
         let pressure = force / (length * length);
-        // Positions are rounded, and a root at an edge takes half of the digits of that.
+        // Positions are rounded, and the square root at an edge halves the number of accurate digits.
         let near = |found: f64, expected: f64, scale: f64| {
             assert_relative_eq!(found, expected, epsilon = 1e-7 * scale, max_relative = 0.0);
         };
@@ -59,9 +59,9 @@ proptest! {
         near(theirs.slip(x, y), length * here[2], theirs.hertz().approach());
     }
 
-    /// The same for the contacts that are not of paraboloids.
+    /// Covers the contacts that are not paraboloids.
     #[test]
-    fn units_do_not_matter_beyond_paraboloids(
+    fn other_contacts_in_any_units_are_invariant(
         exponents in [-6.0..6.0_f64, -6.0..6.0],
         poisson_ratio in -0.5..0.5_f64,
         fraction in -0.99..0.99_f64,
@@ -69,7 +69,7 @@ proptest! {
         x in 0.01..2.0_f64,
     ) {
         let (length, force) = (10f64.powf(exponents[0]), 10f64.powf(exponents[1]));
-        // Lengths, pressures and plain numbers of every contact; tractions at x of some of them.
+        // Lengths, pressures and dimensionless numbers of every contact; for some contacts also tractions at x.
         let solve = |length: f64, force: f64| -> Result<_> {
             let pressure = force / (length * length);
             let pair = pair(213e9 * pressure, poisson_ratio)?;

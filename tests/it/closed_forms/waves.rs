@@ -1,4 +1,4 @@
-//! The wavy surface: numbers and laws.
+//! The wavy surface: reference values and properties.
 
 use std::f64::consts::PI;
 
@@ -8,17 +8,16 @@ use stickslip::Result;
 use stickslip::analytical::{Westergaard, WestergaardPartialSlip};
 
 use super::{
-    FRICTION, assert_bad_shear_is_refused, assert_close, assert_not_positive, rubber,
+    FRICTION, assert_bad_shear_is_rejected, assert_close, assert_not_positive, rubber,
     singular_integral,
 };
 
 const AMPLITUDE: f64 = 1e-6;
 const WAVELENGTH: f64 = 1e-4;
-/// The mean pressure of full contact, from the closed form in extended precision, as all of these.
+/// Mean pressure of full contact. Like all values here, it is the closed form in extended precision.
 const FULL: f64 = 785398.1633974483;
 
-/// Mean pressure over [`FULL`], half-width, fraction in contact; pressures at 0, 1/5 .. 5/5 of the
-/// half-width.
+/// Mean pressure over [`FULL`], half-width, contact fraction, and pressures at 0, 1/5 .. 5/5 of the half-width.
 const WAVES: [(f64, f64, f64, [f64; 6]); 3] = [
     (
         0.05,
@@ -61,23 +60,27 @@ const WAVES: [(f64, f64, f64, [f64; 6]); 3] = [
     ),
 ];
 
-/// Loads from a touch to three times full contact, as ratios to it.
+/// Mean pressures from light contact to three times full contact, relative to [`FULL`].
 const RATIOS: [f64; 7] = [1e-3, 0.05, 0.5, 0.999, 1.0, 1.2, 3.0];
 
-fn waves(ratio: f64) -> Result<Westergaard> {
+fn wavy_contact(ratio: f64) -> Result<Westergaard> {
     Westergaard::new(&rubber()?, AMPLITUDE, WAVELENGTH, ratio * FULL)
 }
 
-fn sheared(ratio: f64, fraction: f64) -> Result<WestergaardPartialSlip> {
-    WestergaardPartialSlip::new(waves(ratio)?, FRICTION, fraction * FRICTION * ratio * FULL)
+fn shear_waves(ratio: f64, fraction: f64) -> Result<WestergaardPartialSlip> {
+    WestergaardPartialSlip::new(
+        wavy_contact(ratio)?,
+        FRICTION,
+        fraction * FRICTION * ratio * FULL,
+    )
 }
 
-/// What `stress`, of half-width `a` about each crest, displaces at `x`, with mean zero: the
+/// Returns the displacement at `x`, with zero mean, due to `stress` of half-width `a` about each crest, by the
 /// logarithmic kernel of a periodic half-space in plane strain.
 fn displacement(a: f64, x: f64, kinks: &[f64], stress: impl Fn(f64) -> f64) -> Result<f64> {
     let kernel = |d: f64| -(2.0 * (PI * d / WAVELENGTH).sin().abs()).ln();
     let part = |side: f64| {
-        // Distances from x, towards either side, at which the stress or its slope jumps.
+        // Distances of x, on either side, to the jumps of the stress or of its slope.
         let mut ends: Vec<f64> = kinks.iter().map(|kink| side * (kink - x)).collect();
         ends.extend([side * (-a - x), side * (a - x), 0.0]);
         ends.retain(|&d| d >= 0.0);
@@ -91,9 +94,9 @@ fn displacement(a: f64, x: f64, kinks: &[f64], stress: impl Fn(f64) -> f64) -> R
 }
 
 #[test]
-fn waves_have_their_numbers() -> Result<()> {
+fn waves_match_reference_values() -> Result<()> {
     for (ratio, half_width, fraction, pressures) in WAVES {
-        let waves = waves(ratio)?;
+        let waves = wavy_contact(ratio)?;
         assert_close(waves.full_contact_pressure(), FULL);
         assert_close(waves.contact_half_width(), half_width);
         assert_close(waves.contact_fraction(), fraction);
@@ -101,13 +104,13 @@ fn waves_have_their_numbers() -> Result<()> {
         for (x, pressure) in [0.0, 0.2, 0.4, 0.6, 0.8].into_iter().zip(pressures) {
             for crest in [0.0, 3.0, -7.0] {
                 let x = x * half_width + crest * WAVELENGTH;
-                // A phase seven waves away has lost a digit.
+                // The phase seven waves away is less accurate by one digit.
                 let found = [waves.pressure(x), waves.pressure(-x)];
                 assert_relative_eq!(found[0], pressure, max_relative = 1e-11);
                 assert_relative_eq!(found[1], pressure, max_relative = 1e-11);
             }
         }
-        // The root at the edge takes half of the digits of the position.
+        // The square root at the edge halves the number of accurate digits.
         assert!(waves.pressure(half_width) < 1e-7 * FULL);
         assert_close(waves.pressure(1.001 * half_width), 0.0);
     }
@@ -115,9 +118,9 @@ fn waves_have_their_numbers() -> Result<()> {
 }
 
 #[test]
-fn pressure_carries_the_load() -> Result<()> {
+fn pressure_integrates_to_the_load() -> Result<()> {
     for ratio in RATIOS {
-        let waves = waves(ratio)?;
+        let waves = wavy_contact(ratio)?;
         let a = waves.contact_half_width();
         let load = singular_integral(-a, a, |x| waves.pressure(x));
         assert_relative_eq!(load / WAVELENGTH, ratio * FULL, max_relative = 1e-11);
@@ -126,9 +129,9 @@ fn pressure_carries_the_load() -> Result<()> {
 }
 
 #[test]
-fn pressure_opens_the_gap_and_brings_the_planes_together() -> Result<()> {
+fn pressure_displacement_matches_gap_and_approach() -> Result<()> {
     for ratio in RATIOS {
-        let waves = waves(ratio)?;
+        let waves = wavy_contact(ratio)?;
         let a = waves.contact_half_width();
         for x in [
             0.0,
@@ -146,7 +149,7 @@ fn pressure_opens_the_gap_and_brings_the_planes_together() -> Result<()> {
                 max_relative = 0.0
             );
         }
-        // The mean of the gap is what is left between the mean planes.
+        // The mean gap is the remaining distance between the mean planes.
         let half = 0.5 * WAVELENGTH;
         let mean = singular_integral(a.min(half), half, |x| waves.gap(x)) / half;
         assert_relative_eq!(
@@ -160,8 +163,8 @@ fn pressure_opens_the_gap_and_brings_the_planes_together() -> Result<()> {
 }
 
 #[test]
-fn gap_keeps_its_digits_at_the_edge() -> Result<()> {
-    let waves = waves(0.3)?;
+fn gap_near_the_edge_is_accurate() -> Result<()> {
+    let waves = wavy_contact(0.3)?;
     let a = waves.contact_half_width();
     let slope = |x: f64| {
         let [sine, edge] = [x, a].map(|x| (PI * x / WAVELENGTH).sin());
@@ -178,11 +181,11 @@ fn gap_keeps_its_digits_at_the_edge() -> Result<()> {
     Ok(())
 }
 
-/// A single crest is a cylinder of radius `lambda^2/(4 pi^2 Delta)`: `a^2 = 4 W R/(pi E*)` and
-/// `p_0 = 2 W/(pi a)`, with W the load per length.
+/// A single crest is a cylinder of radius `lambda^2/(4 pi^2 Delta)`: `a^2 = 4 W R/(pi E*)` and `p_0 = 2 W/(pi a)`, with
+/// W the load per length.
 #[test]
-fn light_loads_make_hertzian_lines() -> Result<()> {
-    let waves = waves(1e-12)?;
+fn light_loads_give_hertzian_line_contacts() -> Result<()> {
+    let waves = wavy_contact(1e-12)?;
     let a = waves.contact_half_width();
     let load = waves.mean_pressure() * WAVELENGTH;
     let radius = WAVELENGTH * WAVELENGTH / (4.0 * PI * PI * AMPLITUDE);
@@ -202,9 +205,9 @@ fn light_loads_make_hertzian_lines() -> Result<()> {
             epsilon = 0.0
         );
     }
-    // And partial slip on them is Cattaneo's, c/a = (1 - f)^(1/2).
+    // Partial slip on the crests agrees with Cattaneo, c/a = (1 - f)^(1/2).
     assert_relative_eq!(
-        sheared(1e-12, 0.75)?.stick_ratio(),
+        shear_waves(1e-12, 0.75)?.stick_ratio(),
         0.5,
         max_relative = 1e-11
     );
@@ -212,8 +215,8 @@ fn light_loads_make_hertzian_lines() -> Result<()> {
 }
 
 #[test]
-fn full_contact_joins_on() -> Result<()> {
-    let (below, above) = (waves(1.0 - 1e-13)?, waves(1.0 + 1e-13)?);
+fn full_contact_continues_partial_contact() -> Result<()> {
+    let (below, above) = (wavy_contact(1.0 - 1e-13)?, wavy_contact(1.0 + 1e-13)?);
     assert!(!below.is_full_contact() && above.is_full_contact());
     assert_relative_eq!(below.contact_fraction(), 1.0, max_relative = 1e-6);
     assert_close(above.contact_half_width(), 0.5 * WAVELENGTH);
@@ -221,7 +224,7 @@ fn full_contact_joins_on() -> Result<()> {
         let x = x * WAVELENGTH;
         assert_relative_eq!(below.pressure(x), above.pressure(x), max_relative = 1e-9);
     }
-    let heavy = waves(2.5)?;
+    let heavy = wavy_contact(2.5)?;
     for x in [0.0, 0.2, 0.5, 0.77] {
         let wave = (2.0 * PI * x).cos();
         assert_close(heavy.pressure(x * WAVELENGTH), FULL * (2.5 + wave));
@@ -232,10 +235,10 @@ fn full_contact_joins_on() -> Result<()> {
 }
 
 #[test]
-fn traction_carries_the_force_and_moves_the_stick_strips_as_one() -> Result<()> {
+fn traction_integrates_to_the_force_and_stick_strips_are_rigid() -> Result<()> {
     for ratio in RATIOS {
         for fraction in [-0.3, 0.02, 0.6, 0.95, 1.0] {
-            let shear = sheared(ratio, fraction)?;
+            let shear = shear_waves(ratio, fraction)?;
             let contact = shear.contact();
             let (a, c) = (contact.contact_half_width(), shear.stick_half_width());
             let strips = [(-a, -c), (-c, c), (c, a)];
@@ -250,7 +253,7 @@ fn traction_carries_the_force_and_moves_the_stick_strips_as_one() -> Result<()> 
                 max_relative = 1e-8,
                 epsilon = 0.0
             );
-            // The kernel along the waves is that of the pressure in plane strain.
+            // The kernel along the waves equals the kernel of the pressure in plane strain.
             let moved = |x: f64| displacement(a, x, &[-c, c], |x| shear.traction(x));
             let (centre, scale) = (moved(0.0)?, FRICTION * AMPLITUDE);
             for x in [0.4 * c, 0.9 * c] {
@@ -262,7 +265,7 @@ fn traction_carries_the_force_and_moves_the_stick_strips_as_one() -> Result<()> 
                 );
             }
             if c < 0.99 * a {
-                // Outside, the surface lags behind the strips.
+                // Outside the stick strips, the displacement is smaller.
                 let lag = moved(0.5 * (a + c))? - centre;
                 assert!(lag * shear.mean_traction() < 0.0);
             }
@@ -272,32 +275,32 @@ fn traction_carries_the_force_and_moves_the_stick_strips_as_one() -> Result<()> 
 }
 
 #[test]
-fn full_contact_sticks_until_the_lighter_one_opens() -> Result<()> {
+fn full_contact_sticks_until_the_difference_contact_opens() -> Result<()> {
     for x in [0.0, 0.3, 0.5] {
-        let shear = sheared(2.0, 0.4)?;
+        let shear = shear_waves(2.0, 0.4)?;
         assert_close(shear.traction(x * WAVELENGTH), 0.4 * FRICTION * 2.0 * FULL);
         assert_close(shear.stick_ratio(), 1.0);
     }
-    let shear = sheared(2.0, 0.75)?;
+    let shear = shear_waves(2.0, 0.75)?;
     assert_close(shear.stick_ratio(), 0.5);
     assert_close(
         shear.traction(0.4 * WAVELENGTH),
         FRICTION * shear.contact().pressure(0.4 * WAVELENGTH),
     );
-    // Small forces keep their digits.
-    let small = sheared(0.3, 1e-14)?;
+    // Small forces are accurate.
+    let small = shear_waves(0.3, 1e-14)?;
     let contact = small.contact();
-    // The rate of the pressure with the load is that of a row of flat strips.
+    // The derivative of the pressure with respect to the load is the pressure of a row of flat strips.
     let (sine, cosine) = f64::sin_cos(0.1 * PI);
     let rate = cosine / (0.3 - sine * sine).sqrt();
     assert_close(
         small.traction(0.1 * WAVELENGTH),
         1e-14 * FRICTION * contact.mean_pressure() * rate,
     );
-    // At rest, at sliding, without friction.
-    assert_close(sheared(0.3, 0.0)?.traction(0.0), 0.0);
-    assert_close(sheared(0.3, 0.0)?.stick_ratio(), 1.0);
-    let sliding = sheared(0.3, -1.0)?;
+    // Covers zero force, gross slip, and zero friction.
+    assert_close(shear_waves(0.3, 0.0)?.traction(0.0), 0.0);
+    assert_close(shear_waves(0.3, 0.0)?.stick_ratio(), 1.0);
+    let sliding = shear_waves(0.3, -1.0)?;
     assert_close(sliding.stick_half_width(), 0.0);
     assert_close(sliding.traction(0.0), -FRICTION * contact.max_pressure());
     let smooth = WestergaardPartialSlip::new(contact, 0.0, 0.0)?;
@@ -308,14 +311,14 @@ fn full_contact_sticks_until_the_lighter_one_opens() -> Result<()> {
 
 proptest! {
     #[test]
-    fn more_load_touches_more_and_more_force_sticks_less(
+    fn contact_grows_with_load_and_stick_falls_with_force(
         ratio in 1e-6..3.0_f64, more in 1.0..2.0_f64, fractions in [-1.0..1.0_f64, 0.0..1.0],
         x in -0.5..0.5_f64,
     ) {
         let solve = || -> Result<_> {
             let greater = fractions[0].abs() + fractions[1] * (1.0 - fractions[0].abs());
-            let shears = (sheared(ratio, fractions[0])?, sheared(ratio, greater)?);
-            Ok((waves(ratio)?, waves(more * ratio)?, shears))
+            let shears = (shear_waves(ratio, fractions[0])?, shear_waves(ratio, greater)?);
+            Ok((wavy_contact(ratio)?, wavy_contact(more * ratio)?, shears))
         };
         let (light, heavy, (shear, greater)) =
             solve().map_err(|e| TestCaseError::fail(e.to_string()))?;
@@ -332,19 +335,19 @@ proptest! {
 }
 
 #[test]
-fn wrong_arguments_are_refused() -> Result<()> {
+fn waves_with_invalid_arguments_are_rejected() -> Result<()> {
     let pair = rubber()?;
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_not_positive(&Westergaard::new(&pair, wrong, 1.0, 1.0));
         assert_not_positive(&Westergaard::new(&pair, 1.0, wrong, 1.0));
         assert_not_positive(&Westergaard::new(&pair, 1.0, 1.0, wrong));
     }
-    // Results beyond the range of a double.
+    // These results are beyond the range of a double.
     assert_not_positive(&Westergaard::new(&pair, 1e200, 1e-200, 1.0));
     assert_not_positive(&Westergaard::new(&pair, 1e-200, 1e200, 1.0));
     assert_not_positive(&Westergaard::new(&pair, 1.0, 1.0, 1e308));
-    let contact = waves(0.5)?;
-    assert_bad_shear_is_refused(FRICTION * 0.5 * FULL, |friction, traction| {
+    let contact = wavy_contact(0.5)?;
+    assert_bad_shear_is_rejected(FRICTION * 0.5 * FULL, |friction, traction| {
         WestergaardPartialSlip::new(contact, friction, traction)
     });
     Ok(())

@@ -1,4 +1,4 @@
-//! The paraboloid that fretting has worn to the end.
+//! The final shape of a paraboloid worn by fretting.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
@@ -11,28 +11,29 @@ use super::{
     singular_integral, steel, sum_over_chords,
 };
 
-/// Parts of the contact radius that stick.
+/// Stick radii as fractions of the contact radius.
 const STICK: [f64; 5] = [0.05, 0.3, 0.6, 0.9, 0.99];
 
-/// The ball of steel at its approach, worn.
-fn worn(stick: f64) -> Result<PopovLimitingShape> {
+/// Returns the limiting shape of the steel ball at its approach.
+fn limiting_shape(stick: f64) -> Result<PopovLimitingShape> {
     let ball = ball()?;
     let c = stick * ball.contact_radius();
     PopovLimitingShape::new(&steel()?, ball.radius(), ball.approach(), c)
 }
 
-/// The profile of which the plane contact is worn off at the approach, carried over to space.
+/// The profile corresponds to the plane contact that is worn off at the depth of the approach, transformed to three
+/// dimensions.
 #[test]
-fn profile_is_that_of_the_worn_plane_contact() -> Result<()> {
+fn profile_matches_the_worn_plane_contact() -> Result<()> {
     let ball = ball()?;
     let (radius, depth) = (ball.radius(), ball.approach());
     for stick in STICK {
-        let shape = worn(stick)?;
+        let shape = limiting_shape(stick)?;
         let (c, b) = (shape.stick_radius(), shape.worn_radius());
         assert!(b > ball.contact_radius());
         for part in [1e-6, 0.1, 0.5, 0.9, 1.0 - 1e-6] {
             let r = c + part * (b - c);
-            // With x = r sin(t), where the root is gone.
+            // The substitution x = r sin(t) removes the square root.
             let edge = (c / r).asin();
             let stuck = integral(0.0, edge, |t| (r * t.sin()).powi(2) / radius);
             let expected = FRAC_2_PI * (stuck + depth * (FRAC_PI_2 - edge));
@@ -48,16 +49,16 @@ fn profile_is_that_of_the_worn_plane_contact() -> Result<()> {
 }
 
 #[test]
-fn profile_goes_on_where_nothing_wears() -> Result<()> {
+fn profile_outside_the_worn_ring_is_unchanged() -> Result<()> {
     let radius = ball()?.radius();
     for stick in STICK {
-        let shape = worn(stick)?;
+        let shape = limiting_shape(stick)?;
         let (c, b) = (shape.stick_radius(), shape.worn_radius());
         let before = |r: f64| 0.5 * r * r / radius;
         for r in [0.0, 0.5 * c, c, b, 1.5 * b] {
             assert_close(shape.profile(r), before(r));
         }
-        // Where they meet the formula has come down to the paraboloid by itself.
+        // At the outer edge the formula itself approaches the paraboloid.
         let edge = b * (1.0 - 1e-9);
         assert!(shape.wear_depth(edge) > 0.0);
         assert_relative_eq!(shape.profile(edge), before(edge), max_relative = 1e-7);
@@ -78,13 +79,13 @@ fn profile_goes_on_where_nothing_wears() -> Result<()> {
     Ok(())
 }
 
-/// Boussinesq's kernel along chords: the pressure that is left closes the disc and leaves the ring
-/// just touching.
+/// Integrates Boussinesq's kernel along chords. The remaining pressure closes the stick disc, and in the worn ring the
+/// surfaces just touch.
 #[test]
-fn worn_surfaces_just_touch() -> Result<()> {
+fn worn_surfaces_just_touch_in_the_slip_ring() -> Result<()> {
     let pair = steel()?;
     for stick in STICK {
-        let shape = worn(stick)?;
+        let shape = limiting_shape(stick)?;
         let (c, b) = (shape.stick_radius(), shape.worn_radius());
         let gap = |r: f64| {
             let sum = sum_over_chords(c, r, |d, _| chord_integral(d, c, d, |r| shape.pressure(r)));
@@ -103,19 +104,19 @@ fn worn_surfaces_just_touch() -> Result<()> {
 }
 
 #[test]
-fn no_slip_wears_nothing_and_sliding_all() -> Result<()> {
+fn full_stick_wears_nothing_and_gross_slip_wears_all() -> Result<()> {
     let ball = ball()?;
     let a = ball.contact_radius();
-    let whole = worn(1.0)?;
+    let whole = limiting_shape(1.0)?;
     assert_close(whole.worn_radius(), a);
     assert_close(whole.load(), 100.0);
     assert_close(whole.pressure(0.6 * a), ball.pressure(0.6 * a));
     assert_close(whole.wear_depth(0.999999 * a), 0.0);
     assert!(whole.worn_volume() < 1e-30 * a.powi(3));
-    let slid = worn(0.0)?;
+    let slid = limiting_shape(0.0)?;
     assert_close(slid.load(), 0.0);
     assert_close(slid.pressure(0.0), 0.0);
-    // A flat end at the depth of the approach, up to where the paraboloid is as deep.
+    // The worn end is flat at the depth of the approach, up to the radius at which the paraboloid has that depth.
     assert_close(slid.worn_radius(), 2.0_f64.sqrt() * a);
     assert_close(slid.profile(0.3 * a), ball.approach());
     let cap = PI * ball.radius() * ball.approach().powi(2);
@@ -123,9 +124,9 @@ fn no_slip_wears_nothing_and_sliding_all() -> Result<()> {
     Ok(())
 }
 
-/// The stick radius under a shift is that of Cattaneo and Mindlin.
+/// The stick radius under a shift agrees with Cattaneo and Mindlin.
 #[test]
-fn shift_sets_the_stick_radius() -> Result<()> {
+fn shift_determines_the_stick_radius() -> Result<()> {
     let ball = ball()?;
     let shear = CattaneoMindlin::new(ball, FRICTION, 0.4 * LIMIT)?;
     let ratio = shear.stick_radius() / ball.contact_radius();
@@ -134,7 +135,7 @@ fn shift_sets_the_stick_radius() -> Result<()> {
 }
 
 #[test]
-fn wrong_shapes_are_refused() -> Result<()> {
+fn shapes_with_invalid_arguments_are_rejected() -> Result<()> {
     let pair = steel()?;
     let shape = |radius, approach, stick| PopovLimitingShape::new(&pair, radius, approach, stick);
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -149,7 +150,7 @@ fn wrong_shapes_are_refused() -> Result<()> {
     }
     let beyond = shape(1.0, 1e-6, 1.1e-3);
     assert!(matches!(beyond, Err(Error::BelowMinimum { value, .. }) if value < 1.1e-3));
-    // Meant to equal the contact radius, and a rounding larger.
+    // The radius is meant to equal the contact radius but is larger by a rounding error.
     assert!(shape(1.0, 1e-6, 1e-3 * (1.0 + 1e-15)).is_ok());
     let ball = HertzSphere::new(&pair, 3.5e-3, 100.0)?;
     assert!(shape(3.5e-3, ball.approach(), ball.contact_radius()).is_ok());

@@ -1,4 +1,5 @@
-//! Operators of coated bodies on each kind of grid: definite, sums of their images, and the same by any product.
+//! Operators of coated bodies on each kind of grid: positive definite, equal to sums over images, and equal to direct
+//! sums.
 
 use kit::{Random, max_abs, max_difference};
 #[cfg(feature = "dense")]
@@ -10,11 +11,11 @@ use stickslip::{
     NormalControl, NormalProblem, Operator, Scratch, surface,
 };
 
-use super::{layer, on_rigid, stack};
+use super::{against_rigid, layer, parse_body};
 
-/// The symbol of contacts of all kinds is positive, on cells small and large beside the layer.
+/// The symbol is positive for all kinds of contact, on cells that are small and large compared with the layer.
 #[test]
-fn the_symbol_is_positive() {
+fn symbol_is_positive() {
     for m in [1e-3, 0.1, 10.0, 1e3] {
         for nu in [0.0, 0.5] {
             let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
@@ -22,7 +23,7 @@ fn the_symbol_is_positive() {
             for sides in [[0.02, 0.02], [0.2, 0.5], [2.0, 1.0], [10.0, 10.0]] {
                 let grid = Grid::new(24, 20, sides[0], sides[1]).unwrap();
                 let boundary = Boundary::Periodic;
-                let bodies = HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap();
+                let bodies = HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap();
                 let bounds = [
                     bodies.tensor_operator([Z]).unwrap().lower_bound(),
                     bodies.tensor_operator([X, Y]).unwrap().lower_bound(),
@@ -37,16 +38,17 @@ fn the_symbol_is_positive() {
     }
 }
 
-/// Rows that repeat along y and carry alike are a line of cells, and their images those of a grid of many periods.
+/// Rows of a grid that is periodic along y, with equal loads, agree with a line of cells. Their images agree with a
+/// free grid of many periods.
 #[test]
-fn rows_that_repeat_add_up_their_images() {
-    let body = stack("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
+fn periodic_rows_sum_their_images() {
+    let body = parse_body("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
     let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
     for [dx, dy] in [[0.3, 0.2], [0.3, 2.0]] {
         let rows = Grid::new(10, 6, dx, dy).unwrap();
         let line = Grid::new(10, 1, dx, 6.0 * dy).unwrap();
         let [rows, line] = [rows, line]
-            .map(|grid| HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap());
+            .map(|grid| HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap());
         let moved =
             |bodies: &HalfSpace, component: Component, loaded: &dyn Fn(usize, usize) -> f64| {
                 let field = Field::from_indices(bodies.grid(), loaded);
@@ -76,9 +78,9 @@ fn rows_that_repeat_add_up_their_images() {
                 }
             }
         }
-        // What moves a cell and what moves its neighbours, less the uniform part, by 41 periods of a free grid.
+        // Compares an alternating load on the rows, without its uniform part, with 41 periods of a free grid.
         let many = Grid::new(10, 6 * 41, dx, dy).unwrap();
-        let many = HalfSpace::new(many, on_rigid(body)).unwrap();
+        let many = HalfSpace::new(many, against_rigid(body)).unwrap();
         for component in [Component::ZZ, Component::XY, Component::ZY] {
             let alternating = |ix: usize, iy: usize| {
                 if ix == 4 {
@@ -106,11 +108,11 @@ fn rows_that_repeat_add_up_their_images() {
     }
 }
 
-/// Where the periodic continuation of a free grid bounds nothing, the infinite lattice of its cells does, below the least
-/// eigenvalue of the matrix.
+/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells does; it is below the
+/// smallest eigenvalue of the matrix.
 #[cfg(feature = "dense")]
 #[test]
-fn stiff_coatings_on_long_grids_have_a_bound() {
+fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
     let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let mut estimated = 0;
     for (m, nu, sides) in [
@@ -123,7 +125,7 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
         let [nx, ny] = kit::thorough([10, 9], [24, 20]);
         let grid = Grid::new(nx, ny, sides[0], sides[1]).unwrap();
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
-            let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
+            let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
             let bodies = bodies.with_cell_value(cell_value).unwrap();
             for direction in [Z, X, Y] {
                 let component = Component::of(direction, direction);
@@ -151,7 +153,7 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
             let bound = bodies.tensor_operator([X, Y]).unwrap().lower_bound();
             assert!(bound <= least && bound > 0.0);
             bodies.tensor_preconditioner([X, Y]).unwrap();
-            // Nobody reads such a certificate as a proven one.
+            // A certificate that rests on an estimate is marked as estimated.
             let known = bodies.tensor_operator([Z]).unwrap().eigenvalue_bound();
             let gap = surface::sphere(grid, 50.0).unwrap();
             let load = NormalControl::Approach(0.05);
@@ -167,10 +169,10 @@ fn stiff_coatings_on_long_grids_have_a_bound() {
     assert!(estimated > 0);
 }
 
-/// Pressure and traction at once on a free grid, as a matrix.
+/// Covers pressure and traction together on a free grid, as a matrix.
 #[cfg(feature = "dense")]
 #[test]
-fn both_tractions_at_once_store_energy() {
+fn coupled_tensor_is_positive_definite() {
     for (m, nu, side) in [
         (1e-3, 0.5, 2.0),
         (0.1, 0.0, 0.02),
@@ -180,7 +182,7 @@ fn both_tractions_at_once_store_energy() {
         let below = Material::from_shear_modulus(1.0, 0.3).unwrap();
         let body = below.coated(&[layer(m, nu, 1.0)]).unwrap();
         let grid = Grid::new(8, 6, side, 1.5 * side).unwrap();
-        let bodies = HalfSpace::new(grid, on_rigid(body)).unwrap();
+        let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
         let parts = [X, Y, Z].map(|u| {
             [X, Y, Z].map(|t| DenseOperator::of_half_space(&bodies, Component::of(u, t)).unwrap())
         });
@@ -197,9 +199,9 @@ fn both_tractions_at_once_store_energy() {
 
 #[cfg(feature = "dense")]
 #[test]
-fn the_fast_product_is_the_direct_sum() {
-    let one = stack("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
-    let two = stack("0.3/0.4/1.5", "rigid");
+fn fast_product_equals_direct_sum() {
+    let one = parse_body("2/0.3/0.5;0.5/0.45/0.2", "1/0.2");
+    let two = parse_body("0.3/0.4/1.5", "rigid");
     let pair = ElasticPair::new(one, two).unwrap();
     let line = Boundary::PeriodicAlongY { datum: 50.0 };
     for (nx, ny, boundary) in [
@@ -229,16 +231,17 @@ fn the_fast_product_is_the_direct_sum() {
     }
 }
 
-/// A line of cells is what a long row of them is in the middle, and far from the load the substrate with its datum.
+/// The displacements of a line of cells agree with the middle of a long row of cells. Far from the load they agree with
+/// the substrate and its datum.
 #[test]
-fn lines_are_plane_strain() {
+fn line_matches_plane_strain() {
     let body = Material::from_shear_modulus(1.0, 0.2).unwrap();
     let coated = body.coated(&[layer(4.0, 0.4, 0.5)]).unwrap();
     let datum = 4e4;
     let operators = |body: Material, dy: f64| {
         let grid = Grid::new(20_000, 1, 0.5, dy).unwrap();
         let boundary = Boundary::PeriodicAlongY { datum };
-        HalfSpace::with_boundary(grid, on_rigid(body), boundary).unwrap()
+        HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap()
     };
     let (layered, plain) = (operators(coated, 1.0), operators(body, 1.0));
     let all = [Component::ZZ, Component::ZX, Component::XX, Component::YY];
@@ -256,7 +259,8 @@ fn lines_are_plane_strain() {
             (layered[19_999] - plain[19_999]).abs() < 1e-4,
             "{component:?}"
         );
-        // A cell that is long beside the distances compared, less what its ends add at all of them.
+        // The reference is a cell that is long compared with the distances; the contribution of its ends is the same at
+        // all distances and cancels in the difference.
         let cell = Rectangle::new(0.25, 4e6).unwrap();
         let of = |x: f64| {
             let all = cell.tensor(&coated, x, 0.0);

@@ -1,4 +1,5 @@
-//! Coated bodies on grids that repeat along y: a datum changes displacements by a constant, and decides nothing else.
+//! Coated bodies on grids that are periodic along y. A different datum changes displacements by a constant and has no
+//! other effect.
 
 use kit::{Random, max_abs, max_difference, press, thorough};
 use stickslip::cgm::{Method, NonNegative};
@@ -11,19 +12,19 @@ use stickslip::{
     TangentialModel, TangentialProblem, surface,
 };
 
-use super::on_rigid;
+use super::against_rigid;
 
-/// A coated half-space whose moduli are those of Young, on a grid that repeats along y.
+/// A coated half-space on a grid that is periodic along y; the moduli are Young's moduli.
 #[derive(Clone, Copy, Debug)]
-struct Strip {
+struct CoatedStrip {
     grid: Grid,
     layer: Layer,
     substrate: f64,
     cell_value: CellValue,
 }
 
-impl Strip {
-    /// A line of 16 cells on the length one.
+impl CoatedStrip {
+    /// Creates a line of 16 cells with a total length of one.
     fn line(modulus: f64, thickness: f64) -> Self {
         Self {
             grid: Grid::line(16, 1.0 / 16.0).unwrap(),
@@ -35,7 +36,7 @@ impl Strip {
 
     fn random(random: &mut Random) -> Self {
         let nx = random.integer(3, thorough(16, 28));
-        // Rows take most of the time.
+        // Grids with several rows take most of the time.
         let ny = random.pick(thorough(&[1], &[1, 1, 2, 3, 5]));
         let length = random.decade(-0.5, 1.5);
         let sides = [
@@ -61,7 +62,7 @@ impl Strip {
 
     fn pair(&self) -> ElasticPair {
         let base = Material::new(self.substrate, 0.3).unwrap();
-        on_rigid(base.coated(&[self.layer]).unwrap())
+        against_rigid(base.coated(&[self.layer]).unwrap())
     }
 
     fn bodies(&self, datum: f64) -> HalfSpace {
@@ -70,33 +71,34 @@ impl Strip {
         bodies.with_cell_value(self.cell_value).unwrap()
     }
 
-    /// Change of the displacement by a force of one period with the logarithm of the datum.
+    /// Returns the derivative of the displacement with respect to the logarithm of the datum, for a force on one
+    /// period.
     fn drift(&self, force: f64) -> f64 {
         let period = self.grid.dy() * self.grid.ny() as f64;
         2.0 * (1.0 - 0.3 * 0.3) / self.substrate / std::f64::consts::PI * force / period
     }
 }
 
-/// `x' C y` of a matrix.
-fn product(matrix: &DenseOperator, x: &[f64], y: &[f64]) -> f64 {
+/// Computes `x' C y` for a matrix C.
+fn bilinear_form(matrix: &DenseOperator, x: &[f64], y: &[f64]) -> f64 {
     let mut image = vec![0.0; y.len()];
     matrix.apply([y], [&mut image], &mut Scratch::none());
     x.iter().zip(&image).map(|(x, u)| x * u).sum()
 }
 
-/// The matrix with a number added to every entry.
-fn shifted(matrix: &DenseOperator, by: f64) -> DenseOperator {
+/// Adds a number to every entry of the matrix.
+fn with_added_constant(matrix: &DenseOperator, by: f64) -> DenseOperator {
     let cells = matrix.cells();
     let entry = |n: usize| matrix.get(n / cells, n % cells).unwrap() + by;
     DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap()
 }
 
-/// The matrix of the pressures of bodies.
-fn matrix_of(bodies: &HalfSpace) -> DenseOperator {
+/// Returns the matrix of the normal compliance.
+fn dense_matrix(bodies: &HalfSpace) -> DenseOperator {
     DenseOperator::of_half_space(bodies, Component::ZZ).unwrap()
 }
 
-fn assert_alike(strip: &Strip, method: Method, gap: &Field, force: f64) {
+fn assert_independent_of_datum(strip: &CoatedStrip, method: Method, gap: &Field, force: f64) {
     let datums = [1.0, 1.5, 10.0, 1e4];
     let found = datums.map(|datum| {
         let bodies = strip.bodies(datum);
@@ -118,27 +120,27 @@ fn assert_alike(strip: &Strip, method: Method, gap: &Field, force: f64) {
     }
 }
 
-/// A force determines the pressure at any datum, and the displacements up to a constant.
+/// A force determines the pressure for any datum, and the displacements up to a constant.
 #[test]
-fn line_of_coated_bodies_force_gives_the_pressure_of_any_datum() {
+fn line_force_gives_the_same_pressure_for_any_datum() {
     for (modulus, thickness) in [(10.0, 1.0), (100.0, 0.05), (100.0, 1.0), (1e3, 0.01)] {
-        let strip = Strip::line(modulus, thickness);
+        let strip = CoatedStrip::line(modulus, thickness);
         let flat = Field::zeros(strip.grid);
         for gap in [surface::cylinder(strip.grid, 0.3).unwrap(), flat] {
             for method in [Method::ActiveSet, Method::PolonskyKeer] {
-                assert_alike(&strip, method, &gap, 0.05);
+                assert_independent_of_datum(&strip, method, &gap, 0.05);
             }
         }
     }
 }
 
-/// A prescribed approach is refused where the compliance is indefinite, and only there.
+/// A prescribed approach is rejected only if the compliance is indefinite.
 #[test]
-fn line_of_coated_bodies_approach_needs_a_definite_compliance() {
+fn line_approach_requires_a_definite_compliance() {
     let mut random = Random(5);
     let (mut refused, mut solved) = (0, 0);
     for _ in 0..thorough(3, 600) {
-        let strip = Strip::random(&mut random);
+        let strip = CoatedStrip::random(&mut random);
         let datum = strip.length() * random.decade(0.0, 0.7);
         let bodies = strip.bodies(datum);
         let gap = surface::cylinder(strip.grid, strip.length()).unwrap();
@@ -147,7 +149,7 @@ fn line_of_coated_bodies_approach_needs_a_definite_compliance() {
             let problem = NormalProblem::builder(bodies, &gap, approach);
             problem.build().unwrap().solve()
         };
-        let matrix = matrix_of(&bodies);
+        let matrix = dense_matrix(&bodies);
         match solve(&bodies) {
             Ok(found) => {
                 solved += 1;
@@ -184,16 +186,16 @@ fn line_of_coated_bodies_approach_needs_a_definite_compliance() {
     );
 }
 
-/// The bound of an error is never below the truth, and no datum refuses a force.
+/// The error bound is never below the true error, and no force is rejected because of the datum.
 #[test]
-fn line_of_coated_bodies_certificate_holds_at_any_datum() {
+fn line_certificate_is_valid_for_any_datum() {
     let mut random = Random(6);
     let (mut estimates, mut refused) = (0, 0);
     let count = thorough(3, 400);
     for case in 0..count {
         let strip = match case {
-            0 => Strip::line(100.0, 0.05),
-            _ => Strip::random(&mut random),
+            0 => CoatedStrip::line(100.0, 0.05),
+            _ => CoatedStrip::random(&mut random),
         };
         let datums = [1.0, 2.0, 1e3].map(|ratio| ratio * strip.length());
         let height = 0.1 * strip.length();
@@ -207,11 +209,11 @@ fn line_of_coated_bodies_certificate_holds_at_any_datum() {
                 let problem = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
                 problem.build().unwrap().solve()
             };
-            let matrix = matrix_of(&bodies);
+            let matrix = dense_matrix(&bodies);
             let large = 1e3
                 * (0..matrix.cells())
                     .fold(0.0, |a, i| f64::max(a, matrix.get(0, i).unwrap().abs()));
-            let definite = shifted(&matrix, large);
+            let definite = with_added_constant(&matrix, large);
             let own = bodies.operator(Component::ZZ).unwrap().lower_bound();
             assert!(
                 own <= matrix.lower_bound() * (1.0 + 1e-9),
@@ -231,11 +233,11 @@ fn line_of_coated_bodies_certificate_holds_at_any_datum() {
                 let pressure = found.pressure().as_slice();
                 let difference: Vec<f64> =
                     pressure.iter().zip(&exact.x).map(|(a, b)| a - b).collect();
-                let error = product(&definite, &difference, &difference);
-                // A difference has no mean except for round-off, which the shift would magnify.
+                let error = bilinear_form(&definite, &difference, &difference);
+                // The mean of a difference is round-off, which the added constant would amplify.
                 let error = error - large * difference.iter().sum::<f64>().powi(2);
                 let squares: f64 = pressure.iter().map(|p| p * p).sum();
-                let energy = product(&matrix, pressure, pressure);
+                let energy = bilinear_form(&matrix, pressure, pressure);
                 let report = found.report();
                 let unit = energy.max(definite.lower_bound() * squares);
                 let bound = report.duality_gap * unit;
@@ -253,10 +255,11 @@ fn line_of_coated_bodies_certificate_holds_at_any_datum() {
     assert!(refused <= 1 + 3 * count / 20, "{refused} refused");
 }
 
-/// Forces, shifts and springs along both axes: the traction of any datum that determines it, with a bound of its error.
+/// Covers forces, shifts and springs along both axes. For every datum that determines the traction, the traction is the
+/// same.
 #[test]
-fn line_of_coated_bodies_traction_does_not_depend_on_the_datum() {
-    let strip = Strip {
+fn line_traction_is_independent_of_the_datum() {
+    let strip = CoatedStrip {
         grid: Grid::new(12, thorough(1, 3), 0.1, 0.3).unwrap(),
         layer: Layer::new(10.0, 0.3, 1.0).unwrap(),
         substrate: 1.0,
@@ -295,7 +298,8 @@ fn line_of_coated_bodies_traction_does_not_depend_on_the_datum() {
             }
         }
     }
-    // A motion that a datum far away takes as a force is refused, or found, as the compliance is definite or not.
+    // A prescribed motion, which a distant datum makes equivalent to a force, is rejected if the compliance is
+    // indefinite, and solved otherwise.
     for load in [
         TangentialLoad::shift([0.02, 0.0]),
         TangentialLoad::force([0.0; 2]).along(

@@ -1,0 +1,491 @@
+//! Displacement of one body relative to the other outside the contact. Bulk strain shifts the stick zone and, if it is
+//! large, reverses slip; its work is part of the energy balance.
+
+use kit::{boundaries, max_difference, unit_bodies, unit_pair};
+use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
+use stickslip::history::Cycle;
+use stickslip::tangential::RelativeDisplacement;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
+};
+#[cfg(feature = "dense")]
+use stickslip::{cgm::AbsBound, dense::DenseOperator, influence::Component};
+
+const FRICTION: f64 = 0.5;
+const LOAD: f64 = 100.0;
+const RADIUS: f64 = 10.0;
+
+fn friction() -> Friction {
+    Friction::coulomb(FRICTION).unwrap()
+}
+
+fn steel() -> Material {
+    Material::new(210e3, 0.3).unwrap()
+}
+
+fn hertz() -> HertzLine {
+    HertzLine::new(&ElasticPair::new(steel(), steel()).unwrap(), RADIUS, LOAD).unwrap()
+}
+
+/// Presses a steel roller on a line of `n` cells.
+fn press_roller(n: usize) -> (HalfSpace, NormalSolution) {
+    let grid = Grid::line(n, 2.4 * hertz().half_width() / n as f64).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
+    let gap = surface::cylinder(grid, RADIUS).unwrap();
+    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
+    let normal = press.tolerance(1e-11).build().unwrap().solve().unwrap();
+    (bodies, normal)
+}
+
+/// Shears and stretches the same roller.
+fn shear_roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
+    let (bodies, normal) = press_roller(n);
+    let load = TangentialLoad::force([force, 0.0]);
+    let strain = [[steel().plane_strain_under(bulk_stress), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
+    let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
+    let shear = shear.relative_displacement(bulk).tolerance(1e-11);
+    shear.build().unwrap().solve().unwrap()
+}
+
+/// Returns the centre and half-width of the stick zone.
+fn stick_zone(shear: &TangentialSolution) -> [f64; 2] {
+    let grid = shear.grid();
+    let sticks = |i: &usize| shear.zones()[*i] == Zone::Stick;
+    let first = (0..grid.nx()).find(sticks).unwrap();
+    let last = (0..grid.nx()).rfind(sticks).unwrap();
+    [
+        0.5 * (grid.x(first) + grid.x(last)),
+        0.5 * (grid.x(last) - grid.x(first) + grid.dx()),
+    ]
+}
+
+/// Nowell and Hills: the stick zone is shifted, and the traction agrees with the closed form within the discretisation
+/// error.
+#[test]
+fn moderate_strain_shifts_the_stick_zone() {
+    let limit = FRICTION * LOAD;
+    for (force, bulk_stress) in [(0.6, 150.0), (-0.6, 150.0), (0.6, -150.0), (0.8, 300.0)] {
+        let exact = CattaneoMindlinLine::new(hertz(), FRICTION, force * limit).unwrap();
+        let exact = exact
+            .with_strain(steel().plane_strain_under(bulk_stress))
+            .unwrap();
+        assert!(exact.stick_centre().abs() > 0.1 * hertz().half_width());
+        for n in [128, 256, 512, 1024] {
+            let found = shear_roller(n, force * limit, bulk_stress);
+            let (grid, traction) = (found.grid(), found.traction()[0]);
+            let [centre, half_width] = stick_zone(&found);
+            assert!((centre - exact.stick_centre()).abs() < grid.dx());
+            assert!((half_width - exact.stick_half_width()).abs() < grid.dx());
+            let cells = traction.as_slice().iter().enumerate();
+            let error: f64 = cells
+                .map(|(i, q)| (q - exact.traction(grid.x(i))).abs())
+                .sum();
+            let error = error * grid.dx() / (force.abs() * limit);
+            let law = 4e-3 * (128.0 / n as f64).powf(1.5);
+            assert!(error < law, "{force} {bulk_stress} {n}: {error:e}");
+        }
+    }
+    // Larger strains reverse slip at one end.
+    let exact = CattaneoMindlinLine::new(hertz(), FRICTION, 0.6 * limit).unwrap();
+    let beyond = exact.with_strain(steel().plane_strain_under(600.0));
+    assert!(matches!(beyond, Err(Error::BelowMinimum { .. })));
+    let found = shear_roller(1024, 0.6 * limit, 600.0);
+    let slips = |i: usize| found.zones()[i] == Zone::Slip;
+    let slipping = (0..1024).filter(|&i| slips(i));
+    let signs: Vec<f64> = slipping
+        .map(|i| found.slip()[0].as_slice()[i].signum())
+        .collect();
+    assert!(signs.contains(&1.0) && signs.contains(&-1.0));
+    assert!(signs.windows(2).filter(|pair| pair[0] != pair[1]).count() == 1);
+}
+
+/// Below and above the bulk stress that reverses slip at one end (the limit of Nowell and Hills), the traction is the
+/// exact minimum computed with active sets, and the zones are the active sets.
+#[cfg(feature = "dense")]
+#[test]
+fn any_strain_gives_the_exact_minimum() {
+    let limit = FRICTION * LOAD;
+    for (force, bulk_stress) in [
+        (0.6, 600.0),
+        (-0.6, 600.0),
+        (0.9, -900.0),
+        (0.3, 5000.0),
+        (0.6, 150.0),
+    ] {
+        let (bodies, normal) = press_roller(96);
+        let grid = bodies.grid();
+        let limits = normal.pressure().scaled(FRICTION);
+        let strain = steel().plane_strain_under(bulk_stress);
+        let along_x = Field::from_fn(grid, |x, _| strain * x);
+        let twin = DenseOperator::of_half_space(&bodies, Component::XX).unwrap();
+        let sum = force * limit / grid.cell_area();
+        let bounds = AbsBound(limits.as_slice());
+        let exact = twin.minimise(along_x.as_slice(), &bounds, Some(sum));
+        let exact = exact.unwrap().x;
+        let found = shear_roller(96, force * limit, bulk_stress);
+        let error = max_difference(found.traction()[0].as_slice(), &exact) / limits.max();
+        assert!(error < 1e-9, "{force} {bulk_stress}: {error:e}");
+        let mut signs = Vec::new();
+        for ((q, limit), zone) in exact.iter().zip(limits.as_slice()).zip(found.zones()) {
+            assert_eq!(*zone == Zone::Slip, *limit > 0.0 && q.abs() == *limit);
+            if *zone == Zone::Slip {
+                signs.push(q.signum());
+            }
+        }
+        signs.dedup();
+        let is_reversed = bulk_stress.abs() > 500.0;
+        assert_eq!(signs.len(), if is_reversed { 2 } else { 1 });
+    }
+}
+
+/// Computes `K(m) - E(m)` by the arithmetic-geometric mean.
+fn difference_of_elliptic_integrals(m: f64) -> f64 {
+    let (mut a, mut b, mut sum, mut power) = (1.0, (1.0 - m).sqrt(), 0.5 * m, 0.5);
+    for _ in 0..30 {
+        let c = 0.5 * (a - b);
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+        power *= 2.0;
+        sum += power * c * c;
+    }
+    std::f64::consts::FRAC_PI_2 / a * sum
+}
+
+/// Under bulk stress alone both ends slip inwards, and the traction is not singular at the ends of the stick zone:
+/// $`\sigma = \frac8\pi \mu p_0 [K(m) - E(m)]`$ with $`m = 1 - c^2/a^2`$. This is the condition for a solution of the
+/// singular integral equation that is bounded at both ends.
+#[test]
+fn strain_alone_causes_inward_slip_at_both_ends() {
+    let (a, limit) = (hertz().half_width(), FRICTION * hertz().max_pressure());
+    for part in [0.3, 0.6, 0.9] {
+        let integrals = difference_of_elliptic_integrals(1.0 - part * part);
+        let bulk_stress = 8.0 / std::f64::consts::PI * limit * integrals;
+        for n in [256, 1024] {
+            let found = shear_roller(n, 0.0, bulk_stress);
+            let grid = found.grid();
+            let [centre, half_width] = stick_zone(&found);
+            assert!(centre.abs() < 1e-12 * a);
+            assert!(
+                (half_width - part * a).abs() < 1.01 * grid.dx(),
+                "{part} {n}: {}",
+                half_width / a
+            );
+            let traction = found.traction()[0].as_slice();
+            let odd = (0..n).map(|i| (traction[i] + traction[n - 1 - i]).abs());
+            assert!(odd.fold(0.0, f64::max) < 1e-8 * limit);
+            assert!(traction[n - n / 10] <= 0.0 && found.slip()[0].max() > 0.0);
+        }
+    }
+}
+
+/// A uniform displacement is equivalent to a shift of opposite sign, for similar and for dissimilar bodies.
+#[test]
+fn uniform_displacement_is_equivalent_to_a_shift() {
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+    let uniform = [0.004, -0.002].map(|w| Field::constant(grid, w));
+    let uniform = RelativeDisplacement::new(uniform).unwrap();
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let unlike = ElasticPair::new(soft, Material::rigid()).unwrap();
+    for boundary in boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.08));
+        let normal = press.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let shear = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
+            let load = TangentialLoad::shift(shift);
+            let problem = TangentialProblem::builder(&bodies, &normal, friction(), load);
+            let problem = problem.model(TangentialModel::Vector).tolerance(1e-11);
+            let problem = match relative {
+                Some(relative) => problem.relative_displacement(relative.clone()),
+                None => problem,
+            };
+            problem.build().unwrap().solve().unwrap()
+        };
+        let moved = shear([0.001, 0.001], Some(&uniform));
+        let shifted = shear([-0.003, 0.003], None);
+        for axis in 0..2 {
+            let [a, b] = [&moved, &shifted].map(|found| found.traction()[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9 * normal.pressure().max());
+            let [a, b] = [&moved, &shifted].map(|found| found.slip()[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9);
+        }
+
+        let bodies = HalfSpace::with_boundary(grid, unlike, boundary).unwrap();
+        let coupled = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
+            let load = TangentialLoad::shift(shift);
+            let press = NormalControl::Force(0.08);
+            let problem = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
+            let problem = problem.tolerance(1e-10);
+            let problem = match relative {
+                Some(relative) => problem.relative_displacement(relative.clone()),
+                None => problem,
+            };
+            problem.build().unwrap().solve().unwrap()
+        };
+        let moved = coupled([0.001, 0.001], Some(&uniform));
+        let shifted = coupled([-0.003, 0.003], None);
+        let [a, b] = [&moved, &shifted].map(|found| found.tangential().traction()[0].as_slice());
+        assert!(max_difference(a, b) < 1e-7 * normal.pressure().max());
+    }
+}
+
+/// Force and bulk stress in phase, out of phase, and with a strain field that changes: every step satisfies the energy
+/// balance, and closed cycles dissipate their work.
+#[test]
+fn work_of_bulk_stress_is_in_energy_balance() {
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let pairs = [
+        unit_pair(0.3),
+        ElasticPair::new(soft, Material::rigid()).unwrap(),
+    ];
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+    let stretch = [[1.0, 0.2], [0.2, -0.3]];
+    let bulk = RelativeDisplacement::bulk_strain(grid, stretch).unwrap();
+    let other = RelativeDisplacement::bulk_strain(grid, [[0.3, 0.0], [0.0, 1.0]]).unwrap();
+    for pair in pairs {
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-8);
+        let builder = builder.model(TangentialModel::Vector);
+        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
+        let load = |force: f64, amount: f64| {
+            let press = LoadStep::hold().normal(NormalControl::Force(0.08));
+            let drag = press.tangential(Axis::X, TangentialControl::Force(force));
+            drag.relative_displacement(amount)
+        };
+        let take = |history: &mut History, force: f64, amount: f64| {
+            let step = history.step(&load(force, amount)).unwrap();
+            let energy = *step.energy();
+            let size = energy.elastic_before + energy.elastic_after + energy.work.abs();
+            assert!(energy.imbalance().abs() <= 1e-12 * size, "{energy:?}");
+            assert!(energy.dissipated_energy >= 0.0);
+            energy.dissipated_energy
+        };
+        let mut total = take(&mut history, 0.0, 0.0);
+        for cycle in 0..2 {
+            for quarter in 0..4 {
+                let angle = 0.5 * std::f64::consts::PI * f64::from(quarter);
+                total += take(&mut history, 0.02 * angle.sin(), 0.02 * angle.sin());
+                total += take(
+                    &mut history,
+                    0.02 * angle.cos(),
+                    0.01 * angle.sin() + 0.001 * f64::from(cycle),
+                );
+            }
+        }
+        assert!(total > 1e-6);
+        // A constant strain stays in place; a different field replaces the previous displacement.
+        let reached = history
+            .state()
+            .relative_displacement()
+            .map(|w| w[0].clone());
+        history.step(&LoadStep::force([0.01, 0.0])).unwrap();
+        assert_eq!(
+            history
+                .state()
+                .relative_displacement()
+                .map(|w| w[0].clone()),
+            reached
+        );
+        history.set_relative_displacement(&other).unwrap();
+        let bytes = history.to_bytes();
+        let mut restored = History::from_bytes(&bodies, &bytes).unwrap();
+        for history in [&mut history, &mut restored] {
+            take(history, 0.01, 0.015);
+        }
+        assert_eq!(history.to_bytes(), restored.to_bytes());
+        let [_, along_y] = history.state().relative_displacement().unwrap();
+        assert_eq!(along_y.get(3, 21), Some(0.015 * grid.y(21)));
+    }
+}
+
+/// Under a bulk stress in phase with the force, the loop of force and shift encloses the work of the force. The bulk
+/// stress does the rest of the dissipated work. Both agree with Nowell and Hills; here the bulk stress does a sixth of
+/// the total work.
+#[test]
+fn loop_of_force_and_shift_encloses_work_of_force() {
+    let (part, bulk_stress) = (0.6, 150.0);
+    let force = part * FRICTION * LOAD;
+    let exact = CattaneoMindlinLine::new(hertz(), FRICTION, force).unwrap();
+    let exact = exact.with_bulk_stress([bulk_stress, 0.0]).unwrap();
+    let (bodies, _) = press_roller(512);
+    let gap = surface::cylinder(bodies.grid(), RADIUS).unwrap();
+    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
+    let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-10);
+    let mut history = builder.relative_displacement(bulk).build().unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    history.step(&press).unwrap();
+    let load = |force: [f64; 2]| {
+        let amount = bulk_stress * force[0] / (part * FRICTION * LOAD);
+        LoadStep::force(force).relative_displacement(amount)
+    };
+    // The first quarter, then a cycle between the extremes, in steps of equal force.
+    let first = *history.step(&load([force, 0.0])).unwrap().energy();
+    let quarter = first.dissipated_energy / exact.energy_of_first_quarter();
+    assert!((quarter - 1.0).abs() < 1e-4, "{quarter}");
+    let mut cycle = Cycle::new(&history);
+    let steps = 40;
+    for step in 1..=steps {
+        let along = 4.0 * f64::from(step) / f64::from(steps);
+        let level = if along <= 2.0 {
+            1.0 - along
+        } else {
+            along - 3.0
+        };
+        history.step(&load([level * force, 0.0])).unwrap();
+        cycle.add(&history).unwrap();
+    }
+    let energy = cycle.energy();
+    let dissipated = energy.dissipated_energy / exact.energy_per_cycle();
+    assert!((dissipated - 1.0).abs() < 1e-3, "{dissipated}");
+    // The loop contains one third of the energy added by the strain, because the stick zone is off centre.
+    let unit =
+        (FRICTION * LOAD).powi(2) / (std::f64::consts::PI * hertz().pair().contact_modulus());
+    let moved = exact.stick_centre() / hertz().half_width();
+    let without = exact.with_strain(0.0).unwrap().energy_per_cycle();
+    let of_loop = without + 8.0 / 3.0 * unit * part * moved * moved;
+    let found = cycle.work_of_loads();
+    assert!(
+        (found / of_loop - 1.0).abs() < 1e-2,
+        "{} {}",
+        found / unit,
+        of_loop / unit
+    );
+    assert!(found < 0.9 * energy.work);
+    assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-4);
+}
+
+/// One step of a history from rest is the single problem. Several steps give the same result if the load does not
+/// reverse.
+#[test]
+fn step_from_rest_matches_the_single_problem() {
+    let found = shear_roller(256, 0.6 * FRICTION * LOAD, 150.0);
+    let grid = found.grid();
+    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
+    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
+    let gap = surface::cylinder(grid, RADIUS).unwrap();
+    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
+    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+    for parts in [1, 5] {
+        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
+        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+        history.step(&press).unwrap();
+        for part in 1..=parts {
+            let part = f64::from(part) / f64::from(parts);
+            let force = part * 0.6 * FRICTION * LOAD;
+            let load = LoadStep::force([force, 0.0]).relative_displacement(part * 150.0);
+            history.step(&load).unwrap();
+        }
+        let [a, b] = [history.traction()[0], found.traction()[0]].map(Field::as_slice);
+        let scale = FRICTION * hertz().max_pressure();
+        assert!(
+            max_difference(a, b) < 1e-6 * scale,
+            "{:e}",
+            max_difference(a, b) / scale
+        );
+        assert!((history.shift()[0] / found.shift()[0] - 1.0).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
+    let grid = Grid::square(8, 4.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let across = RelativeDisplacement::bulk_strain(grid, [[0.0, 0.0], [0.0, 0.25]]).unwrap();
+    let builder = || History::builder(&bodies, &gap, friction());
+    let refused = builder().relative_displacement(across.clone()).build();
+    assert!(matches!(
+        refused,
+        Err(Error::UnsupportedByModel { value: -0.4375, .. })
+    ));
+    let other = Grid::square(9, 4.0).unwrap();
+    let elsewhere = RelativeDisplacement::bulk_strain(other, [[0.0; 2]; 2]).unwrap();
+    let mut history = builder().build().unwrap();
+    for (wrong, is_grid) in [(across, false), (elsewhere, true)] {
+        let refused = history.set_relative_displacement(&wrong);
+        assert_eq!(matches!(refused, Err(Error::GridMismatch { .. })), is_grid);
+        assert!(refused.is_err());
+    }
+    let bytes = history.to_bytes();
+    let press = LoadStep::hold().normal(NormalControl::Force(0.1));
+    let refused = history.step(&press.relative_displacement(2.0));
+    assert!(matches!(
+        refused,
+        Err(Error::UnsupportedByModel { value: 2.0, .. })
+    ));
+    let refused = history.step(&press.relative_displacement(f64::NAN));
+    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    assert_eq!(history.to_bytes(), bytes);
+    let stretch = RelativeDisplacement::bulk_strain(grid, [[2.0, 0.0], [0.0; 2]]).unwrap();
+    history.set_relative_displacement(&stretch).unwrap();
+    let bytes = history.to_bytes();
+    let refused = history.step(&LoadStep::hold().relative_displacement(f64::MAX));
+    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    assert_eq!(history.to_bytes(), bytes);
+    let refused = RelativeDisplacement::bulk_strain(grid, [[f64::INFINITY, 0.0], [0.0; 2]]);
+    assert!(matches!(refused, Err(Error::Sample { .. })));
+    let fields = [Field::zeros(grid), Field::zeros(other)];
+    assert!(matches!(
+        RelativeDisplacement::new(fields),
+        Err(Error::GridMismatch { .. })
+    ));
+}
+
+/// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.
+#[test]
+fn strain_along_periodic_axis_is_rejected() {
+    let grid = Grid::square(8, 4.0).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let force = NormalControl::Force(0.1);
+    for boundary in boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
+        let normal = NormalProblem::builder(&bodies, &gap, force)
+            .build()
+            .unwrap();
+        let normal = normal.solve().unwrap();
+        let repeats = match boundary {
+            Boundary::NonPeriodic => [false; 2],
+            Boundary::PeriodicAlongY { .. } => [false, true],
+            _ => [true; 2],
+        };
+        for index in 0..4 {
+            let mut strain = [[0.0; 2]; 2];
+            strain.as_flattened_mut()[index] = 0.25;
+            let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+            let history = History::builder(&bodies, &gap, friction())
+                .model(TangentialModel::Vector)
+                .relative_displacement(bulk.clone())
+                .build();
+            let load = TangentialLoad::force([0.0; 2]);
+            let shear = TangentialProblem::builder(&bodies, &normal, friction(), load)
+                .model(TangentialModel::Vector)
+                .relative_displacement(bulk.clone())
+                .build();
+            let coupled = CoupledProblem::builder(&bodies, &gap, friction(), force, load)
+                .relative_displacement(bulk)
+                .build();
+            for error in [history.err(), shear.err(), coupled.err()] {
+                if repeats[index % 2] {
+                    let Some(Error::Sample {
+                        quantity,
+                        index: at,
+                        value,
+                        ..
+                    }) = error
+                    else {
+                        panic!("{boundary:?} {strain:?}: {error:?}");
+                    };
+                    assert_eq!((quantity, at, value), ("bulk strain", index, 0.25));
+                } else {
+                    assert_eq!(error, None, "{boundary:?} {strain:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Every closed form rejects an invalid parameter with an error that contains its name and value, and returns finite
+//! numbers for all accepted parameters.
+
+use kit::refusal::Rule::{Finite, NonNegative, Positive};
+use kit::refusal::assert_checked;
+use kit::unit_pair;
+use stickslip::analytical::{
+    BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
+    ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, KalkerCoefficients,
+    LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape, RoughSphere,
+    RoundedPunch, VermeulenJohnson, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
+};
+use stickslip::{ElasticPair, Error, Material};
+
+#[test]
+fn normal_contacts_reject_invalid_parameters() {
+    let pair = unit_pair(0.3);
+    let sphere = |radius, load| {
+        let hertz = HertzSphere::new(&pair, radius, load)?;
+        Ok(hertz.max_pressure() + hertz.approach() + hertz.contact_area())
+    };
+    assert_checked("radius", Positive, |value| sphere(value, 2.0));
+    assert_checked("load", Positive, |value| sphere(2.0, value));
+    let ellipse = |[x, y]: [f64; 2], load| {
+        let hertz = HertzEllipse::new(&pair, x, y, load)?;
+        Ok(hertz.max_pressure() + hertz.approach() + hertz.contact_area())
+    };
+    assert_checked("radius along x", Positive, |value| {
+        ellipse([value, 1.0], 2.0)
+    });
+    assert_checked("radius along y", Positive, |value| {
+        ellipse([1.0, value], 2.0)
+    });
+    assert_checked("load", Positive, |value| ellipse([1.0, 2.0], value));
+    let cone = |slope, load| {
+        let cone = Cone::new(&pair, slope, load)?;
+        Ok(cone.mean_pressure() + cone.approach() + cone.contact_radius())
+    };
+    assert_checked("slope", Positive, |value| cone(value, 1.0));
+    assert_checked("load", Positive, |value| cone(0.1, value));
+    let punch = |radius, load| {
+        let punch = FlatPunch::new(&pair, radius, load)?;
+        Ok(punch.mean_pressure() + punch.approach())
+    };
+    assert_checked("radius", Positive, |value| punch(value, 1.0));
+    assert_checked("load", Positive, |value| punch(1.0, value));
+    let wavy = |amplitude, wavelength, pressure| {
+        let wavy = Westergaard::new(&pair, amplitude, wavelength, pressure)?;
+        Ok(wavy.max_pressure() + wavy.approach() + wavy.contact_fraction())
+    };
+    assert_checked("amplitude", Positive, |value| wavy(value, 1.0, 0.1));
+    assert_checked("wavelength", Positive, |value| wavy(0.1, value, 0.1));
+    assert_checked("mean pressure", Positive, |value| wavy(0.1, 1.0, value));
+}
+
+#[test]
+fn line_contacts_reject_invalid_parameters() {
+    let pair = unit_pair(0.3);
+    let hertz = |radius, load| {
+        let hertz = HertzLine::new(&pair, radius, load)?;
+        Ok(hertz.max_pressure() + hertz.approach(10.0) + hertz.half_width())
+    };
+    assert_checked("radius", Positive, |value| hertz(value, 2.0));
+    assert_checked("load per length", Positive, |value| hertz(2.0, value));
+    let shear = |friction, force, strain| {
+        let hertz = HertzLine::new(&pair, 2.0, 1e-3)?;
+        let shear = CattaneoMindlinLine::new(hertz, friction, force)?.with_strain(strain)?;
+        Ok(shear.shift(10.0) + shear.traction(1e-3) + shear.energy_per_cycle())
+    };
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        shear(value, 0.0, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| shear(0.5, value, 0.0));
+    assert_checked("bulk strain", Finite, |value| shear(0.5, 1e-4, value));
+    // Without friction there is neither traction nor a strain that it could balance.
+    let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
+    let smooth = CattaneoMindlinLine::new(hertz, 0.0, 0.0).unwrap();
+    assert_eq!(smooth.with_strain(0.0), Ok(smooth));
+    let refused = smooth.with_strain(1e-3);
+    assert!(matches!(
+        refused,
+        Err(Error::NotPositive { value: 0.0, .. })
+    ));
+    let rounded = |flat, radius, load| {
+        let punch = RoundedPunch::new(&pair, flat, radius, load)?;
+        Ok(punch.half_width() + punch.pressure(0.5))
+    };
+    assert_checked("half-width of the flat", Positive, |value| {
+        rounded(value, 1.0, 1.0)
+    });
+    assert_checked("radius of the edges", Positive, |value| {
+        rounded(1.0, value, 1.0)
+    });
+    assert_checked("load per length", Positive, |value| {
+        rounded(1.0, 1.0, value)
+    });
+}
+
+#[test]
+fn rolling_contacts_reject_invalid_parameters() {
+    let pair = unit_pair(0.3);
+    let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
+    let carter = |friction, creepage| Ok(Carter::new(hertz, friction, creepage)?.force());
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        carter(value, 1e-3)
+    });
+    assert_checked("creepage", Finite, |value| carter(0.3, value));
+    let soft = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let hertz = HertzLine::new(&soft, 2.0, 1e-3).unwrap();
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        let free = BentallJohnson::new(hertz, value)?;
+        Ok(free.creepage() + free.dissipation() + free.traction(0.0))
+    });
+    assert_checked("ratio of the semi-axes", Positive, |value| {
+        let kalker = KalkerCoefficients::new(value, 0.3)?;
+        Ok(kalker.c11() + kalker.c22() + kalker.c23() + kalker.c33())
+    });
+    let ellipse = HertzEllipse::new(&pair, 2.0, 1.0, 1e-3).unwrap();
+    let creep = |friction, creepage| {
+        let [x, y] = VermeulenJohnson::new(ellipse, friction, creepage)?.force();
+        Ok(x + y)
+    };
+    assert_checked("coefficient of friction", Positive, |value| {
+        creep(value, [1e-3, 0.0])
+    });
+    assert_checked("creepage", Finite, |value| creep(0.3, [value, 1e-3]));
+    assert_checked("creepage", Finite, |value| creep(0.3, [0.0, value]));
+    // Neither form is valid for bodies whose pressure displaces them tangentially.
+    let refused = Carter::new(hertz, 0.3, 1e-3);
+    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
+    let ellipse = HertzEllipse::new(&soft, 2.0, 1.0, 1e-3).unwrap();
+    let refused = VermeulenJohnson::new(ellipse, 0.3, [1e-3, 0.0]);
+    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
+}
+
+#[test]
+fn rough_and_worn_contacts_reject_invalid_parameters() {
+    let pair = unit_pair(0.3);
+    let persson = |slope, pressure| Ok(Persson::new(&pair, slope, pressure)?.contact_fraction());
+    assert_checked("root-mean-square slope", Positive, |value| {
+        persson(value, 0.1)
+    });
+    assert_checked("mean pressure", Positive, |value| persson(0.1, value));
+    let persson = Persson::new(&pair, 0.1, 0.02).unwrap();
+    assert_checked("area coefficient", Positive, |value| {
+        Ok(persson.with_area_coefficient(value)?.contact_fraction())
+    });
+    assert_checked("coefficient of friction", NonNegative, |value| {
+        persson.stick_ratio(value, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| {
+        persson.stick_ratio(0.5, value)
+    });
+    assert_checked("reduced pressure", NonNegative, |value| {
+        Persson::area_law(value, 1.0)
+    });
+    assert_checked("area coefficient", Positive, |value| {
+        Persson::area_law(0.1, value)
+    });
+    assert_checked("load", Positive, |value| {
+        linear_stick_ratio(value, 0.5, 0.0)
+    });
+    assert_checked("tangential force", Finite, |value| {
+        linear_stick_ratio(1.0, 0.5, value)
+    });
+
+    let hertz = HertzSphere::new(&pair, 1.0, 1e-3).unwrap();
+    let rough = |slope| Ok(RoughSphere::new(hertz, slope)?.contact_area());
+    assert_checked("root-mean-square slope", Positive, rough);
+    assert_checked("area coefficient", Positive, |value| {
+        let rough = RoughSphere::new(hertz, 0.1)?;
+        Ok(rough.with_area_coefficient(value)?.contact_area())
+    });
+    assert_checked("reduced pressure", NonNegative, |value| {
+        RoughSphere::area_law(value, 1.0)
+    });
+    assert_checked("area coefficient", Positive, |value| {
+        RoughSphere::area_law(0.1, value)
+    });
+
+    let worn = |radius, approach, stick| {
+        let worn = PopovLimitingShape::new(&pair, radius, approach, stick)?;
+        Ok(worn.load() + worn.worn_radius())
+    };
+    assert_checked("radius", Positive, |value| worn(value, 0.01, 0.05));
+    assert_checked("approach", Positive, |value| worn(1.0, value, 0.05));
+    assert_checked("stick radius", NonNegative, |value| worn(1.0, 0.01, value));
+}
+
+/// A function of the coefficient of friction and the force.
+type ForceFunction<'a> = &'a dyn Fn(f64, f64) -> Result<f64, Error>;
+
+#[test]
+fn tangential_contacts_reject_invalid_parameters() {
+    let pair = unit_pair(0.3);
+    let hertz = HertzSphere::new(&pair, 2.0, 1.0).unwrap();
+    let ellipse = HertzEllipse::new(&pair, 2.0, 1.0, 1.0).unwrap();
+    let cone = Cone::new(&pair, 0.1, 1.0).unwrap();
+    let punch = FlatPunch::new(&pair, 2.0, 1.0).unwrap();
+    let wavy = Westergaard::new(&pair, 0.01, 1.0, 1.0).unwrap();
+    let contacts: [ForceFunction<'_>; 6] = [
+        &|mu, force| Ok(CattaneoMindlin::new(hertz, mu, force)?.shift()),
+        &|mu, force| Ok(CattaneoMindlinEllipse::new(ellipse, mu, force)?.shift()),
+        &|mu, force| Ok(ConePartialSlip::new(cone, mu, force)?.shift()),
+        &|mu, force| Ok(punch.full_stick(mu, force)?.shift()),
+        &|mu, force| Ok(WestergaardPartialSlip::new(wavy, mu, force)?.traction(0.0)),
+        &|mu, force| Ok(MindlinDeresiewicz::new(hertz, mu, &[0.1 * mu, force])?.shift()),
+    ];
+    for contact in contacts {
+        assert_checked("coefficient of friction", NonNegative, |value| {
+            contact(value, 0.0)
+        });
+        assert_checked("tangential force", Finite, |value| contact(0.5, value));
+        let refused = contact(0.5, 0.6).unwrap_err();
+        assert!(
+            matches!(refused, Error::BeyondFrictionCapacity { force, limit, .. } if force > limit)
+        );
+    }
+    assert_checked("contact radius", Positive, |value| {
+        Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift())
+    });
+    assert_checked("tangential force", Finite, |value| {
+        Ok(MindlinFullStick::new(&pair, 1.0, value)?.shift())
+    });
+    assert_checked("coefficient of friction", Positive, |value| {
+        Ok(LubkinTorsion::new(hertz, value, 0.0)?.moment())
+    });
+    assert_checked("twist", Finite, |value| {
+        Ok(LubkinTorsion::new(hertz, 0.5, value)?.moment())
+    });
+}

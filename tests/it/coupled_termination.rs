@@ -1,0 +1,207 @@
+//! The solve of a coupled contact converges, or ends with an error that states the cause. In both cases the tractions
+//! are within their limits.
+
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+use stickslip::{
+    Axis, Boundary, CoupledProblem, CoupledSolution, CoupledSolver, ElasticPair, Error, Field,
+    Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, TangentialControl,
+    TangentialLoad, cgm, surface,
+};
+
+const FRICTION: f64 = 0.3;
+
+fn against_rigid(modulus: f64, poisson_ratio: f64) -> ElasticPair {
+    let body = Material::new(modulus, poisson_ratio).unwrap();
+    ElasticPair::new(body, Material::rigid()).unwrap()
+}
+
+fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field) {
+    let grid = Grid::square(cells, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, against_rigid(1.0, poisson_ratio)).unwrap();
+    (bodies, surface::sphere(grid, 10.0).unwrap())
+}
+
+fn coulomb_friction() -> Friction {
+    Friction::coulomb(FRICTION).unwrap()
+}
+
+fn assert_feasible(contact: &CoupledSolution) {
+    let pressure = contact.normal().pressure().as_slice();
+    let [x, y] = contact.tangential().traction().map(Field::as_slice);
+    for (cell, p) in pressure.iter().enumerate() {
+        let traction = x[cell].hypot(y[cell]);
+        assert!(*p >= 0.0 && traction <= FRICTION * p * (1.0 + 1e-12));
+    }
+}
+
+/// Returns a solver that has pressed the bodies and will next press harder and shear.
+fn pressed_solver(cells: usize, load: TangentialLoad) -> (CoupledSolver, CoupledSolution) {
+    let (bodies, gap) = ball_problem(cells, 0.0);
+    let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
+    let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, still);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    solver.set_load(NormalControl::Force(0.15), load).unwrap();
+    (solver, contact)
+}
+
+/// Covers solves stopped at various iterations by an observer or a limit.
+#[test]
+fn stopped_solve_leaves_tractions_within_limits() {
+    let mut stopped = 0;
+    for cells in [8, 12] {
+        for load in [
+            TangentialLoad::force([0.02, 0.0]),
+            TangentialLoad::shift([0.02, 0.01]),
+        ] {
+            for last in (0..60).step_by(3) {
+                let (mut solver, mut contact) = pressed_solver(cells, load);
+                let mut calls = 0;
+                let cancelled = solver.solve_observed(&mut contact, |_| {
+                    calls += 1;
+                    if calls > last {
+                        ControlFlow::Break(())
+                    } else {
+                        ControlFlow::Continue(())
+                    }
+                });
+                stopped += usize::from(cancelled.is_err());
+                assert_feasible(&contact);
+                assert!(contact.report().work.residual.is_finite());
+
+                let (mut solver, mut contact) = pressed_solver(cells, load);
+                let settings = cgm::Settings::default().max_iterations(last + 1);
+                solver.set_settings(settings).unwrap();
+                stopped += usize::from(solver.solve_into(&mut contact).is_err());
+                assert_feasible(&contact);
+            }
+        }
+    }
+    assert!(stopped > 80, "{stopped}");
+}
+
+/// Flat bodies on a periodic grid touch everywhere under a uniform pressure. This pressure causes no displacement to
+/// which a residual could be relative. Waves of negligible height hardly change this.
+#[test]
+fn flat_periodic_bodies_touch_everywhere() {
+    for size in [[4, 3], [24, 27], [5, 7], [3, 1], [8, 8]] {
+        let grid = Grid::new(size[0], size[1], 1.0, 1.0).unwrap();
+        let loads = [
+            TangentialLoad::shift([0.0; 2]),
+            TangentialLoad::force([0.1, 0.05]),
+            TangentialLoad::force([0.0; 2]),
+        ];
+        for (poisson_ratio, height) in [(0.0, 0.0), (0.3, 0.0), (0.0, 1e-8), (0.3, 1e-8)] {
+            let pair = against_rigid(1.0, poisson_ratio);
+            let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
+            let side = grid.dx() * size[0] as f64;
+            let gap = Field::from_fn(grid, |x, _| height * (TAU * x / side).cos());
+            for load in loads {
+                let press = NormalControl::Force(grid.area());
+                let problem =
+                    CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+                let contact = problem.build().unwrap().solve().unwrap();
+                let pressure = contact.normal().pressure();
+                let part = 4.0 * TAU * height / side;
+                assert!((pressure.max() - 1.0).abs() <= part + 1e-7);
+                assert!((pressure.min() - 1.0).abs() <= part + 1e-7);
+                let asked = match load.control(Axis::X) {
+                    TangentialControl::Force(force) => force / grid.area(),
+                    _ => 0.0,
+                };
+                let [x, _] = contact.tangential().traction();
+                assert!((x.max() - asked).abs() <= part + 1e-7);
+                assert!((x.min() - asked).abs() <= part + 1e-7);
+            }
+        }
+    }
+}
+
+/// A single cell that has slipped in one direction then carries a force in a different direction.
+#[test]
+fn single_cell_sheared_in_a_new_direction_converges() {
+    for (cells, poisson_ratio) in [(1, -0.17), (1, 0.0), (5, -0.17), (5, 0.0)] {
+        let grid = Grid::square(cells, cells as f64).unwrap();
+        let bodies = HalfSpace::new(grid, against_rigid(1.0 / 3.06, poisson_ratio)).unwrap();
+        let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 0.5 { 0.0 } else { 1e3 });
+        let friction = Friction::coulomb(0.111).unwrap();
+        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(1.0));
+        history.step(&press).unwrap();
+        history.step(&LoadStep::shift([1.88, 2.48])).unwrap();
+        assert!(history.last_step().is_gross_slip());
+        let asked = [0.016, 0.034];
+        history.step(&LoadStep::force(asked)).unwrap();
+        for (traction, asked) in history.traction().into_iter().zip(asked) {
+            assert!((traction.integral() - asked).abs() < 1e-8);
+        }
+    }
+}
+
+/// The shift grows with the inverse root of the distance to the sliding force.
+#[test]
+fn forces_close_to_sliding_converge() {
+    for (cells, poisson_ratio) in [(17, 0.0), (17, 0.3), (24, 0.2)] {
+        let (bodies, gap) = ball_problem(cells, poisson_ratio);
+        let press = NormalControl::Force(0.1);
+        let mut shifts = Vec::new();
+        for missing in [1e-5, 1e-6, 1e-7, 1e-8] {
+            let force = (1.0 - missing) * FRICTION * 0.1;
+            let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
+            let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+            // The error of the force must be at most a tenth of its distance to the sliding force.
+            let problem = problem.tolerance(1e-9).build().unwrap();
+            let contact = problem.solve().unwrap();
+            assert!(contact.tangential().is_gross_slip());
+            let [x, y] = contact.tangential().shift();
+            shifts.push(x.hypot(y));
+        }
+        for pair in shifts.windows(2) {
+            let growth = pair[1] / pair[0];
+            assert!(
+                (growth / 10_f64.sqrt() - 1.0).abs() < 0.05,
+                "{cells} cells: {shifts:?}"
+            );
+        }
+    }
+}
+
+/// Under a prescribed approach, or with friction that varies between cells, the friction capacity depends on the
+/// unknown pressure. A force that is too large is rejected nevertheless, and the error contains the sliding force.
+#[test]
+fn forces_beyond_sliding_are_rejected() {
+    let (bodies, gap) = ball_problem(12, 0.0);
+    let halves = Field::from_fn(bodies.grid(), |x, _| if x < 0.0 { 0.1 } else { FRICTION });
+    let rough = Friction::per_cell(halves).unwrap();
+    let capped = coulomb_friction().max_shear_stress(0.01).unwrap();
+    let (approach, force) = (NormalControl::Approach(0.09), NormalControl::Force(0.1));
+    for (friction, press) in [
+        (coulomb_friction(), approach),
+        (rough.clone(), approach),
+        (rough, force),
+        (capped.clone(), approach),
+        (capped, force),
+    ] {
+        let solve = |load| {
+            let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+            problem.build().unwrap().solve()
+        };
+        let slid = solve(TangentialLoad::shift([1e4, 0.0])).unwrap();
+        let sliding = slid.tangential().traction()[0].integral();
+        for part in [1.02, 1.1, 1.25] {
+            let along_both = TangentialLoad::force([part * sliding, 0.0]);
+            let across_held = along_both.along(Axis::Y, TangentialControl::Shift(0.0));
+            for load in [along_both, across_held] {
+                let Err(Error::BeyondFrictionCapacity { force, limit, .. }) = solve(load) else {
+                    panic!("{part} of {sliding} under {press:?}");
+                };
+                assert!(force == part * sliding && (limit / sliding - 1.0).abs() < 1e-4);
+            }
+        }
+        let held = solve(TangentialLoad::force([0.98 * sliding, 0.0])).unwrap();
+        assert!((held.tangential().traction()[0].integral() / sliding - 0.98).abs() < 1e-8);
+    }
+}

@@ -1,0 +1,213 @@
+//! With a hardness, the pressure of a history does not exceed the hardness, and yielded material keeps its shape if
+//! permanent set is enabled.
+
+use kit::{max_difference, rough, unit_bodies};
+use stickslip::normal::Hardness;
+use stickslip::{
+    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
+    NormalControl, NormalProblem, TangentialModel, Warning, surface,
+};
+
+const LIMIT: f64 = 0.02;
+
+fn rough_problem() -> (HalfSpace, Field) {
+    let grid = Grid::square(48, 1.0).unwrap();
+    (unit_bodies(grid, 0.3), rough(grid, 5))
+}
+
+fn new_history(bodies: &HalfSpace, gap: &Field, model: TangentialModel, stays: bool) -> History {
+    let builder = History::builder(bodies, gap, Friction::coulomb(0.4).unwrap());
+    let builder = builder.hardness(Hardness::uniform(LIMIT).unwrap());
+    let builder = builder.permanent_set(stays).model(model);
+    builder.tolerance(1e-10).build().unwrap()
+}
+
+fn press_step(force: f64) -> LoadStep {
+    LoadStep::hold().normal(NormalControl::Force(force))
+}
+
+#[test]
+fn second_loading_is_elastic() {
+    let (bodies, gap) = rough_problem();
+    let mut stays = new_history(&bodies, &gap, TangentialModel::Scalar, true);
+    let mut forgets = new_history(&bodies, &gap, TangentialModel::Scalar, false);
+    for history in [&mut stays, &mut forgets] {
+        history.step(&press_step(0.004)).unwrap();
+        assert_eq!(history.pressure().max(), LIMIT);
+        assert!(history.normal().yielded_cells() > 10);
+    }
+    assert_eq!(stays.pressure(), forgets.pressure());
+    assert!(forgets.state().yielded().is_none());
+    let yielded = stays.state().yielded().unwrap().clone();
+    // The yielded surfaces fit: the gap under load is zero in the cells that overlap without permanent set.
+    assert!(forgets.normal().gap().min() < -1e-3 * stays.approach());
+    assert!(stays.normal().gap().min() > -1e-9 * stays.approach());
+    let worn = gap.as_slice().iter().zip(yielded.as_slice());
+    let worn = Field::from_vec(gap.grid(), worn.map(|(a, b)| a + b).collect()).unwrap();
+    assert_eq!(stays.state().gap(), &worn);
+
+    for force in [0.001, 0.0, 0.0039] {
+        stays.step(&press_step(force)).unwrap();
+        assert_eq!(stays.state().yielded(), Some(&yielded), "at {force}");
+        let elastic = NormalProblem::builder(&bodies, &worn, NormalControl::Force(force));
+        let elastic = elastic.tolerance(1e-10).build().unwrap().solve().unwrap();
+        let (a, b) = (stays.pressure().as_slice(), elastic.pressure().as_slice());
+        assert!(max_difference(a, b) < 1e-7 * LIMIT);
+    }
+    // Beyond the first load, yielding continues and no cell recovers.
+    stays.step(&press_step(0.006)).unwrap();
+    let further = stays.state().yielded().unwrap();
+    assert!(further.integral() > 1.1 * yielded.integral());
+    let grew = further.as_slice().iter().zip(yielded.as_slice());
+    assert!(grew.into_iter().all(|(now, before)| now >= before));
+}
+
+#[test]
+fn stiffness_of_yielded_solution_is_rejected() {
+    let grid = Grid::square(16, 4.0).unwrap();
+    let rubber = Material::new(1.0, 0.5).unwrap();
+    let soft = Material::new(1.0, 0.1).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let limit = Hardness::uniform(0.01).unwrap();
+    let builder = |bodies: &HalfSpace, coupling| {
+        let builder = History::builder(bodies, &ball, Friction::coulomb(0.4).unwrap());
+        builder.hardness(limit.clone()).coupling(coupling).build()
+    };
+    let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
+    let coupled = HalfSpace::new(grid, pair).unwrap();
+    for coupling in [Coupling::OneWay, Coupling::Full] {
+        let mut yields = builder(&coupled, coupling).unwrap();
+        yields.step(&press_step(0.05)).unwrap();
+        assert_eq!(yields.pressure().max(), 0.01);
+    }
+    // The solution does not record which cells have yielded, but the history does.
+    let (bodies, gap) = rough_problem();
+    let mut yields = new_history(&bodies, &gap, TangentialModel::Scalar, false);
+    yields.step(&press_step(0.004)).unwrap();
+    let outcome = yields.normal().stiffness(&bodies);
+    assert!(matches!(outcome, Err(Error::Yielded { cells, .. }) if cells > 10));
+    assert!(yields.stiffness().is_ok());
+
+    // Without a limit, the hardness stated by a material only causes a warning.
+    let stated = rubber.with_hardness(0.01).unwrap();
+    let pair = ElasticPair::new(stated, Material::rigid()).unwrap();
+    assert_eq!((pair.hardness(), rubber.hardness()), (0.01, f64::INFINITY));
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let problem = |force| {
+        let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        problem.build().unwrap().solve().unwrap()
+    };
+    let warns = |warnings: Vec<Warning>| {
+        warnings
+            .iter()
+            .any(|w| matches!(w, Warning::BeyondHardness { cells } if *cells > 0))
+    };
+    assert!(!warns(problem(1e-5).warnings()) && warns(problem(0.05).warnings()));
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let mut history = builder.build().unwrap();
+    assert!(warns(history.step(&press_step(0.05)).unwrap().warnings()));
+    let bytes = history.to_bytes();
+    assert_eq!(
+        History::from_bytes(&bodies, &bytes).unwrap().to_bytes(),
+        bytes
+    );
+    assert!(rubber.with_hardness(-1.0).is_err() && rubber.with_hardness(f64::NAN).is_err());
+}
+
+/// In a coupled contact, surfaces overlap only in cells at the hardness. The solution for weak coupling agrees with
+/// one-way coupling.
+#[test]
+fn coupled_contact_yields_at_the_hardness() {
+    let grid = Grid::square(32, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let hardness = Field::from_fn(grid, |x, _| 0.03 + 0.004 * x);
+    let limit = Hardness::per_cell(hardness.clone()).unwrap();
+    let load =
+        |force: f64, shear: [f64; 2]| LoadStep::force(shear).normal(NormalControl::Force(force));
+    let sheared = |poisson_ratio: f64, coupling: Coupling| {
+        let body = Material::new(1.0, poisson_ratio).unwrap();
+        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5).unwrap());
+        let builder = builder.model(TangentialModel::Vector).coupling(coupling);
+        let mut history = builder.hardness(limit.clone()).build().unwrap();
+        for (force, shear) in [(0.05, [0.0; 2]), (0.09, [0.02, 0.01]), (0.06, [0.0, 0.015])] {
+            history.step(&load(force, shear)).unwrap();
+            let energy = history.last_step().energy();
+            assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
+            let normal = history.normal();
+            let (mut yielded, mut largest) = (0, 0.0_f64);
+            for i in 0..grid.cells() {
+                let [p, g, most] =
+                    [normal.pressure(), normal.gap(), &hardness].map(|field| field.as_slice()[i]);
+                largest = largest.max(g.abs());
+                assert!((0.0..=most).contains(&p));
+                yielded += usize::from(p == most);
+                assert!(
+                    p == 0.0 || g.abs() < 1e-9 || (p == most && g < 0.0),
+                    "{p} {g}"
+                );
+                assert!(p > 0.0 || g > -1e-9);
+            }
+            assert!(yielded > 20 && normal.yielded_cells() == yielded && largest > 1e-3);
+        }
+        history
+    };
+    sheared(0.0, Coupling::Full);
+    let [full, one_way] = [Coupling::Full, Coupling::OneWay].map(|c| sheared(0.49, c));
+    let beta = full.normal().pair().dundurs_beta();
+    assert!(beta > 0.005 && full.normal().yielded_cells() > 20);
+    let difference = full.pressure().minus(one_way.pressure()).unwrap();
+    assert!(difference.max().max(-difference.min()) < 2.0 * beta * full.pressure().max());
+    assert!((full.shift()[1] / one_way.shift()[1] - 1.0).abs() < beta);
+}
+
+/// A load beyond the capacity of the last window at the hardness requires a wider window.
+#[test]
+fn load_beyond_capacity_of_last_window_is_carried() {
+    let grid = Grid::square(64, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let body = Material::new(1.0, 0.1).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    for coupling in [Coupling::Neglected, Coupling::Full] {
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.2).unwrap());
+        let builder = builder.hardness(Hardness::uniform(0.02).unwrap());
+        let mut history = builder.coupling(coupling).build().unwrap();
+        for force in [0.05, 0.09, 0.12, 0.3] {
+            history.step(&press_step(force)).unwrap();
+            assert!((history.normal().force() / force - 1.0).abs() < 1e-9);
+            assert!(history.pressure().max() <= 0.02);
+        }
+    }
+}
+
+/// Histories of the same bodies share buffers; data of one history must not affect another.
+#[test]
+fn histories_with_shared_buffers_are_independent() {
+    let grid = Grid::square(24, 4.0).unwrap();
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let body = Material::new(1.0, 0.1).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let new = |coupling: Coupling, hardness: Option<f64>| {
+        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+        let builder = builder.coupling(coupling);
+        match hardness {
+            Some(limit) => builder.hardness(Hardness::uniform(limit).unwrap()).build(),
+            None => builder.build(),
+        }
+        .unwrap()
+    };
+    let mut yields = new(Coupling::Full, Some(0.02));
+    let (mut full, mut one_way) = (new(Coupling::Full, None), new(Coupling::OneWay, None));
+    for force in [0.02, 0.05, 0.08] {
+        for history in [&mut yields, &mut full, &mut one_way] {
+            history.step(&press_step(force)).unwrap();
+        }
+        assert!(yields.normal().yielded_cells() > 0);
+        assert_eq!(full.normal().yielded_cells(), 0);
+        assert!(one_way.stiffness().is_ok() && one_way.normal().stiffness(&bodies).is_ok());
+        assert!(full.normal().stiffness(&bodies).is_err());
+    }
+}

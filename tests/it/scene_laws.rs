@@ -1,0 +1,287 @@
+//! Every kind of history satisfies the laws of mechanics in assert_every step. Its results are invariant under changes of
+//! units, swapped axes, mirroring and exchange of the bodies.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use kit::max_abs;
+use kit::table::{Measured, Scene, UnitTransform, scenes};
+use stickslip::history::EntryRule;
+use stickslip::{Coupling, Field, TangentialModel, Zone};
+
+/// `Ok` if a scene satisfies a law, or a description of the violation.
+pub(crate) type LawResult = Result<(), String>;
+
+/// Asserts a law for all scenes, and lists the scenes that violate it.
+pub(crate) fn assert_every(scenes: Vec<Scene>, mut law: impl FnMut(&Scene) -> LawResult) {
+    let mut broken = Vec::new();
+    for scene in scenes {
+        let outcome = catch_unwind(AssertUnwindSafe(|| law(&scene)));
+        let outcome = outcome.unwrap_or_else(|_| Err("panicked".to_owned()));
+        if let Err(by) = outcome {
+            broken.push(format!("{}: {by}", scene.name));
+        }
+    }
+    assert!(broken.is_empty(), "violated by {broken:#?}");
+}
+
+/// Checks that the numbers of a transformed scene agree with the original ones, relative to the largest number of each
+/// kind.
+fn compare(scene: &Scene, one: &Measured, pose: &UnitTransform, tolerance: f64) -> LawResult {
+    let other = Measured::run(scene, pose);
+    for ((name, a), (_, b)) in one.groups().into_iter().zip(other.groups()) {
+        let scale = max_abs(a);
+        for (i, (a, b)) in a.iter().zip(b).enumerate() {
+            let difference = (a - b).abs() / scale;
+            let is_same = if tolerance == 0.0 {
+                a == b
+            } else {
+                difference <= tolerance
+            };
+            if !is_same {
+                return Err(format!(
+                    "{name} {i}: {a:e}, {b:e} ({difference:e}), {pose:?}"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn check_transformed(scene: &Scene, poses: &[UnitTransform], tolerance: f64) -> LawResult {
+    let one = Measured::run(scene, &UnitTransform::IN_PLACE);
+    let mut poses = poses.iter();
+    poses.try_for_each(|pose| compare(scene, &one, pose, tolerance))
+}
+
+/// Changes of units by powers of two cause no rounding. The campaign also uses other systems of units, which do.
+#[test]
+fn scene_in_any_units_is_invariant() {
+    assert_every(scenes(), |scene| {
+        let exact = [(-10, 20), (7, -30), (-40, 3)];
+        let exact = exact.map(|units| <[i32; 2]>::from(units).map(|power| 2_f64.powi(power)));
+        let exact = exact.map(|[length, pressure]| UnitTransform::in_units(length, pressure));
+        check_transformed(scene, &exact[..kit::thorough(1, 3)], 0.0)?;
+        if kit::thorough(true, false) {
+            return Ok(());
+        }
+        let others = [(1e-3, 1e9), (1e3, 1e-6), (1e-6, 1e5)];
+        let others = others.map(|(length, pressure)| UnitTransform::in_units(length, pressure));
+        check_transformed(scene, &others, ROUND_OFF)
+    });
+}
+
+/// Tolerance for solver residuals and round-off.
+const ROUND_OFF: f64 = 1e-7;
+
+#[test]
+fn scene_swapped_and_mirrored_is_invariant() {
+    assert_every(scenes(), |scene| {
+        let pose = |swaps, signs| UnitTransform {
+            swaps,
+            signs,
+            ..UnitTransform::IN_PLACE
+        };
+        // This reflection exchanges the axes and reverses both.
+        let diagonal = pose(true, [-1.0, -1.0]);
+        if scene.can_turn() && kit::thorough(true, false) {
+            return check_transformed(scene, &[diagonal], ROUND_OFF);
+        }
+        let mirrors = [pose(false, [1.0, -1.0]), pose(false, [-1.0, 1.0])];
+        let count = kit::thorough(1, 2);
+        check_transformed(scene, &mirrors[..count], ROUND_OFF)?;
+        if !scene.can_turn() {
+            return Ok(());
+        }
+        let quarter_turn = pose(true, [-1.0, 1.0]);
+        let axes = pose(true, [1.0, 1.0]);
+        check_transformed(scene, &[quarter_turn, axes, diagonal], ROUND_OFF)
+    });
+}
+
+/// All tangential quantities change their sign; the others remain unchanged.
+#[test]
+fn scene_with_exchanged_bodies_is_invariant() {
+    assert_every(scenes(), |scene| {
+        let exchanged = UnitTransform {
+            exchanges: true,
+            ..UnitTransform::IN_PLACE
+        };
+        check_transformed(scene, &[exchanged], ROUND_OFF)
+    });
+}
+
+/// Returns the text of `what` as an error if the condition is false.
+fn check(holds: bool, what: impl FnOnce() -> String) -> LawResult {
+    if holds { Ok(()) } else { Err(what()) }
+}
+
+/// The work of assert_every step is stored or dissipated, and slip never generates energy.
+#[test]
+fn scene_work_is_stored_or_dissipated() {
+    assert_every(scenes(), |scene| {
+        let pose = UnitTransform::IN_PLACE;
+        let mut history = scene.history(&scene.half_space(&pose), &pose);
+        let (mut total, mut released) = (0.0, 0.0_f64);
+        for (number, step) in scene.path.iter().enumerate() {
+            scene.take(&mut history, step, &pose);
+            let (taken, energy) = (history.last_step(), history.last_step().energy());
+            let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
+            let what = || format!("step {number}: {energy:?}");
+            check(energy.imbalance().abs() <= 1e-12 * scale, what)?;
+            check(taken.dissipated_energy().min() >= 0.0, what)?;
+            let sums = [
+                taken.dissipated_energy(),
+                taken.dissipated_energy_midpoint(),
+            ];
+            let sums = sums.map(|field| field.as_slice().iter().sum::<f64>());
+            let named = [energy.dissipated_energy, energy.dissipated_energy_midpoint];
+            for (sum, named) in sums.into_iter().zip(named) {
+                check((sum - named).abs() <= 1e-12 * scale, what)?;
+            }
+            if taken.normal_report().is_none() && scene.wear == 0.0 {
+                // At constant pressure no energy is released, and the tolerance leaves only a negligible residual.
+                check(
+                    taken.dissipated_energy_midpoint().min() >= -1e-9 * scale,
+                    what,
+                )?;
+                check(energy.released.abs() <= 1e-14 * scale, what)?;
+                check(energy.residual.abs() <= 1e-6 * scale, what)?;
+            }
+            total += energy.dissipated_energy;
+            released = released.max(energy.released);
+        }
+        // Cells that leave the contact release their energy.
+        check(released > 0.0, || "no energy is released".to_owned())?;
+        let sum: f64 = history.dissipated_energy().as_slice().iter().sum();
+        check(total > 0.0 && (sum / total - 1.0).abs() < 1e-12, || {
+            format!("{sum:e} of {total:e} is accumulated")
+        })
+    });
+}
+
+/// Checks the pressure and the tractions at the end of a step, and the slip relative to the tractions.
+#[test]
+fn scene_satisfies_contact_and_friction_laws() {
+    assert_every(scenes(), |scene| {
+        let pose = UnitTransform::IN_PLACE;
+        let mut history = scene.history(&scene.half_space(&pose), &pose);
+        let grid = history.grid();
+        let mut slipped = 0;
+        for (number, step) in scene.path.iter().enumerate() {
+            let load = scene.load(step, &pose);
+            history.step(&load).map_err(|error| error.to_string())?;
+            let (taken, pressed) = (history.last_step(), history.normal());
+            let largest = taken.slip_distance().max();
+            let [sx, sy] = taken.slip();
+            let [qx, qy] = history.traction();
+            let overlap = 1e-8 * history.approach().abs();
+            for (i, zone) in history.zones().iter().enumerate() {
+                let at = |field: &Field| field.as_slice()[i];
+                let (p, g) = (at(history.pressure()), at(pressed.gap()));
+                let (q, s) = ([at(qx), at(qy)], [at(sx), at(sy)]);
+                let size = q[0].hypot(q[1]);
+                let limit = history.friction().limit(i, p);
+                let what = |law: &str| {
+                    let cell = [i % grid.nx(), i / grid.nx()];
+                    format!("step {number}, {cell:?}, {zone:?}: {law}, {p:e} {g:e} {q:?} {s:?}")
+                };
+                check(p >= 0.0, || what("tensile"))?;
+                check(scene.hardness.is_some() || g >= -overlap, || {
+                    what("overlap")
+                })?;
+                let touches = p == 0.0 || g <= overlap;
+                check(touches, || what("pressure across an open gap"))?;
+                match zone {
+                    Zone::Separated => {
+                        check(p == 0.0 && size == 0.0, || what("loaded while separated"))?
+                    }
+                    Zone::Stick => check(s == [0.0; 2] && size <= limit, || {
+                        what("slip or overload in a stick cell")
+                    })?,
+                    Zone::Slip => {
+                        slipped += 1;
+                        check((size / limit - 1.0).abs() < 1e-11, || {
+                            what("not at the friction limit")
+                        })?;
+                        let along = q[0] * s[0] + q[1] * s[1];
+                        let across = q[0] * s[1] - q[1] * s[0];
+                        let small = 1e-6 * largest * size;
+                        check(along <= small, || what("slip along the traction"))?;
+                        check(across.abs() <= small, || what("slip across the traction"))?;
+                    }
+                }
+            }
+            scene.wear(&mut history, &pose);
+        }
+        check(slipped >= scene.size[0], || format!("{slipped} cells slip"))
+    });
+}
+
+/// Checks cells that were already in contact or follow the whole step. Their slip is the change of the displacement by
+/// all tractions of the grid and by the strain, minus the change of the rigid motion. Half of traction times
+/// displacement is the elastic energy.
+#[test]
+fn scene_slip_matches_relative_displacement() {
+    assert_every(scenes(), |scene| {
+        let bodies = scene.half_space(&UnitTransform::IN_PLACE);
+        // With one-way coupling, the pressure also displaces the surfaces, which the displacement of the history
+        // excludes.
+        let is_coupled = bodies.pair().is_coupled();
+        if is_coupled && scene.coupling == Coupling::OneWay {
+            return Ok(());
+        }
+        let is_joint = is_coupled && scene.coupling == Coupling::Full;
+        let pose = UnitTransform::IN_PLACE;
+        let mut history = scene.history(&bodies, &pose);
+        let grid = history.grid();
+        let strain = scene.strain.unwrap_or_default();
+        let mut stretched = 0.0;
+        for (number, step) in scene.path.iter().enumerate() {
+            let (before, shift) = (history.displacement().unwrap(), history.shift());
+            let (twist, stretch) = (history.twist(), stretched);
+            let touched = history.pressure().as_slice().to_vec();
+            scene.take(&mut history, step, &pose);
+            stretched = step.strain.unwrap_or(stretch);
+            let after = history.displacement().unwrap();
+            let scale = after
+                .iter()
+                .map(|u| max_abs(u.as_slice()))
+                .fold(0.0, f64::max);
+            let turned = history.twist() - twist;
+            let axes = match scene.model {
+                TangentialModel::Scalar if !is_joint => 1,
+                _ => 2,
+            };
+            for axis in 0..axes {
+                for (i, zone) in history.zones().iter().enumerate() {
+                    let is_new = touched[i] == 0.0 && scene.entry_rule == EntryRule::SinceTouch;
+                    if *zone == Zone::Separated || is_new {
+                        continue;
+                    }
+                    let [x, y] = [grid.x(i % grid.nx()), grid.y(i / grid.nx())];
+                    let rigid = history.shift()[axis] - shift[axis] + turned * [-y, x][axis];
+                    let bulk = (stretched - stretch) * (strain[axis][0] * x + strain[axis][1] * y);
+                    let moved = after[axis].as_slice()[i] - before[axis].as_slice()[i];
+                    let slip = history.last_step().slip()[axis].as_slice()[i];
+                    let error = (moved + bulk - rigid - slip).abs();
+                    check(error <= 1e-6 * scale, || {
+                        format!(
+                            "step {number}, cell {i}, {zone:?}, axis {axis}: {slip:e} {error:e}"
+                        )
+                    })?;
+                }
+            }
+            if is_joint {
+                continue;
+            }
+            let pairs = history.traction().into_iter().zip(&after);
+            let products = pairs.flat_map(|(q, u)| q.as_slice().iter().zip(u.as_slice()));
+            let energy = 0.5 * grid.cell_area() * products.map(|(q, u)| q * u).sum::<f64>();
+            let found = history.last_step().energy().elastic_after;
+            check((energy - found).abs() <= 1e-10 * found, || {
+                format!("step {number}: energies of {energy:e} and {found:e}")
+            })?;
+        }
+        Ok(())
+    });
+}

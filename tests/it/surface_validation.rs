@@ -1,0 +1,252 @@
+//! Shapes, generated and measured surfaces, load paths and wear laws reject invalid parameters by name and value.
+
+use kit::refusal::Rule::{Finite, NonNegative, Positive};
+use kit::refusal::{assert_checked, extreme, mismatch};
+use kit::unit_bodies;
+use stickslip::history::wear::{self, CycleJump};
+use stickslip::history::{Cycle, LoadPath};
+use stickslip::io::{csv, npy};
+use stickslip::surface::{self, PowerSpectrum, SelfAffine, Statistics};
+use stickslip::{Error, Field, Friction, Grid, History};
+
+fn grid() -> Grid {
+    Grid::new(12, 9, 0.5, 0.7).unwrap()
+}
+
+#[test]
+fn shapes_with_invalid_parameters_are_rejected() {
+    let grid = grid();
+    let size = |shape: Result<Field, Error>| shape.map(|field| extreme(&field));
+    assert_checked("radius must", Positive, |value| {
+        size(surface::sphere(grid, value))
+    });
+    assert_checked("radius along x", Positive, |value| {
+        size(surface::ellipsoid(grid, value, 1.0))
+    });
+    assert_checked("radius along y", Positive, |value| {
+        size(surface::ellipsoid(grid, 1.0, value))
+    });
+    assert_checked("radius", Positive, |value| {
+        size(surface::cylinder(grid, value))
+    });
+    assert_checked("slope", Positive, |value| size(surface::cone(grid, value)));
+    assert_checked("radius", Positive, |value| {
+        size(surface::flat_punch(grid, value, 1.0))
+    });
+    assert_checked("recess", Positive, |value| {
+        size(surface::flat_punch(grid, 1.0, value))
+    });
+    assert_checked("amplitude", Positive, |value| {
+        size(surface::sinusoidal(grid, value, 1.0))
+    });
+    assert_checked("wavelength", Positive, |value| {
+        size(surface::sinusoidal(grid, 1.0, value))
+    });
+    let both = |amplitude, wavelengths| size(surface::bisinusoidal(grid, amplitude, wavelengths));
+    assert_checked("amplitude", Positive, |value| both(value, [1.0; 2]));
+    assert_checked("wavelength along x", Positive, |value| {
+        both(1.0, [value, 1.0])
+    });
+    assert_checked("wavelength along y", Positive, |value| {
+        both(1.0, [1.0, value])
+    });
+    let curved = |curvatures| size(surface::paraboloid(grid, curvatures));
+    assert_checked("curvature xx", Finite, |value| curved([value, 0.0, 1.0]));
+    assert_checked("curvature xy", Finite, |value| curved([1.0, value, 1.0]));
+    assert_checked("curvature yy", Finite, |value| curved([1.0, 0.0, value]));
+}
+
+#[test]
+fn generated_surfaces_with_invalid_parameters_are_rejected() {
+    let grid = grid();
+    let size = |surface: SelfAffine| surface.generate(grid).map(|rough| extreme(rough.heights()));
+    let one = || SelfAffine::with_rms_height(1.0);
+    assert_checked("height", Positive, |value| {
+        size(SelfAffine::with_rms_height(value))
+    });
+    assert_checked("slope", Positive, |value| {
+        size(SelfAffine::with_rms_slope(value))
+    });
+    assert_checked("Hurst", NonNegative, |value| size(one().hurst(value)));
+    assert_checked("wavelength", Positive, |value| {
+        size(one().longest_wavelength(value))
+    });
+    assert_checked("wavelength", Positive, |value| {
+        size(one().roll_off_wavelength(value))
+    });
+    assert_checked("wavelength", Positive, |value| {
+        size(one().cut_off_wavelength(value))
+    });
+    assert_checked("skewness", Finite, |value| size(one().skewness(value)));
+    assert_checked("kurtosis", Finite, |value| size(one().kurtosis(value)));
+}
+
+/// Computes quantities of a surface; each is a finite number or an error.
+fn measure(heights: &Field) -> Vec<Result<f64, Error>> {
+    let field = |made: Result<Field, Error>| made.map(|field| extreme(&field));
+    vec![
+        Statistics::of(heights).map(|s| s.rms_height() + s.spectral_rms_slope()),
+        PowerSpectrum::of(heights).map(|spectrum| spectrum.moments().iter().sum()),
+        field(surface::gap_from_heights(heights)),
+        field(surface::gap_between(heights, &Field::zeros(heights.grid()))),
+        field(surface::resample(heights, Grid::square(3, 1.0).unwrap())),
+    ]
+}
+
+#[test]
+fn measured_surfaces_that_are_not_finite_are_rejected() {
+    for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let mut heights = Field::from_fn(grid(), |x, y| x * y);
+        heights.as_mut_slice()[17] = value;
+        for outcome in measure(&heights) {
+            let Err(Error::Sample {
+                index, value: v, ..
+            }) = outcome
+            else {
+                panic!("{value} gives {outcome:?}");
+            };
+            assert!(index == 17 && v.to_bits() == value.to_bits());
+        }
+    }
+    // Quantities that overflow are rejected or left out of the result.
+    for height in [1e300, 1e308, 5e-324] {
+        let heights = Field::from_fn(grid(), |x, _| height * x.signum());
+        for (k, outcome) in measure(&heights).into_iter().enumerate() {
+            assert!(
+                outcome.as_ref().map_or(true, |z| z.is_finite()),
+                "{k} {height:e} {outcome:?}"
+            );
+        }
+    }
+    let other = Field::zeros(Grid::new(9, 12, 0.5, 0.7).unwrap());
+    let heights = Field::zeros(grid());
+    let refused = [
+        surface::gap_between(&other, &heights),
+        surface::sum(&[&heights, &other]),
+    ];
+    let [upper, summand] = refused.map(Result::unwrap_err);
+    assert_eq!(upper, mismatch("upper surface", grid(), other.grid()));
+    assert_eq!(summand, mismatch("a summand", grid(), other.grid()));
+}
+
+#[test]
+fn files_with_invalid_cell_sides_are_rejected() {
+    let text = b"1,2\n3,4\n";
+    let binary = npy::to_bytes(&Field::zeros(grid()));
+    let size = |field: Field| extreme(&field);
+    assert_checked("cell side dx", Positive, |side| {
+        csv::parse(text, [side, 1.0]).map(size)
+    });
+    assert_checked("cell side dy", Positive, |side| {
+        csv::parse(text, [1.0, side]).map(size)
+    });
+    assert_checked("cell side dx", Positive, |side| {
+        npy::parse(&binary, [side, 1.0]).map(size)
+    });
+    assert_checked("cell side dy", Positive, |side| {
+        npy::parse(&binary, [1.0, side]).map(size)
+    });
+    // The sides are checked before the file is opened.
+    let refused = npy::read("no_such_file.npy", [0.0, 1.0]);
+    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    let refused = csv::read("no_such_file.csv", [1.0, f64::NAN]);
+    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+}
+
+#[test]
+fn load_paths_with_invalid_amplitudes_are_rejected() {
+    let last = |path: LoadPath| {
+        path.steps()
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |a, b| a.max(b.abs()))
+    };
+    assert_checked("amplitude along x", Finite, |value| {
+        LoadPath::sine([value, 1.0], 8).map(last)
+    });
+    assert_checked("amplitude along y", Finite, |value| {
+        LoadPath::sine([1.0, value], 8).map(last)
+    });
+    assert_checked("amplitude along x", Finite, |value| {
+        LoadPath::triangle([value, 1.0], 8).map(last)
+    });
+    assert_checked("phase", Finite, |value| {
+        LoadPath::ellipse([1.0; 2], value, 8).map(last)
+    });
+    assert_checked("load path", Finite, |value| {
+        LoadPath::table(vec![[0.0, value]]).map(last)
+    });
+}
+
+/// The depth is a field that belongs to the caller.
+#[test]
+fn wear_law_rejected_input_leaves_depth_unchanged() {
+    let bodies = unit_bodies(grid(), 0.3);
+    let ones = Field::constant(grid(), 1.0);
+    let depth = Field::from_fn(grid(), |x, y| x + 2.0 * y);
+    let kept = |wear: &dyn Fn(&mut Field) -> Result<(), Error>| {
+        let mut worn = depth.clone();
+        let outcome = wear(&mut worn);
+        assert!(outcome.is_ok() || worn == depth);
+        outcome.map(|()| extreme(&worn))
+    };
+    assert_checked("wear coefficient", NonNegative, |k| {
+        kept(&|d| wear::archard(k, &ones, &ones, d))
+    });
+    assert_checked("wear coefficient", NonNegative, |k| {
+        kept(&|d| wear::energy(k, &ones, d))
+    });
+    let with = |value| {
+        let mut field = ones.clone();
+        field.as_mut_slice()[40] = value;
+        field
+    };
+    assert_checked("pressure", NonNegative, |p| {
+        kept(&|d| wear::archard(1.0, &with(p), &ones, d))
+    });
+    assert_checked("slip length", NonNegative, |s| {
+        kept(&|d| wear::archard(1.0, &ones, &with(s), d))
+    });
+    assert_checked("dissipated energy", NonNegative, |e| {
+        kept(&|d| wear::energy(1.0, &with(e), d))
+    });
+    assert_checked("threshold of dissipated energy", NonNegative, |e| {
+        kept(&|d| wear::threshold_energy(1.0, e, &ones, &ones, d))
+    });
+    assert_checked("accumulated energy", NonNegative, |e| {
+        kept(&|d| wear::threshold_energy(1.0, 0.5, &with(e), &ones, d))
+    });
+    let greatest = kept(&|d| wear::archard(1e200, &with(1e200), &ones, d));
+    assert!(matches!(greatest, Err(Error::NotFinite { .. })));
+    let small = Grid::new(12, 9, 1e-160, 1e-140).unwrap();
+    let energy = wear::energy(1e20, &Field::zeros(small), &mut Field::zeros(small));
+    assert!(matches!(energy, Err(Error::NotFinite { .. })));
+    let other = Field::zeros(small);
+    let refused = kept(&|d| wear::archard(1.0, &ones, &other, d)).unwrap_err();
+    assert_eq!(refused, mismatch("slip length", grid(), small));
+
+    assert_checked("wear coefficient", NonNegative, |k| {
+        Ok(1.0 / wear::max_stable_cycles(&bodies, k, &ones)?)
+    });
+    let refused = wear::max_stable_cycles(&bodies, 1.0, &other).unwrap_err();
+    assert_eq!(refused, mismatch("slip length", grid(), small));
+}
+
+#[test]
+fn cycle_jumps_with_invalid_limits_are_rejected() {
+    let bodies = unit_bodies(grid(), 0.3);
+    let (gap, friction) = (Field::zeros(grid()), Friction::coulomb(0.5).unwrap());
+    let history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let cycle = Cycle::new(&history);
+    let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), 4e-9)).unwrap();
+    assert_checked("largest depth", NonNegative, |depth| {
+        jump.largest_depth(depth).cycles_left(1000.0).cycles()
+    });
+    assert_checked("number of cycles left", NonNegative, |left| {
+        jump.cycles_left(left).cycles()
+    });
+    assert_checked("depth of the cycle", NonNegative, |depth| {
+        let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), depth))?;
+        jump.largest_depth(1.0).cycles_left(1000.0).cycles()
+    });
+}
