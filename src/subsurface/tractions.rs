@@ -76,7 +76,7 @@ impl<'a> Tractions<'a> {
 
     /// Sets a uniform stress (pressures, tensile positive), such as a bulk stress. It is added everywhere, including the
     /// surface, to the stress that the tractions cause in the computed body. It replaces a previous uniform stress.
-    /// Displacements are valid_range.
+    /// Displacements are unaffected.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Stress, Tractions};

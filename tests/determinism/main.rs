@@ -1,7 +1,8 @@
-//! The same bits with threads and without: the answer for one rough contact is written to a file for each way to build
-//! the crate, and `.ci/run` compares the files. A program of its own, so that little is compiled twice.
+//! Results are bitwise identical with and without threads. The solution of one rough contact is written to a file for
+//! each build configuration of the crate, and `.ci/run` compares the files. This is a separate program, so that little
+//! is compiled twice.
 
-#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::unwrap_used, reason = "tests panic on failure")]
 
 use kit::{rough, unit_bodies};
 use stickslip::{
@@ -9,7 +10,7 @@ use stickslip::{
     TangentialProblem,
 };
 
-/// The bits of pressure, gap, tractions, approach and shifts.
+/// Returns the bits of pressure, gap, tractions, approach and shifts.
 fn bits_of_a_contact() -> Result<Vec<u8>> {
     let grid = Grid::new(150, 133, 1.0, 1.1)?;
     let (bodies, gap) = (unit_bodies(grid, 0.3), rough(grid, 21));
@@ -32,7 +33,7 @@ fn bits_of_a_contact() -> Result<Vec<u8>> {
 }
 
 #[test]
-fn with_threads_and_without() {
+fn contact_is_bitwise_identical_in_every_build() {
     let bits = bits_of_a_contact().unwrap();
     let way = if cfg!(feature = "parallel") {
         "bits_with_threads"
@@ -41,6 +42,6 @@ fn with_threads_and_without() {
     };
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(folder.join(way), &bits).unwrap();
-    // Here at least: again the same.
+    // A second solve of this configuration must at least give the same bits.
     assert!(bits == bits_of_a_contact().unwrap());
 }

@@ -10,7 +10,7 @@ use stickslip::edges::Edges;
 use stickslip::ranks::Threads;
 use stickslip::*;
 
-use crate::ranks_share_a_contact::PATIENCE;
+use crate::rank_contacts::PATIENCE;
 
 const OFFSETS: [[f64; 2]; 3] = [[0.0, 0.0], [0.31, -0.17], [-0.42, 0.48]];
 

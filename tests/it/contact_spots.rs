@@ -13,7 +13,7 @@ use stickslip::{
 };
 
 use crate::distributed_io_is_atomic::LostRank;
-use crate::ranks_share_a_contact::{PATIENCE, ranks};
+use crate::rank_contacts::{PATIENCE, ranks};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));

@@ -159,7 +159,7 @@ fn twist_matches_lubkin() {
     }
 }
 
-/// When the contact slides along x, the prescribed motion along y is valid_range.
+/// When the contact slides along x, the prescribed motion along y is unaffected.
 #[test]
 fn sliding_along_x_preserves_the_shift_along_y() {
     let mut history = press_ball(0.3, 1e-9);

@@ -1,4 +1,4 @@
-//! The nine influence coefficients equal their values from 80-digit arithmetic, near and far.
+//! The nine influence coefficients agree with values from 80-digit arithmetic at near and far points.
 
 use approx::assert_relative_eq;
 use kit::l2_difference;
@@ -7,11 +7,12 @@ use stickslip::fft::Convolution;
 use stickslip::influence::{Component, Rectangle, Table, Tensor};
 use stickslip::{ElasticPair, Field, Grid, Material, Operator};
 
-/// 60 points of one body and 7 of a pair; the file's head names its source.
+/// 60 points of a single body and 7 of a pair; the header of the file names the source.
 const REFERENCE: &str = include_str!("../data/influence.csv");
 
-/// 96 points of one body and 24 of a pair: cells from 1:100 to 100:1, points within, on and beside an edge, and up to
-/// a million cells away, Poisson's ratios -0.5, 0, 0.29, 0.499999 and 0.5. By another way than the first.
+/// 96 points of a single body and 24 of a pair, computed independently of [`REFERENCE`]. Aspect ratios of the cells run
+/// from 1:100 to 100:1. Points are inside a cell, on its edge, next to it and up to a million cells away. Poisson's
+/// ratios are -0.5, 0, 0.29, 0.499999 and 0.5.
 const RANDOM_POINTS: &str = include_str!("../data/influence/random_points.csv");
 
 fn material(modulus: &str, poisson_ratio: &str) -> Material {
@@ -66,17 +67,17 @@ fn compare(table: &str) -> usize {
 }
 
 #[test]
-fn the_nine_coefficients_equal_their_exact_values() {
+fn coefficients_match_exact_values() {
     assert_eq!(compare(REFERENCE), 67);
 }
 
 #[test]
-fn they_do_at_random_points() {
+fn coefficients_match_exact_values_at_random_points() {
     assert_eq!(compare(RANDOM_POINTS), 120);
 }
 
 #[test]
-fn a_rigid_body_moves_nothing_and_a_pair_of_one_is_the_other() {
+fn pair_with_rigid_body_has_coefficients_of_other_body() {
     let rectangle = Rectangle::new(0.5, 0.7).unwrap();
     let rubber = Material::new(3.0, 0.49).unwrap();
     assert_eq!(
@@ -88,7 +89,7 @@ fn a_rigid_body_moves_nothing_and_a_pair_of_one_is_the_other() {
         rectangle.pair_tensor(&pair, 0.3, 0.2),
         rectangle.tensor(&rubber, 0.3, 0.2)
     );
-    // As body 2 the shear is reversed, and with it the coupling.
+    // For body 2 the signs of the shear and therefore of the coupling are reversed.
     let pair = ElasticPair::new(Material::rigid(), rubber).unwrap();
     assert_eq!(
         rectangle.pair_tensor(&pair, 0.3, 0.2).zx,
@@ -97,7 +98,7 @@ fn a_rigid_body_moves_nothing_and_a_pair_of_one_is_the_other() {
 }
 
 #[test]
-fn a_table_holds_the_coefficients_at_every_distance() {
+fn table_stores_coefficients_at_every_distance() {
     let pair = ElasticPair::new(
         Material::new(1.0, 0.2).unwrap(),
         Material::new(2.0, 0.4).unwrap(),
@@ -122,9 +123,9 @@ fn a_table_holds_the_coefficients_at_every_distance() {
     }
 }
 
-/// On an axis across which a coefficient is odd it is zero, and no round-off, at any distance.
+/// A coefficient that is odd across an axis is exactly zero on it, without round-off, at any distance.
 #[test]
-fn what_is_odd_vanishes_on_its_axes() {
+fn odd_coefficients_vanish_on_axes() {
     let pair = kit::unit_pair(0.3);
     let soft = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
     let grid = Grid::new(30, 26, 0.3, 0.7).unwrap();
@@ -149,7 +150,7 @@ fn body() -> impl Strategy<Value = Material> {
         .prop_map(|(decade, nu)| Material::new(10_f64.powf(decade), nu).unwrap())
 }
 
-/// Sides, their aspect ratio up to a hundred, and a point from the centre to far away.
+/// Strategy for the sides (aspect ratio up to 100) and a point from the centre to far away.
 fn cell_and_point() -> impl Strategy<Value = (f64, f64, f64, f64)> {
     (-9.0..3.0_f64, -2.0..2.0_f64, -3.0..6.0_f64, 0.0..6.3_f64).prop_map(
         |(size, aspect, distance, angle)| {
@@ -161,9 +162,9 @@ fn cell_and_point() -> impl Strategy<Value = (f64, f64, f64, f64)> {
 }
 
 proptest! {
-    /// Mirror images, exchange of the axes, and the identity of the trace.
+    /// Mirror symmetry, exchange of the axes, and the identity of the trace.
     #[test]
-    fn symmetries_hold((a, b, x, y) in cell_and_point(), body in body()) {
+    fn coefficients_obey_symmetries((a, b, x, y) in cell_and_point(), body in body()) {
         let cell = Rectangle::new(a, b).unwrap();
         let t = cell.tensor(&body, x, y);
         let mirrored = cell.tensor(&body, -x, y);
@@ -181,9 +182,8 @@ proptest! {
         prop_assert_eq!((t.xy, t.xz, t.yz), (t.yx, -t.zx, -t.zy));
     }
 
-    /// A cell is the sum of its four quarters.
     #[test]
-    fn a_cell_is_the_sum_of_its_quarters((a, b, x, y) in cell_and_point(), body in body()) {
+    fn cell_is_sum_of_its_quarters((a, b, x, y) in cell_and_point(), body in body()) {
         let whole = components(&Rectangle::new(a, b).unwrap().tensor(&body, x, y));
         let quarter = Rectangle::new(0.5 * a, 0.5 * b).unwrap();
         let mut sum = [0.0; 9];
@@ -199,15 +199,15 @@ proptest! {
     }
 }
 
-/// The symbols have the signs and sizes of the coefficients of a free half-space, all nine: seen near a
-/// traction without mean, whose far field is that of nothing. What is left is
-/// that a free cell carries a uniform pressure, and the images.
+/// The symbols of a periodic grid have the signs and magnitudes of the coefficients of a free half-space for all nine
+/// components. The traction has no mean, so its far field vanishes. The remaining difference is due to the uniform
+/// pressure on the cells of the free grid and to the periodic images.
 #[test]
-fn a_periodic_grid_has_those_of_a_free_one_near_a_local_traction() {
+fn periodic_grid_matches_free_grid_near_local_traction() {
     let cells = 128;
     let grid = Grid::new(cells, cells, 1.0, 1.5).unwrap();
     let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
-    // The Laplacian of a bell a few cells wide.
+    // Laplacian of a Gaussian bell a few cells wide.
     let traction = Field::from_fn(grid, |x, y| {
         let r = (x * x + y * y) / 64.0;
         (1.0 - r) * (-r).exp()

@@ -1,8 +1,9 @@
-//! The scenes that ranks share, on ranks that are processes of MPI: each holds the bits that one process finds.
+//! Runs the shared test cases on ranks that are MPI processes. The local results are bitwise identical to those of a
+//! single process.
 //!
-//! Run by `mpirun`. Every rank solves each scene with the others, and by itself. With `--stop-the-last` the last rank is
-//! stopped instead, and the others must say so and end; with `--lose-the-last` it leaves while the others hold large
-//! blocks for each other, and they must say so too.
+//! Run with `mpirun`. Every rank solves each case together with the other ranks and on its own. With `--stop-the-last`
+//! the last rank is stopped instead, and the other ranks must report this and end. With `--lose-the-last` the last rank
+//! leaves while the other ranks hold large blocks for each other, and they must report this as well.
 
 #![allow(
     clippy::unwrap_used,
@@ -11,11 +12,11 @@
     clippy::wildcard_imports,
     dead_code,
     unused_imports,
-    reason = "a test fails loudly and says what it has done; what threads alone are tested for lies beside the scenes"
+    reason = "a test fails loudly and prints its results; the shared modules also contain tests that only threads run"
 )]
 
 mod history_continuation_is_bitwise;
-mod ranks_share_a_contact;
+mod rank_contacts;
 mod scene_laws;
 
 use std::process::{Command, ExitCode};
@@ -28,10 +29,10 @@ use stickslip::{Field, HalfSpace};
 
 use history_continuation_is_bitwise::{found, shared_scenes};
 
-/// Longer than a rank solves a scene by itself.
+/// Timeout that is longer than a rank needs to solve a case on its own.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// So long the others wait for one that is stopped, in a call and again after it.
+/// Timeout after which the other ranks report a stopped rank, within a call and once more after it.
 const BRIEFLY: Duration = Duration::from_secs(10);
 
 fn main() -> ExitCode {
@@ -53,7 +54,7 @@ fn main() -> ExitCode {
         println!("{failure}");
     }
     println!(
-        "{} of {scenes} scenes have the bits of one process",
+        "{} of {scenes} scenes are bitwise identical to one process",
         scenes - failures.len()
     );
     if failures.is_empty() && scenes > 0 {
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Stops the last process as a debugger or a machine without memory does. All others tell what they came to.
+/// Stops the last process, as a debugger or a machine without free memory does. All other ranks print their outcome.
 fn stop_the_last() -> ExitCode {
     let ended = Mpi::run(BRIEFLY, |rank| {
         let (number, is_last) = (rank.rank(), rank.rank() + 1 == rank.size());
@@ -80,7 +81,7 @@ fn stop_the_last() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Has the last process leave while the others send blocks of 1 MB to all.
+/// Makes the last process leave while the other ranks send blocks of 1 MB to all ranks.
 fn lose_the_last() -> ExitCode {
     Mpi::run(PATIENCE, |rank| {
         let (number, size) = (rank.rank(), rank.size());
@@ -94,7 +95,7 @@ fn lose_the_last() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// What differs between the slab of this rank and what it finds by itself, if anything does.
+/// Describes the difference between the slab of this rank and its own result, or returns `None` if they are identical.
 fn compare(scene: &Scene, ranks: &Arc<dyn Ranks>) -> Option<String> {
     let bodies = scene.half_space_on(Arc::clone(ranks)).unwrap();
     let run = |bodies: &HalfSpace| {

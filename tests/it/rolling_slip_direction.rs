@@ -1,4 +1,4 @@
-//! Corrections of the direction of slip in steady rolling.
+//! Corrections of the slip direction in steady rolling.
 
 use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::{
@@ -11,7 +11,8 @@ fn pair(poisson: f64) -> Result<ElasticPair> {
     ElasticPair::new(body, body)
 }
 
-/// Sphere of radius 1 under the force 1.2, G = 1, with friction 0.3, and this many cells across the contact.
+/// Rolls a sphere of radius 1 under the force 1.2, with G = 1 and friction 0.3, and the given number of cells across
+/// the contact.
 fn rolled(
     cells: usize,
     poisson: f64,
@@ -36,13 +37,13 @@ fn rolled(
         .solve()
 }
 
-/// The lateral force over the friction limit.
+/// Returns the lateral force relative to the friction limit.
 fn lateral(cells: usize, corrections: usize) -> Result<f64> {
     let rolling = rolled(cells, 0.0, [0.0; 2], 0.3, corrections)?;
     Ok(rolling.force()[1] / (0.3 * 1.2))
 }
 
-/// The extrapolation of 0.57478, 0.57419 and 0.57402 on 48, 96 and 192 cells. Without corrections the force on 192 cells is
+/// Extrapolation of 0.57478, 0.57419 and 0.57402 on 48, 96 and 192 cells. Without corrections the force on 192 cells is
 /// 0.5761.
 const LATERAL: f64 = 0.57393;
 
@@ -51,7 +52,7 @@ fn lateral_force_by_spin_converges_with_order_above_1_4() -> Result<()> {
     let error = |cells, corrections| Ok((lateral(cells, corrections)? - LATERAL).abs());
     let (coarse, fine): (f64, f64) = (error(12, 2)?, error(24, 2)?);
     assert!((coarse / fine).log2() > 1.4, "{coarse:e} {fine:e}");
-    // Five times less than without corrections.
+    // The error is less than a fifth of the error without corrections.
     let mean: Result<f64> = error(24, 0);
     assert!(fine < 0.2 * mean?, "{fine:e}");
     Ok(())
@@ -83,7 +84,7 @@ fn corrected_traction_opposes_the_slip_at_the_end_of_the_step() -> Result<()> {
 }
 
 #[test]
-fn corrections_change_nothing_where_slip_does_not_turn() -> Result<()> {
+fn corrections_change_nothing_if_slip_does_not_rotate() -> Result<()> {
     let forces =
         [0, 2].map(|corrections| Ok(rolled(24, 0.0, [0.1, 0.0], 0.0, corrections)?.force()));
     let [plain, corrected]: [Result<[f64; 2]>; 2] = forces;
@@ -92,7 +93,7 @@ fn corrections_change_nothing_where_slip_does_not_turn() -> Result<()> {
 }
 
 #[test]
-fn report_counts_all_passes_and_limits_hold_for_them_together() -> Result<()> {
+fn report_and_limits_count_all_passes() -> Result<()> {
     let plain = rolled(24, 0.0, [0.0; 2], 0.3, 0)?;
     let corrected = rolled(24, 0.0, [0.0; 2], 0.3, 2)?;
     let (first, all) = (plain.report().iterations, corrected.report().iterations);
@@ -111,7 +112,7 @@ fn report_counts_all_passes_and_limits_hold_for_them_together() -> Result<()> {
         .into_solver()?;
     let mut solution = solver.new_solution();
     let Err(Error::NotConverged(report)) = solver.solve_into(&mut solution) else {
-        panic!("the first pass uses all iterations");
+        panic!("the first pass uses all iterations, so that the solve must not converge");
     };
     assert_eq!(report.status, Status::IterationLimit);
     assert_eq!(solution.report().status, Status::IterationLimit);

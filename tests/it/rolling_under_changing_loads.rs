@@ -1,4 +1,4 @@
-//! A rolling solver takes new loads and pressures, with the results of new problems.
+//! A rolling solver accepts new loads and pressures, with the results of new problems.
 
 use stickslip::history::EntryRule;
 use stickslip::rolling::{
@@ -15,7 +15,7 @@ fn bodies(cells: usize, pair: &ElasticPair) -> HalfSpace {
     HalfSpace::new(Grid::square(cells, 3.0).unwrap(), *pair).unwrap()
 }
 
-fn alike() -> ElasticPair {
+fn similar_pair() -> ElasticPair {
     let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
     ElasticPair::new(body, body).unwrap()
 }
@@ -53,8 +53,8 @@ fn solved(solver: &mut RollingSolver) -> RollingSolution {
     solution
 }
 
-/// Checks that all tractions and motions agree to a part of the largest traction.
-fn check_alike(found: &RollingSolution, expected: &RollingSolution, part: f64) {
+/// Asserts that tractions agree to `part` of the largest traction, and creepages and spins as well.
+fn assert_close(found: &RollingSolution, expected: &RollingSolution, part: f64) {
     let fields = found.traction().into_iter().zip(expected.traction());
     let (mut largest, mut missed) = (0.0_f64, 0.0_f64);
     for (found, expected) in fields {
@@ -63,7 +63,10 @@ fn check_alike(found: &RollingSolution, expected: &RollingSolution, part: f64) {
             missed = missed.max((found - expected).abs());
         }
     }
-    assert!(missed <= part * largest, "{missed} of {largest}");
+    assert!(
+        missed <= part * largest,
+        "difference {missed}, largest traction {largest}"
+    );
     for axis in 0..2 {
         let missed = found.creepage()[axis] - expected.creepage()[axis];
         assert!(missed.abs() <= part, "creepage {missed}");
@@ -73,7 +76,7 @@ fn check_alike(found: &RollingSolution, expected: &RollingSolution, part: f64) {
     assert!(bounds.iter().all(|bound| *bound <= 1e-10), "{bounds:?}");
 }
 
-/// The contact grows beyond its first window, returns, and grows again.
+/// The contact grows beyond its first window, shrinks, and grows again.
 #[test]
 fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
     let rubber_on_glass = ElasticPair::new(
@@ -81,9 +84,9 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
         Material::new(50.0, 0.2).unwrap(),
     );
     for (pair, edge, rule) in [
-        (alike(), LeadingEdge::PlusX, EntryRule::SinceTouch),
-        (alike(), LeadingEdge::MinusY, EntryRule::SinceTouch),
-        (alike(), LeadingEdge::PlusX, EntryRule::WholeStep),
+        (similar_pair(), LeadingEdge::PlusX, EntryRule::SinceTouch),
+        (similar_pair(), LeadingEdge::MinusY, EntryRule::SinceTouch),
+        (similar_pair(), LeadingEdge::PlusX, EntryRule::WholeStep),
         (
             rubber_on_glass.unwrap(),
             LeadingEdge::MinusX,
@@ -106,7 +109,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
             solver.set_control(controls, spin).unwrap();
             let mut new = rolling(&bodies, &normal, (edge, rule));
             new.set_control(controls, spin).unwrap();
-            check_alike(&solved(&mut solver), &solved(&mut new), 1e-6);
+            assert_close(&solved(&mut solver), &solved(&mut new), 1e-6);
             assert!((solver.friction_capacity() - FRICTION * load).abs() < 1e-9);
         }
     }
@@ -114,7 +117,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
 
 #[test]
 fn rolling_solver_finds_the_pressure_of_a_new_load() {
-    let bodies = bodies(24, &alike());
+    let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
     let refused = solver.set_load(NormalControl::Force(0.7)).unwrap_err();
@@ -133,18 +136,18 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
         let mut new = rolling(&bodies, &pressed(&bodies, load), by_default);
         new.set_control(controls, 0.02).unwrap();
         let expected = solved(&mut new);
-        // A copy continues as the solver does.
+        // A copy continues like the original solver.
         let mut copy = solver.clone();
         let found = [solved(&mut solver), solved(&mut copy)];
-        check_alike(&found[0], &expected, 1e-6);
+        assert_close(&found[0], &expected, 1e-6);
         assert_eq!(found[0].traction(), found[1].traction());
     }
 }
 
-/// A pressure without a gap cannot have the entry rule.
+/// A pressure without a gap cannot be combined with the entry law.
 #[test]
-fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
-    let bodies = bodies(24, &alike());
+fn rolling_solver_accepts_pressure_field_without_entry_law() {
+    let bodies = bodies(24, &similar_pair());
     let [first, normal] = [0.6, 1.0].map(|load| pressed(&bodies, load));
     let creepages = [0.03, -0.02].map(RollingControl::Creepage);
     let of = |rule| {
@@ -166,8 +169,8 @@ fn rolling_solver_takes_a_field_of_pressures_without_the_law() {
 }
 
 #[test]
-fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
-    let bodies = bodies(24, &alike());
+fn rejected_load_leaves_rolling_solver_unchanged() {
+    let bodies = bodies(24, &similar_pair());
     let mut solver = rolling(
         &bodies,
         &pressed(&bodies, 1.0),
@@ -181,7 +184,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
     let mut rolling = solved(&mut solver);
     let stiffness = solver.stiffness().unwrap();
 
-    let other = self::bodies(25, &alike());
+    let other = self::bodies(25, &similar_pair());
     let harder = Material::from_shear_modulus(2.0, 0.25).unwrap();
     let harder = self::bodies(24, &ElasticPair::new(harder, harder).unwrap());
     let untouched = solver.clone();
@@ -203,7 +206,7 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
             solver.set_normal_solver(problem(&other, 1.0).into_solver().unwrap()),
             Err(Error::GridMismatch { .. })
         ),
-        // A load too small for the drag, no load, and a load whose contact leaves no room ahead.
+        // A load too small for the prescribed force, a zero load, and a load whose contact leaves no room ahead.
         matches!(
             solver.set_load(NormalControl::Force(0.5)),
             Err(Error::BeyondFrictionCapacity { .. })
@@ -235,14 +238,14 @@ fn rolling_solver_is_unchanged_by_loads_that_are_refused() {
     assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
 }
 
-/// The stiffness is about the last solution until the next solve, whatever window the new contact needs.
+/// The stiffness belongs to the last solution until the next solve, for any window of the new contact.
 #[test]
-fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
-    let bodies = bodies(24, &alike());
+fn stiffness_after_new_pressure_is_that_of_last_solution() {
+    let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
     let mut solver = rolling(&bodies, &light, by_default);
-    // Before the first solve it is that of a contact that sticks.
+    // Before the first solve the stiffness is that of full stick.
     solver.set_pressure(&heavy).unwrap();
     let expected = rolling(&bodies, &heavy, by_default).stiffness().unwrap();
     let check = |found: [[f64; 3]; 3], expected: [[f64; 3]; 3]| {
@@ -265,10 +268,10 @@ fn stiffness_after_a_new_pressure_is_that_of_the_last_solution() {
     check(solver.stiffness().unwrap(), before);
 }
 
-/// A time loop of a vehicle: a solve starts from scaled and extrapolated tractions.
+/// In a time loop of a vehicle, a solve starts from scaled and extrapolated tractions.
 #[test]
-fn time_loop_of_a_vehicle_takes_few_products() {
-    let bodies = bodies(24, &alike());
+fn vehicle_time_loop_takes_few_products() {
+    let bodies = bodies(24, &similar_pair());
     let press = problem(&bodies, 1.0);
     let normal = press.solve().unwrap();
     let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
@@ -301,8 +304,8 @@ fn time_loop_of_a_vehicle_takes_few_products() {
 }
 
 #[test]
-fn rolling_solution_warns_of_a_contact_at_the_edge() {
-    let bodies = bodies(24, &alike());
+fn rolling_solution_warns_of_contact_at_edge() {
+    let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let fine = solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
     assert_eq!(fine.warnings(), []);
@@ -311,7 +314,7 @@ fn rolling_solution_warns_of_a_contact_at_the_edge() {
         coarse.warnings()[..],
         [Warning::UnderresolvedContact { .. }]
     ));
-    // Elliptic, and long across: it leaves the grid at its sides.
+    // The contact is elliptic and long across the rolling direction, so that it leaves the grid at its sides.
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
     let normal = press.build().unwrap().solve().unwrap();

@@ -1,5 +1,5 @@
-//! Steady rolling meets Carter's closed form with second order in the force, the numbers of CONTACT without the law of
-//! entering cells, and its own equations.
+//! Steady rolling agrees with Carter's closed form with second order in the force, with the numbers of CONTACT without
+//! the entry law, and with its own equations.
 
 use proptest::prelude::*;
 use stickslip::analytical::{Carter, HertzLine};
@@ -20,24 +20,24 @@ fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
         .unwrap()
 }
 
-fn alike(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
+fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
     let body = Material::from_shear_modulus(shear_modulus, poisson).unwrap();
     HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap()
 }
 
-/// Forces along x and y, moment, and cells that stick.
-fn shown(rolling: &RollingSolution) -> ([f64; 3], usize) {
+/// Returns the forces along x and y, the moment, and the number of sticking cells.
+fn results(rolling: &RollingSolution) -> ([f64; 3], usize) {
     let [x, y] = rolling.force();
     let stick = rolling.zones().iter().filter(|z| **z == Zone::Stick);
     ([x, y, rolling.moment()], stick.count())
 }
 
-/// CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells, a sphere and an ellipse of steel, forces
-/// on the other body.
+/// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells: a sphere and an ellipse
+/// of steel, forces on the other body.
 #[test]
-fn another_code_has_the_same_digits_without_the_law() {
+fn steady_rolling_without_entry_law_matches_contact() {
     let grid = Grid::new(41, 37, 0.0116, 0.0116).unwrap();
-    let bodies = alike(grid, 80_000.0, 0.25);
+    let bodies = similar_bodies(grid, 80_000.0, 0.25);
     let gap = Field::from_fn(grid, |x, y| 0.05 * (x * x + y * y));
     let normal = pressed(&bodies, &gap, 100.0);
     let of = |creepage: [f64; 2], spin: f64| {
@@ -75,13 +75,13 @@ fn another_code_has_the_same_digits_without_the_law() {
     ];
     for ([xi, eta, spin], expected, stick) in cases {
         let rolling = of([xi, eta], spin);
-        let (found, sticking) = shown(&rolling);
+        let (found, sticking) = results(&rolling);
         for (found, expected) in found.into_iter().zip(expected) {
             assert!((found - expected).abs() < 1e-9, "{found} for {expected}");
         }
         assert_eq!(sticking, stick);
     }
-    // Dissipation of a step of 0.0116 with the tractions at its end.
+    // The reference is the dissipation of a step of 0.0116 with the tractions at its end.
     let lost = of([0.00064, -0.0004], 0.0048)
         .dissipation()
         .unwrap()
@@ -90,7 +90,7 @@ fn another_code_has_the_same_digits_without_the_law() {
     assert!((lost / 7.420710888059e-5 - 1.0).abs() < 1e-9);
 
     let grid = Grid::new(48, 44, 0.28891487356106, 0.63035972476398).unwrap();
-    let bodies = alike(grid, 82_000.0, 0.28);
+    let bodies = similar_bodies(grid, 82_000.0, 0.28);
     let gap = Field::from_fn(grid, |x, y| 0.0008 * x * x + 0.00028141731461784 * y * y);
     let normal = pressed(&bodies, &gap, 106_700.0);
     let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
@@ -101,19 +101,19 @@ fn another_code_has_the_same_digits_without_the_law() {
         .unwrap()
         .solve()
         .unwrap();
-    let (found, stick) = shown(&rolling);
+    let (found, stick) = results(&rolling);
     assert!((found[0] / 22_823.62310136 - 1.0).abs() < 1e-9 && stick == 782);
 }
 
-/// Errors of the force over the friction limit and of the traction (L1) on so many cells over the contact, means of three
-/// positions.
+/// Returns the errors of the force relative to the friction limit and of the traction (L1), as means over three
+/// positions, for the given number of cells across the contact.
 fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2] {
     let body = Material::new(1.0, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();
     let mut errors = [0.0; 2];
     for offset in [0.1, 0.37, 0.77] {
         let modulus = pair.contact_modulus();
-        // Half-width one.
+        // The half-width is one.
         let hertz = HertzLine::new(&pair, 1.0, std::f64::consts::PI * modulus / 4.0).unwrap();
         let dx = 2.0 / cells as f64;
         let grid = Grid::line(cells + 8, dx).unwrap();
@@ -145,7 +145,7 @@ fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2]
 }
 
 #[test]
-fn carters_force_has_second_order() {
+fn carter_force_converges_with_second_order() {
     for ratio in [0.6, 0.2] {
         let law = [32, 128, 512].map(|cells| errors_of_carter(cells, ratio, EntryRule::SinceTouch));
         let order = |part: usize| (law[0][part] / law[2][part]).ln() / 16.0_f64.ln();
@@ -161,21 +161,21 @@ fn carters_force_has_second_order() {
     }
 }
 
-/// Kalker's coefficients of a circle (table E.3 of Kalker 1990), at creepages without slip but at the edge, and their
-/// reciprocity, which 42 cells across the contact have to one per cent.
+/// Kalker's coefficients of a circular contact (table E.3 of Kalker 1990) are reached at creepages with slip at the
+/// edge only. They are reciprocal to about one per cent on 42 cells across the contact.
 #[test]
-fn small_creepages_have_kalkers_coefficients() {
+fn small_creepages_match_kalker_coefficients() {
     for (poisson, longitudinal, lateral, spin) in [
         (0.0, 3.40, 3.40, 1.33),
         (0.25, 4.12, 3.67, 1.47),
         (0.5, 5.20, 3.98, 1.63),
     ] {
         let grid = Grid::square(48, 2.25).unwrap();
-        let bodies = alike(grid, 1.0, poisson);
+        let bodies = similar_bodies(grid, 1.0, poisson);
         let modulus = bodies.pair().contact_modulus();
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = pressed(&bodies, &ball, 4.0 / 3.0 * modulus);
-        // The friction is so large that next to nothing slips.
+        // The friction is so large that hardly any cell slips.
         let of = |creepage: [f64; 2], spin: f64| {
             let friction = Friction::coulomb(1e4).unwrap();
             let problem = RollingProblem::builder(&bodies, &normal, friction);
@@ -205,8 +205,8 @@ fn small_creepages_have_kalkers_coefficients() {
     }
 }
 
-/// What the equations say of an answer, evaluated on the whole grid with an operator of three directions.
-fn check_laws(
+/// Asserts that a solution fulfils the equations, evaluated on the whole grid with an operator of three directions.
+fn assert_fulfils_equations(
     bodies: &HalfSpace,
     normal: &NormalSolution,
     rolling: &RollingSolution,
@@ -253,7 +253,8 @@ fn check_laws(
     }
 }
 
-/// $`x' ((1 - T)\,C + B)\,x`$ of the tractions of the first answer, and of what they differ by from the second.
+/// Returns $`x' ((1 - T)\,C + B)\,x`$ for the tractions of the first solution, and for their difference from the second
+/// solution.
 fn energies(
     bodies: &HalfSpace,
     [answer, other]: [&RollingSolution; 2],
@@ -294,10 +295,10 @@ fn energies(
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
-    /// Rough gaps, friction by cell, creepages or forces, spin, dissimilar bodies: Coulomb's law in every cell, and the
-    /// certificate above the error against a tighter solve.
+    /// For rough gaps, friction per cell, creepages or forces, spin and dissimilar bodies, Coulomb's law holds in every
+    /// cell. The certificate is above the error relative to a solve with a smaller tolerance.
     #[test]
-    fn any_scene_obeys_coulomb(
+    fn random_rolling_obeys_coulomb(
         poisson in 0.0..0.5_f64, other in 0.0..0.45_f64, is_dissimilar: bool, roughness in 0.0..0.02_f64,
         creepage in prop::array::uniform2(-0.3..0.3_f64), spin in -0.3..0.3_f64,
         fraction in prop::option::of(-0.99..0.99_f64), friction in prop::array::uniform2(0.05..0.6_f64),
@@ -326,21 +327,21 @@ proptest! {
             };
             builder.build().unwrap().solve().unwrap()
         };
-        check_laws(&bodies, &normal, &problem(EntryRule::WholeStep, 1e-10), limit);
+        assert_fulfils_equations(&bodies, &normal, &problem(EntryRule::WholeStep, 1e-10), limit);
         let (rough, tight) = (problem(EntryRule::WholeStep, 1e-3), problem(EntryRule::WholeStep, 1e-11));
         let (energy, error) = energies(&bodies, [&rough, &tight], |_| 0.0);
         let bound = (rough.report().duality_gap * energy).sqrt();
-        // The tighter answer has an error too.
+        // The solution with the smaller tolerance has an error as well.
         prop_assert!(error.max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
-        // With the entry rule the same scene converges too.
+        // With the entry law the same case converges as well.
         let entering = problem(EntryRule::SinceTouch, 1e-9);
         prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
     }
 
-    /// With the entry rule the certificate is above the error too. Without lateral contraction the compliance
-    /// of a cell that enters is the gap ahead over its pressure, in all directions.
+    /// With the entry law the certificate is above the error as well. Without lateral contraction the compliance of an
+    /// entering cell is the gap ahead divided by its pressure, in all directions.
     #[test]
-    fn the_certificate_holds_with_the_law(
+    fn certificate_bounds_error_with_entry_law(
         other in 1.0..5.0_f64, roughness in 0.0..0.02_f64, creepage in prop::array::uniform2(-0.3..0.3_f64),
         spin in -0.3..0.3_f64, friction in 0.05..0.6_f64, digits in 1..6_i32,
     ) {
@@ -369,9 +370,9 @@ proptest! {
 }
 
 #[test]
-fn every_leading_edge_is_another_view_of_the_same() {
+fn rotated_leading_edges_give_rotated_results() {
     let grid = Grid::square(24, 2.4).unwrap();
-    let bodies = alike(grid, 1.0, 0.3);
+    let bodies = similar_bodies(grid, 1.0, 0.3);
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = pressed(&bodies, &ball, 1.0);
     let of = |edge: LeadingEdge, creepage: [f64; 2], spin: f64| {
@@ -387,7 +388,7 @@ fn every_leading_edge_is_another_view_of_the_same() {
             .unwrap()
     };
     let [x, y] = of(LeadingEdge::PlusX, [0.1, 0.05], 0.08).force();
-    // Turned by a quarter, by a half, and by three.
+    // The problem is rotated by a quarter, a half and three quarters of a turn.
     for (edge, creepage, expected) in [
         (LeadingEdge::PlusY, [-0.05, 0.1], [-y, x]),
         (LeadingEdge::MinusX, [-0.1, -0.05], [-x, -y]),
@@ -404,9 +405,9 @@ fn every_leading_edge_is_another_view_of_the_same() {
 }
 
 #[test]
-fn a_force_gives_back_its_creepage() {
+fn prescribed_force_gives_creepage_that_causes_it() {
     let grid = Grid::square(20, 2.4).unwrap();
-    let bodies = alike(grid, 1.0, 0.25);
+    let bodies = similar_bodies(grid, 1.0, 0.25);
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = pressed(&bodies, &ball, 1.0);
     let friction = || Friction::coulomb(0.3).unwrap();
@@ -429,7 +430,7 @@ fn a_force_gives_back_its_creepage() {
             );
         }
     }
-    // What slides the contact leaves the creepage open.
+    // A force that slides the contact does not determine the creepage.
     for force in [0.3, 0.31, f64::NAN] {
         let refused = builder()
             .control(Axis::X, RollingControl::Force(force))
@@ -441,12 +442,13 @@ fn a_force_gives_back_its_creepage() {
     }
 }
 
-/// Where the grid ends, three cells from the contact or more, and in which unit pressures are measured, is of no concern.
+/// The position of the edge of the grid (three cells or more from the contact) and the unit of the pressures do not
+/// change the result.
 #[test]
-fn neither_margins_nor_units_matter() {
+fn result_is_independent_of_margin_and_unit() {
     let answer = |cells: usize, unit: f64| {
         let grid = Grid::new(cells, cells, 0.1, 0.1).unwrap();
-        let bodies = alike(grid, unit, 0.3);
+        let bodies = similar_bodies(grid, unit, 0.3);
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = pressed(&bodies, &ball, unit);
         let friction = Friction::coulomb(0.3).unwrap();
@@ -472,9 +474,9 @@ fn neither_margins_nor_units_matter() {
 }
 
 #[test]
-fn bad_rolling_is_refused() {
+fn invalid_rolling_is_rejected() {
     let grid = Grid::square(20, 2.4).unwrap();
-    let bodies = alike(grid, 1.0, 0.25);
+    let bodies = similar_bodies(grid, 1.0, 0.25);
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = pressed(&bodies, &ball, 1.0);
     let builder = || RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
@@ -531,14 +533,14 @@ fn bad_rolling_is_refused() {
     assert!(matches!(refused, Err(Error::UnsupportedByModel { .. })));
 }
 
-/// The dissipation is less than the work for any creepages, spin and step, with and without the entry rule.
+/// The dissipation is less than the work for any creepages, spin and step, with and without the entry law.
 #[test]
 fn dissipation_never_exceeds_work() {
     let mut random = kit::Random(3);
     for _ in 0..kit::thorough(60, 2000) {
         let size = [random.integer(8, 16), random.integer(8, 16)];
         let grid = Grid::new(size[0], size[1], 0.2, random.pick(&[0.2, 0.15])).unwrap();
-        let bodies = alike(grid, 1.0, random.uniform(0.0, 0.5));
+        let bodies = similar_bodies(grid, 1.0, random.uniform(0.0, 0.5));
         let [x0, y0] = [0, 1].map(|_| random.uniform(-0.2, 0.2));
         let gap = Field::from_fn(grid, |x, y| {
             let rough = 0.01 * (9.0 * x).cos() * (7.0 * y).cos();
@@ -559,7 +561,7 @@ fn dissipation_never_exceeds_work() {
             .creepage(creepage)
             .spin(random.uniform(-3.0, 3.0))
             .entry_rule(entry_rule);
-        // Where the grid ends within a step of the contact there is no problem.
+        // The problem is rejected if the grid ends within a step of the contact.
         let Ok(problem) = problem.build() else {
             continue;
         };
@@ -569,12 +571,13 @@ fn dissipation_never_exceeds_work() {
     }
 }
 
-/// A sphere that spins: a sixteenth of the work on 12 cells across the grid, and half as much on twice as many.
+/// For a spinning sphere the difference is a sixteenth of the work on 12 cells across the grid, and halves if the
+/// number of cells doubles.
 #[test]
 fn work_and_dissipation_agree_as_cells_shrink() {
     let deficits = [12, 24, 48].map(|cells| {
         let grid = Grid::square(cells, 2.4).unwrap();
-        let bodies = alike(grid, 1.0, 0.25);
+        let bodies = similar_bodies(grid, 1.0, 0.25);
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = pressed(&bodies, &ball, 1.0);
         let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());

@@ -1,4 +1,4 @@
-//! Every kind of work on a contact of few cells, each by its name.
+//! Each kind of work on a contact of few cells, with its name.
 
 use stickslip::analytical::HertzSphere;
 use stickslip::cgm::{self, NonNegative, Problem, Settings};
@@ -11,7 +11,7 @@ use stickslip::subsurface::{self, Body, Planes, Tractions};
 use stickslip::surface::{Form, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::*;
 
-/// Runs a piece of work, and looks at what it did.
+/// Observer that runs a piece of work and checks its effects.
 pub(crate) type Watch<'a> = &'a mut dyn FnMut(&str, &mut dyn FnMut() -> Result<()>);
 
 fn pair(poisson_ratio: f64) -> ElasticPair {
@@ -22,7 +22,7 @@ fn pair(poisson_ratio: f64) -> ElasticPair {
     .unwrap()
 }
 
-/// Fields, shapes and rough surfaces.
+/// Creates fields, shapes and rough surfaces.
 pub(crate) fn surfaces(grid: Grid, watch: Watch<'_>) {
     let ball = surface::sphere(grid, 10.0).unwrap();
     watch("field", &mut || {
@@ -52,7 +52,7 @@ pub(crate) fn surfaces(grid: Grid, watch: Watch<'_>) {
     watch("cropped", &mut || part.generate(grid).map(drop));
 }
 
-/// Operators, and solves with them.
+/// Applies operators, and solves with them.
 pub(crate) fn operators(grid: Grid, watch: Watch<'_>) {
     let cells = grid.cells();
     let product = |operator: &dyn Fn(&[f64], &mut [f64])| {
@@ -103,7 +103,7 @@ pub(crate) fn operators(grid: Grid, watch: Watch<'_>) {
     });
 }
 
-/// Problems, what is read of their solutions, stiffness and stress.
+/// Solves problems, evaluates their solutions, and computes stiffness and stress.
 pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
     let bodies = HalfSpace::new(grid, pair(0.3)).unwrap();
     let ball = surface::sphere(grid, 10.0).unwrap();
@@ -174,7 +174,7 @@ pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
     });
 }
 
-/// Histories, cycles and wear.
+/// Takes steps of histories, cycles and wear.
 pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
     let bodies = HalfSpace::new(grid, pair(0.3)).unwrap();
     let ball = surface::sphere(grid, 10.0).unwrap();

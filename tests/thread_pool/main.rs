@@ -1,6 +1,7 @@
-//! Work too short to share stays off the pool: a program of its own, whose global pool nothing else may start.
+//! Work too short to be parallelised stays off the thread pool. This is a separate program, because nothing else may
+//! start its global pool.
 
-#![allow(clippy::unwrap_used, reason = "a test fails loudly")]
+#![allow(clippy::unwrap_used, reason = "tests panic on failure")]
 
 mod few_cells;
 
@@ -16,8 +17,8 @@ fn pair() -> ElasticPair {
     ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
 }
 
-/// A ball that is pressed and sheared once: what the next steps need is made.
-fn begun(bodies: &HalfSpace, model: TangentialModel) -> History {
+/// Presses and shears a ball once, so that the buffers for the next steps exist.
+fn started(bodies: &HalfSpace, model: TangentialModel) -> History {
     let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
     let builder = History::builder(bodies, &ball, Friction::coulomb(0.3).unwrap());
     let builder = builder.model(model).coupling(Coupling::Neglected);
@@ -31,7 +32,7 @@ fn load(step: u32) -> LoadStep {
     LoadStep::force([0.05 * part, 0.0]).normal(NormalControl::Force(0.5 + 0.01 * part))
 }
 
-/// Steps on a thread of no pool, which would start the global one if it shared its work.
+/// Takes steps on a thread outside any pool, which would start the global pool if it shared its work.
 fn run(history: &mut History) {
     let steps = || {
         for step in 1..6 {
@@ -41,16 +42,16 @@ fn run(history: &mut History) {
     thread::scope(|scope| scope.spawn(steps).join().unwrap());
 }
 
-/// Threads of this process, where the system tells them.
+/// Number of threads of this process, if the system reports it.
 fn threads() -> Option<usize> {
     std::fs::read_dir("/proc/self/task")
         .ok()
         .map(Iterator::count)
 }
 
-/// On a thread of no pool, which would start the global one if anything shared its work.
-fn nothing_on_few_cells_enters_the_pool() {
-    let mut looks = 0;
+/// The work runs on a thread outside any pool, which would start the global pool if any work were shared.
+fn assert_few_cells_stay_off_pool() {
+    let mut checks = 0;
     for grid in [
         Grid::square(64, 8.0).unwrap(),
         Grid::new(9, 12, 0.8, 0.6).unwrap(),
@@ -61,7 +62,7 @@ fn nothing_on_few_cells_enters_the_pool() {
             let before = threads();
             work().unwrap_or_else(|error| panic!("{what} on {grid:?}: {error}"));
             assert_eq!(threads(), before, "{what} on {grid:?} starts threads");
-            looks += 1;
+            checks += 1;
         };
         few_cells::operators(grid, &mut watch);
         if grid.nx() > 1 {
@@ -70,13 +71,13 @@ fn nothing_on_few_cells_enters_the_pool() {
             few_cells::histories(grid, &mut watch);
         }
     }
-    assert!(looks > 30);
+    assert!(checks > 30);
 }
 
-/// Whether a step on so many cells is taken by another thread than that which calls, and what it comes to.
-fn step_elsewhere(cells: usize) -> (bool, [f64; 2], Field) {
+/// Returns whether a step on this many cells runs on a thread other than the caller's, and its results.
+fn observe_step(cells: usize) -> (bool, [f64; 2], Field) {
     let bodies = HalfSpace::new(Grid::square(cells, 8.0).unwrap(), pair()).unwrap();
-    let mut history = begun(&bodies, TangentialModel::Scalar);
+    let mut history = started(&bodies, TangentialModel::Scalar);
     let own = thread::current().id();
     let mut is_elsewhere = false;
     let see = |_: &Iteration| {
@@ -91,11 +92,11 @@ fn step_elsewhere(cells: usize) -> (bool, [f64; 2], Field) {
 }
 
 #[test]
-fn work_on_few_cells_does_not_enter_the_pool() {
-    // First, while no other pool has threads that come or go.
-    nothing_on_few_cells_enters_the_pool();
+fn work_on_few_cells_stays_off_pool() {
+    // This check comes first, while no other pool starts or ends threads.
+    assert_few_cells_stay_off_pool();
 
-    // Nor do steps on the thread of no pool, of a contact that was begun in one.
+    // Steps on a thread outside any pool stay on it, also if their contact was created in a pool.
     let apart = rayon::ThreadPoolBuilder::new()
         .num_threads(3)
         .build()
@@ -103,24 +104,24 @@ fn work_on_few_cells_does_not_enter_the_pool() {
     let grid = Grid::square(64, 8.0).unwrap();
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         let bodies = HalfSpace::new(grid, pair()).unwrap();
-        run(&mut apart.install(|| begun(&bodies, model)));
+        run(&mut apart.install(|| started(&bodies, model)));
         apart.install(|| {
             Threads::run(3, Duration::from_secs(60), |rank| {
                 let boundary = Boundary::NonPeriodic;
                 let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank));
-                run(&mut begun(&bodies.unwrap(), model));
+                run(&mut started(&bodies.unwrap(), model));
             });
         });
     }
-    // The global pool can be made once only, and whatever shares work outside of pools has it made.
+    // The global pool can be built only once, and any work shared outside of pools would have built it.
     let global = rayon::ThreadPoolBuilder::new().num_threads(1);
     assert!(global.build_global().is_ok(), "something entered the pool");
 
-    // Steps of more cells do share, unless the global pool is avoided, with the same bits.
-    let (is_elsewhere, numbers, pressure) = step_elsewhere(80);
+    // Steps on more cells are shared, unless the global pool is disabled, with bitwise identical results.
+    let (is_elsewhere, numbers, pressure) = observe_step(80);
     assert!(is_elsewhere);
     disable_global_pool();
-    assert!((false, numbers, pressure.clone()) == step_elsewhere(80));
-    let in_own = apart.install(|| step_elsewhere(80));
+    assert!((false, numbers, pressure.clone()) == observe_step(80));
+    let in_own = apart.install(|| observe_step(80));
     assert_eq!((in_own.1, in_own.2), (numbers, pressure));
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes the surface files of this folder with other programs, and reads each back with yet others.
+"""Makes the surface files of this folder with other programs, and reads each of them back with further programs.
 
-One surface everywhere, five points along x and four along y, in micrometres:
-z(ix, iy) = ix / 4 - iy / 2 + ix * iy / 8, spacings 0.5 and 0.25. Point (3, 1) is missing, but not
-in files named `whole`. See README.md for versions.
+All files contain one surface, five points along x and four along y, in micrometres:
+z(ix, iy) = ix / 4 - iy / 2 + ix * iy / 8, spacings 0.5 and 0.25. Point (3, 1) is missing,
+except in files named `whole`. See README.md for versions.
 """
 
 import hashlib
@@ -30,7 +30,7 @@ Z[1, 3] = np.nan
 
 
 def check(name, data, step_x, step_y, tolerance=1e-7, program=""):
-    """Against the surface, in micrometres, up to a constant."""
+    """Compares the data with the surface, in micrometres, up to a constant."""
     expected = (WHOLE if "whole" in name else Z) * (8 if "eighths" in name else 1)
     assert data.shape == expected.shape, (name, program, data.shape)
     assert (np.isnan(data) == np.isnan(expected)).all(), (name, program, data)
@@ -76,13 +76,13 @@ by_topography("shuffled_whole.xyz", unit=None)
 present = columns[~np.isnan(Z).reshape(-1)]
 np.savetxt(HERE / "gap.xyz", present, fmt="%.4f", delimiter=";")
 
-# SDF: by surfalize, and the other kinds of sample by hand.
+# SDF: by surfalize, and by hand for the other sample types.
 surface = Surface(Z, DX, DY)
 for name, binary in [("f8.sdf", True), ("text.sdf", False)]:
     with open(HERE / name, "wb") as file:
         write_sdf(file, surface, binary=binary)
     by_surfalize(name)
-by_topography("text.sdf")  # it does not know the least double of f8.sdf as missing
+by_topography("text.sdf")  # does not treat the least double of f8.sdf as missing
 missing = {"<i2": -(2**15), "<i4": -(2**31), "<f4": np.nan}
 for name, kind, code in [("i2.sdf", "<i2", 5), ("i4.sdf", "<i4", 6), ("f4.sdf", "<f4", 3)]:
     stored = np.where(np.isnan(Z), missing[kind], 8 * Z).astype(kind)
@@ -92,13 +92,13 @@ for name, kind, code in [("i2.sdf", "<i2", 5), ("i4.sdf", "<i4", 6), ("f4.sdf", 
     by_surfalize(name)
     by_topography(name)
 
-# X3P: by SurfaceTopography and surfalize, and a list of data by hand.
+# X3P: by SurfaceTopography and surfalize, and by hand for a list of data.
 masked = np.ma.masked_invalid(Z.T)
 topography = SurfaceTopography.Topography(masked, (NX * DX, NY * DY), unit="µm")
 for kind, tolerance in [("I", 1e-4), ("L", 1e-7), ("F", 1e-7), ("D", 1e-7)]:
     name = f"{kind}.x3p"
     topography_write_x3p(topography, str(HERE / name), dtype=kind)
-    by_topography(name, tolerance)  # surfalize refuses the checksums
+    by_topography(name, tolerance)  # surfalize rejects the checksums
 with open(HERE / "surfalize.x3p", "wb") as file:
     write_x3p(file, surface)
 by_surfalize("surfalize.x3p")
@@ -131,6 +131,6 @@ eighths = (8 * WHOLE).astype(np.int16)
 signal = {"data": eighths, "axes": axes, "metadata": {"General": {}, "Signal": {"quantity": "Height (um)"}}, "original_metadata": {}}
 rosetta_write(str(HERE / "i2_eighths_whole.sur"), signal, compressed=False)
 by_surfalize("i4.sur", 1e-6)
-by_rosetta("i4.sur", 1e-6)  # SurfaceTopography does not know the micro sign in UTF-8
+by_rosetta("i4.sur", 1e-6)  # SurfaceTopography does not support the micro sign in UTF-8
 by_surfalize("i2_eighths_whole.sur")
 by_topography("i2_eighths_whole.sur")

@@ -2,14 +2,15 @@
 """Makes random_points.csv: the nine influence coefficients at random points, by numerical integration.
 
 No closed form is used. The kernels of Boussinesq and Cerruti are homogeneous of degree -1, k(t r) = k(r)/t,
-so that div(k r) = k, and the integral over a rectangle is that of k times r.n around its edge,
+so that div(k r) = k. The integral over a rectangle is therefore the integral of k times r.n around its edge,
 
     sum over the four sides of d * integral of k along the side, d = distance of the field point from its line.
 
-With s = d sinh(t) along a side the nearest poles of the integrand are pi/2 off the axis: Gauss-Legendre quadrature
-of NODES nodes on pieces of length one does it in DIGITS digits, of which the four sides of a far cell cancel
-some thirty. Every tenth point is repeated with half as many digits and nodes more, and some far ones by the adaptive
-quadrature of mpmath over the cell itself. Both must agree to 40 digits of the largest coefficient.
+With s = d sinh(t) along a side, the nearest poles of the integrand are at a distance of pi/2 from the axis.
+Gauss-Legendre quadrature with NODES nodes on pieces of length one is accurate to DIGITS digits; for a far cell, about
+thirty of them cancel between the four sides. Every tenth point is repeated with 50 % more digits and nodes, and some far
+points by the adaptive quadrature of mpmath over the cell itself. Both must agree to 40 digits of the largest
+coefficient.
 """
 
 import pathlib
@@ -30,14 +31,14 @@ RATIOS = [-0.5, 0.0, 0.29, 0.499999, 0.5]
 
 
 def kernels(x, y):
-    """1/r, x^2/r^3, x y/r^3, x/r^2 and y/r^2."""
+    """Returns 1/r, x^2/r^3, x y/r^3, x/r^2 and y/r^2."""
     r2 = x * x + y * y
     r = mp.sqrt(r2)
     return mp.matrix([1 / r, x * x / (r2 * r), x * y / (r2 * r), x / r2, y / r2])
 
 
 def gauss_legendre(n):
-    """Nodes and weights on [-1, 1], by Newton's method."""
+    """Returns nodes and weights on [-1, 1], by Newton's method."""
     rule = []
     for i in range(n):
         x = mp.cos(mp.pi * (i + mpf(3) / 4) / (n + mpf(1) / 2))
@@ -52,9 +53,9 @@ def gauss_legendre(n):
 
 
 def around_the_edge(x, y, a, b):
-    """The kernels at the field point (x, y), integrated over the loaded cell."""
+    """Integrates the kernels for the field point (x, y) over the loaded cell."""
     total = mp.matrix(5, 1)
-    # Vectors from the load to the field point; sides by their line and its ends.
+    # Vectors from the load to the field point; each side is given by its line and its ends.
     for sign, offset, ends, is_turned in [
         (1, x + a, (y - b, y + b), False),
         (-1, x - a, (y - b, y + b), False),
@@ -78,7 +79,7 @@ def around_the_edge(x, y, a, b):
 
 
 def over_the_cell(x, y, a, b):
-    """The same by quadrature over the area, for a cell that is far away."""
+    """Integrates the kernels by quadrature over the area, for a cell that is far away."""
     def at(k):
         inner = lambda s: mp.quad(lambda t: kernels(x + s, y + t)[k], [-b, b], method="gauss-legendre")
         return mp.quad(inner, [-a, a], method="gauss-legendre")
@@ -86,7 +87,7 @@ def over_the_cell(x, y, a, b):
 
 
 def one_body(modulus, nu, integrals):
-    """The nine coefficients of a body of shear modulus `modulus`."""
+    """Returns the nine coefficients of a body with the shear modulus `modulus`."""
     potential, along_x, diagonal, radial_x, radial_y = integrals
     f = 1 / (2 * mp.pi * modulus)
     xx = f * ((1 - nu) * potential + nu * along_x)
@@ -98,7 +99,7 @@ def one_body(modulus, nu, integrals):
     return mp.matrix([xx, xy, -zx, xy, yy, -zy, zx, zy, zz])
 
 
-# Body 2 sees the opposite shear.
+# The shear on body 2 has the opposite sign.
 AS_BODY_2 = [1, 1, -1, 1, 1, -1, -1, -1, 1]
 
 
@@ -118,7 +119,7 @@ def assert_equal(first, second):
 
 
 def draw(pick, index):
-    """A cell, a field point and one or two bodies."""
+    """Draws a cell, a field point and one or two bodies."""
     size = 10.0 ** pick.uniform(-7, 2)
     aspect = 10.0 ** pick.uniform(-2, 2) if index % 4 else [0.01, 100.0, 1.0][index // 4 % 3]
     a, b = size, size * aspect
@@ -128,11 +129,11 @@ def draw(pick, index):
     if kind == "inside":
         x, y = a * pick.uniform(-1, 1), b * pick.uniform(-1, 1)
     elif kind == "edge":
-        # On an edge, at a corner, or within a hair of it.
+        # On an edge, at a corner, or very close to it.
         x = a * pick.choice([1.0, -1.0, 1.0 + 1e-9])
         y = b * pick.choice([1.0, -1.0, pick.uniform(-1, 1), 1.0 - 1e-6])
     elif kind == "beside":
-        # Off the middle of a side, in units of the other one.
+        # Near the middle of a side, at a distance in units of the other side.
         x, y = a * pick.uniform(-1, 1), b * (1 + 10.0 ** pick.uniform(-3, 1))
         if pick.random() < 0.5:
             x, y = a * (1 + 10.0 ** pick.uniform(-3, 1)), b * pick.uniform(-1, 1)

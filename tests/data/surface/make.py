@@ -1,4 +1,4 @@
-"""Writes filtered.csv: five surfaces through the Gaussian filter of surfalize 0.19.2 (NumPy 2.4.6, SciPy 1.17.1)."""
+"""Writes filtered.csv: five surfaces filtered by the Gaussian filter of surfalize 0.19.2 (NumPy 2.4.6, SciPy 1.17.1)."""
 
 import pathlib
 
@@ -7,7 +7,7 @@ from surfalize import Surface
 from surfalize.filter import GaussianFilter
 
 NX, NY = 48, 36
-# Cell sides, nesting index, what is left, and how the surface goes on beyond its edges.
+# Cell sides, nesting index, remaining part of the surface, and its continuation beyond the edges.
 CASES = [
     (1.0, 1.0, 8.0, "lowpass", "wrap"),
     (1.0, 1.0, 12.0, "highpass", "wrap"),

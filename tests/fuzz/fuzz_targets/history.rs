@@ -1,4 +1,4 @@
-//! A history whose state was changed is refused, or takes steps that end.
+//! A history with a modified state is rejected, or takes steps that end.
 #![no_main]
 
 mod saved;

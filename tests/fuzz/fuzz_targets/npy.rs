@@ -1,4 +1,4 @@
-//! A file of this format is a topography or refused.
+//! A file of this format is read as a topography or rejected.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

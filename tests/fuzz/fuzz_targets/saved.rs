@@ -1,4 +1,4 @@
-//! States that were saved and then changed, with the checksum of what they have become.
+//! Saved states that are then modified, with the checksum of the modified bytes.
 
 use std::hash::Hasher;
 use std::sync::LazyLock;
@@ -8,10 +8,10 @@ use stickslip::{
     NormalControl, Result, TangentialControl, TangentialModel, surface,
 };
 
-/// Bytes of the checksum at the end.
+/// Number of bytes of the checksum at the end.
 const SUM: usize = 8;
 
-/// The bodies of all states.
+/// Bodies of all states.
 pub static BODIES: LazyLock<HalfSpace> = LazyLock::new(|| bodies().expect("valid bodies"));
 
 static STATES: LazyLock<[Vec<u8>; 3]> = LazyLock::new(|| {
@@ -42,8 +42,8 @@ fn state(model: TangentialModel, coupling: Coupling) -> Result<Vec<u8>> {
     Ok(history.to_bytes())
 }
 
-/// One of the states, with bytes replaced: the first byte selects it, each following three are a place and what stands
-/// there.
+/// Returns one of the states with bytes replaced. The first byte of the input selects the state; each further group of
+/// three bytes is a position and its new value.
 pub fn changed(input: &[u8]) -> Vec<u8> {
     let (&selector, changes) = input.split_first().unwrap_or((&0, &[]));
     let mut bytes = STATES[usize::from(selector) % STATES.len()].clone();

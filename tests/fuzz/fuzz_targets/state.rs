@@ -1,4 +1,4 @@
-//! Bytes are a state or refused, and a state is saved and read again.
+//! Bytes are read as a state or rejected, and a state that was read can be saved and read again.
 #![no_main]
 
 mod saved;

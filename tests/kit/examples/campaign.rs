@@ -1,6 +1,6 @@
-//! Random hard scenes: `campaign FIRST COUNT` solves COUNT scenes from index FIRST, judges the answers and prints the
-//! faults; `campaign coated FIRST COUNT` does so with coated bodies, `campaign kinds FIRST COUNT` with contacts of every
-//! kind, and counts how their solves end.
+//! Random difficult scenes. `campaign FIRST COUNT` solves COUNT scenes from index FIRST, verifies the solutions and
+//! prints the faults. `campaign coated FIRST COUNT` uses coated bodies. `campaign kinds FIRST COUNT` uses contacts of
+//! every kind, and counts how their solves end.
 
 #![allow(
     clippy::print_stdout,
@@ -59,14 +59,14 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 /// Summary of all scenes.
 #[derive(Debug, Default)]
 struct Summary {
-    /// The words before the index in the command.
+    /// Words before the index in the command.
     name: &'static str,
-    /// Whether endings are counted kind by kind.
+    /// Whether endings are counted for each kind separately.
     has_kinds: bool,
-    /// Solves that ended so, and their products.
+    /// Number of solves with each ending, and their products.
     endings: BTreeMap<String, [usize; 2]>,
     compared: BTreeMap<&'static str, usize>,
-    /// Largest ratio of the true error to the certified one, and its scene.
+    /// Largest ratio of the true error to the certified error, and its scene.
     tightest: (f64, u64),
     slowest: (f64, u64),
     steps: (usize, u64),

@@ -1,5 +1,5 @@
-//! Work to count the instructions of: `counts SCENE TIMES` does the work of a scene so many times on one thread. The difference
-//! of two runs is the work alone, without what the program needs to start. `.ci/counts` runs it.
+//! Work for counting instructions. `counts SCENE TIMES` repeats the work of a scene the given number of times on one thread.
+//! The difference of two runs is the work alone, without the start of the program. `.ci/counts` runs it.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -26,7 +26,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// One product of the normal compliance with pressures on 128 x 128 cells, in double precision and in single.
+/// Computes products of the normal compliance with pressures on 128 x 128 cells, one in double and one in single
+/// precision.
 fn product(times: usize) -> stickslip::Result<()> {
     let Scene { bodies, .. } = ball(128)?;
     let operator = bodies.operator(Component::ZZ)?;
@@ -41,7 +42,7 @@ fn product(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// The sphere on 128 x 128 cells, pressed and sheared.
+/// Presses and shears the sphere on 128 x 128 cells.
 fn sphere(times: usize) -> stickslip::Result<()> {
     let scene = ball(128)?;
     for _ in 0..times {
@@ -52,7 +53,7 @@ fn sphere(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// To and fro on 64 x 64 cells: two steps of a history that has taken two before.
+/// Moves back and forth on 64 x 64 cells: two steps of a history that has taken two before.
 fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip::Result<()> {
     let scene = ball(64)?;
     let friction = Friction::coulomb(FRICTION)?;

@@ -1,5 +1,5 @@
-//! The cost of each digit of the answer itself: time and distance from closed forms over grids and tolerances, of uniform
-//! cells as they are and of values at the centres with the edges found inside the cells.
+//! Cost of each digit of the solution: time and distance from closed forms over grids and tolerances, for uniform cells
+//! without edges and for centre values with subcell edges.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -22,17 +22,17 @@ use stickslip::{
     TangentialLoad, TangentialProblem,
 };
 
-/// Cells along the side.
+/// Numbers of cells along each side.
 const GRIDS: [usize; 5] = [32, 64, 128, 256, 512];
 const TOLERANCES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
-/// The tolerances in the figure, by their places in the list, with their colours.
+/// Indices of the tolerances in the figure, with their colours.
 const SHOWN: [(usize, RGBColor); 3] = [(0, support::ORANGE), (2, support::BLUE), (4, BLACK)];
-/// Places of the contact between the cells, in cells; errors are means over them.
+/// Offsets of the contact relative to the cells, in cells; errors are means over them.
 const OFFSETS: [[f64; 2]; 4] = [[0.0, 0.0], [0.31, -0.17], [-0.42, 0.48], [0.12, 0.43]];
 /// Side of the grid; contact radii are one.
 const SIDE: f64 = 3.0;
 const FRICTION: f64 = 0.5;
-/// Tangential force over the force at which the contact slides.
+/// Tangential force relative to the force at which the contact slides.
 const LOADING: f64 = 0.4;
 
 const COLUMNS: &str = "scene,cells,tolerance,uniform_ms,uniform_error,uniform_area,\
@@ -40,16 +40,16 @@ const COLUMNS: &str = "scene,cells,tolerance,uniform_ms,uniform_error,uniform_ar
 
 type Function = Box<dyn Fn(f64, f64) -> f64>;
 
-/// A contact of the unit pair whose pressure or traction is known.
+/// Contact of the unit pair whose pressure or traction is known.
 struct Scene {
     name: &'static str,
     gap: Function,
     exact: Function,
     force: f64,
-    /// Of the contact, or of its stick zone.
+    /// Area of the contact, or of its stick zone if it is sheared.
     area: f64,
     boundary: Boundary,
-    /// Sheared along x by this force after it is pressed: the traction counts.
+    /// Force along x after pressing; if there is one, the traction is compared instead of the pressure.
     shear: Option<f64>,
 }
 
@@ -132,7 +132,7 @@ fn scenes() -> Result<[Scene; 5]> {
         shear: Some(shear.force()),
         ..smooth(Smooth::sphere)
     };
-    // Of radius one.
+    // The contact radius is one.
     let slope = 0.5;
     let first = Cone::new(&pair, slope, 1.0)?;
     let cone = Cone::new(&pair, slope, first.contact_radius().powi(-2))?;
@@ -165,7 +165,7 @@ fn scenes() -> Result<[Scene; 5]> {
 }
 
 impl Scene {
-    /// The least time of a solve with what is made of it, and the mean errors over the offsets.
+    /// Measures the shortest time of a solve with its evaluation, and the mean errors over the offsets.
     fn measure(&self, cells: usize, value: CellValue, tolerance: f64) -> Result<Measured> {
         let grid = Grid::square(cells, SIDE)?;
         let pair = unit_pair(0.0);
@@ -185,7 +185,7 @@ impl Scene {
         Ok(found)
     }
 
-    /// Time, field and area, as the cells have them or with edges.
+    /// Returns the time, the field and the area, as cell values or with edges.
     fn solve(
         &self,
         bodies: &HalfSpace,
@@ -247,7 +247,8 @@ impl Row {
     }
 }
 
-/// Time over the error, pressure of the sphere on the left and its traction on the right; along a curve the grid grows.
+/// Draws the time over the error, with the pressure of the sphere on the left and its traction on the right; the grid
+/// size increases along a curve.
 fn draw(path: &Path, rows: &[Row]) -> std::result::Result<(), Box<dyn Error>> {
     let title = "32 x 32 (right), 64, .. 512 x 512 cells (left) on three contact radii";
     let figure = support::figure(path, (1960, 1000), title)?;

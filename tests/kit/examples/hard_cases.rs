@@ -1,5 +1,5 @@
-//! A catalogue of hard scenes, solved and compared with exact solutions: one table, and an exit code that
-//! tells whether every row is right.
+//! Solves a catalogue of difficult scenes, compares them with exact solutions, and prints one table. The exit code
+//! reports whether every row is correct.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

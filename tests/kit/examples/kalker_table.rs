@@ -1,9 +1,11 @@
-//! The table of Kalker's coefficients in the library, by solves of steady rolling with creepages so small that only the
-//! edge slips: `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES (default 8).
+//! Computes the table of Kalker's coefficients in the library, by solves of steady rolling with creepages so small that
+//! only the edge slips. `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES
+//! (default 8).
 //!
-//! On one grid forces are wrong by some 0.3 %, as the cells of the contact cover the ellipse a little more or less than
-//! exactly. That error shows as a lack of reciprocity, C32 + C23, of which C23 has next to none. So each coefficient is
-//! extrapolated from several grids to reciprocity and to cells of no size, by a linear fit in both.
+//! On a single grid the forces have an error of about 0.3 %, because the cells of the contact cover slightly more or less
+//! than the ellipse. This error appears as a lack of reciprocity, C32 + C23, although C23 itself is hardly affected. Each
+//! coefficient is therefore extrapolated from several grids to reciprocity and to a cell size of zero, by a linear fit in
+//! both.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -15,10 +17,10 @@ use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, Result,
 };
 
-/// Cells across each axis of the ellipse, from the coarsest grid to the finest, and the number of grids.
+/// Numbers of cells across each axis of the ellipse on the coarsest and the finest grid, and the number of grids.
 const CELLS: [f64; 2] = [32.0, 128.0];
 const GRIDS: u32 = 24;
-/// Creepages, times the friction 1: what slips is next to nothing.
+/// Creepage, for a friction coefficient of 1; hardly any cell slips.
 const TINY: f64 = 1e-9;
 
 fn main() -> std::result::Result<(), Box<dyn Error>> {
@@ -34,14 +36,14 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// C11, C22, C23 and C33, and the largest root mean square of what the fits leave, relative.
+/// Returns C11, C22, C23 and C33, and the largest relative root-mean-square residual of the fits.
 fn extrapolated(ratio: f64, poisson: f64) -> Result<([f64; 4], f64)> {
     let mut rows = Vec::new();
     for grid in 0..GRIDS {
         let part = f64::from(grid) / f64::from(GRIDS - 1);
         let cells = CELLS[0] * (CELLS[1] / CELLS[0]).powf(part);
         let [c11, c22, c23, c32, c33] = coefficients(ratio, poisson, cells)?;
-        // A finer grid counts for more.
+        // A finer grid has a larger weight.
         rows.push((
             [1.0, (c32 + c23) / c23, 1.0 / cells].map(|term| cells * term),
             [c11, c22, c23, c33].map(|value| cells * value),
@@ -62,7 +64,7 @@ fn extrapolated(ratio: f64, poisson: f64) -> Result<([f64; 4], f64)> {
     Ok((found, left))
 }
 
-/// C11, C22, C23, C32 and C33 with so many cells across each axis of the ellipse.
+/// Returns C11, C22, C23, C32 and C33 for the given number of cells across each axis of the ellipse.
 fn coefficients(ratio: f64, poisson: f64, cells: f64) -> Result<[f64; 5]> {
     let body = Material::from_shear_modulus(1.0, poisson)?;
     let pair = ElasticPair::new(body, body)?;
@@ -103,7 +105,7 @@ fn coefficients(ratio: f64, poisson: f64, cells: f64) -> Result<[f64; 5]> {
     ])
 }
 
-/// The contact whose ellipse has this ratio of the semi-axes, by bisection for the ratio of the radii.
+/// Returns the contact whose ellipse has this ratio of the semi-axes, by bisection for the ratio of the radii.
 fn ellipse(pair: &ElasticPair, ratio: f64) -> Result<HertzEllipse> {
     let of = |exponent: f64| HertzEllipse::new(pair, exponent.exp(), 1.0, 1.0);
     let (mut low, mut high) = (-20.0, 20.0);
@@ -119,7 +121,7 @@ fn ellipse(pair: &ElasticPair, ratio: f64) -> Result<HertzEllipse> {
     of(low)
 }
 
-/// The factors of three terms that fit values best, by their normal equations.
+/// Returns the factors of three terms that best fit the values, by their normal equations.
 fn least_squares(rows: impl Iterator<Item = ([f64; 3], f64)>) -> [f64; 3] {
     let mut equations = [[0.0; 4]; 3];
     for (terms, value) in rows {

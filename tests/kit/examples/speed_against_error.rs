@@ -1,5 +1,5 @@
-//! The cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by
-//! both methods. With `--large` also on 1024 x 1024 cells.
+//! Cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by both methods. With
+//! `--large` the program also uses 1024 x 1024 cells.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -19,14 +19,14 @@ use stickslip::cgm::Method;
 use stickslip::influence::Component;
 
 const TOLERANCES: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
-/// The tolerance of the best solutions, which are taken as exact.
+/// Tolerance of the best solutions, which are taken as exact.
 const BEST: f64 = 1e-12;
-/// Cells along the side in the figure.
+/// Number of cells along each side in the figure.
 const SHOWN: usize = 256;
 
-/// For every row: the scene and the settings, the normal problem, the tangential problem on the best pressure,
-/// and the distance of the best solutions from the closed forms. The bound is certified by the library; `energy`
-/// and `l1` are true errors, in the energy norm and of the tractions summed over the cells.
+/// Columns of a row: the scene and the settings, the normal problem, the tangential problem under the best pressure,
+/// and the distances of the best solutions from the closed forms. The bound is certified by the library; `energy` and
+/// `l1` are true errors, in the energy norm and of the tractions summed over the cells.
 const COLUMNS: &str = "scene,cells,contact,method,tolerance,\
     normal_ms,normal_double,normal_single,normal_bound,normal_energy,normal_l1,normal_status,\
     shear_ms,shear_double,shear_single,shear_bound,shear_energy,shear_l1,shear_status,\
@@ -46,7 +46,7 @@ struct Row {
     contact: f64,
     method: Method,
     tolerance: f64,
-    /// The normal and the tangential problem.
+    /// Results of the normal and the tangential problem.
     runs: [Run; 2],
     /// Distances of the best solutions from the closed forms.
     discretisation: Option<[f64; 2]>,
@@ -56,9 +56,9 @@ struct Row {
 struct Run {
     milliseconds: f64,
     report: Report,
-    /// True error in the energy norm, relative.
+    /// Relative true error in the energy norm.
     energy: f64,
-    /// True error of the tractions: sum of all differences over the sum of all tractions.
+    /// True error of the tractions: sum of all differences divided by the sum of all tractions.
     l1: f64,
 }
 
@@ -106,7 +106,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Solves a scene by every method to every tolerance, and passes on each row when it is done.
+/// Solves a scene by every method to every tolerance, and passes each row to `show` when it is complete.
 fn measure(
     scene: &Scene,
     methods: &[Method],
@@ -139,7 +139,7 @@ fn measure(
                 energy: energy_error(&scene.bodies, Component::ZZ, found.pressure(), pressure)?,
                 l1: distance(found.pressure(), pressure),
             };
-            // On the best pressure, so that the error is that of the tangential solve alone.
+            // The best pressure is used, so that the error is that of the tangential solve only.
             let mut solver = scene
                 .tangential(&normal, method, tolerance)?
                 .into_solver()?;
@@ -179,7 +179,7 @@ fn print_heading() {
 }
 
 impl Run {
-    /// Whether the true error is below the bound; the best solution has an error too.
+    /// Returns whether the true error is below the bound; the best solution has an error as well.
     fn is_bounded(&self) -> bool {
         self.energy <= self.report.energy_error_bound() + BEST
     }
@@ -213,7 +213,7 @@ impl Row {
     }
 }
 
-/// Time over the true error, normal on the left and tangential on the right.
+/// Draws the time over the true error, with the normal problem on the left and the tangential problem on the right.
 fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let rows: Vec<_> = rows.iter().filter(|row| row.cells == SHOWN).collect();
     let runs = rows.iter().flat_map(|row| &row.runs);
@@ -221,7 +221,7 @@ fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let (least, most) = exponents.fold((f64::MAX, f64::MIN), |(least, most), exponent| {
         (least.min(exponent), most.max(exponent))
     });
-    // Two fifths of the height for the legend below the curves.
+    // Two fifths of the height are reserved for the legend below the curves.
     let (bottom, top) = (least - 0.7 * (most - least), most + 0.2);
 
     let title = format!("{SHOWN} x {SHOWN} cells: tolerances 1e-2 (right), 1e-4, .. 1e-10 (left)");

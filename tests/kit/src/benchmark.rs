@@ -1,4 +1,4 @@
-//! Contacts to measure with: the ball of the paper, and a rough surface under three loads.
+//! Contacts for measurements: the ball of the paper, and a rough surface under three loads.
 
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::cgm::Method;
@@ -9,18 +9,18 @@ use stickslip::{
 };
 
 pub const FRICTION: f64 = 0.5;
-/// Tangential force over the force at which the contact slides.
+/// Tangential force relative to the force at which the contact slides.
 pub const LOADING: f64 = 0.4;
 
-/// Mean pressures over the contact modulus: tried on 256 x 256 cells until about 2, 10 and 40 % of the
-/// cells touched. The surface is as steep on every grid, so nearly as many touch there.
+/// Mean pressures relative to the contact modulus, adjusted on 256 x 256 cells until about 2, 10 and 40 % of the cells
+/// were in contact. The surface has the same slope on every grid, so that the fractions are nearly the same there.
 const ROUGH_LOADS: [(&str, f64); 3] = [
     ("rough-2%", 0.0009),
     ("rough-10%", 0.0044),
     ("rough-40%", 0.024),
 ];
 
-/// Two bodies, pressed and then sheared along x.
+/// Two bodies that are pressed and then sheared along x.
 #[derive(Debug)]
 pub struct Scene {
     pub name: &'static str,
@@ -30,7 +30,7 @@ pub struct Scene {
     exact: Option<CattaneoMindlin>,
 }
 
-/// The ball of the paper's Table 2, in SI units, on a square of three contact radii.
+/// Returns the ball of the paper's Table 2, in SI units, on a square with a side of three contact radii.
 pub fn ball(cells: u16) -> Result<Scene> {
     let steel = Material::new(213e9, 0.29)?;
     let pair = ElasticPair::new(steel, steel)?;
@@ -46,8 +46,8 @@ pub fn ball(cells: u16) -> Result<Scene> {
     })
 }
 
-/// One rough surface on two equal bodies whose contact modulus `E / 2(1 - nu^2)` is the unit of
-/// pressure and whose cells are the unit of length, under three loads.
+/// Returns one rough surface on two equal bodies under three loads. The contact modulus `E / 2(1 - nu^2)` is the unit
+/// of pressure, and the cells are the unit of length.
 pub fn rough(cells: u16) -> Result<[Scene; 3]> {
     let body = Material::new(2.0 * (1.0 - 0.3 * 0.3), 0.3)?;
     let side = f64::from(cells);
@@ -91,7 +91,7 @@ impl Scene {
             .build()
     }
 
-    /// Pressure and traction traction at the centres of the cells, where they have a closed form.
+    /// Returns the pressure and the traction at the centres of the cells, if they have a closed form.
     pub fn closed_form(&self) -> Option<[Field; 2]> {
         let exact = self.exact?;
         let pressure = |x: f64, y: f64| exact.hertz().pressure(x.hypot(y));

@@ -1,4 +1,4 @@
-//! Contacts solved by CONTACT, a code of other authors, in the signs of this crate.
+//! Contacts solved by CONTACT, an independent code, with the signs of this crate.
 //!
 //! `tests/data/contact/README.md` states the source, the format and the signs of the files.
 
@@ -10,37 +10,37 @@ use stickslip::{ElasticPair, Field, Grid, Material};
 #[derive(Debug)]
 pub struct Case {
     pub grid: Grid,
-    /// Centre of the first cell; that of the grid need not be the origin.
+    /// Centre of the first cell; the centre of the grid need not be the origin.
     first: [f64; 2],
     pub pair: ElasticPair,
     pub friction: f64,
     pub steps: Vec<Step>,
 }
 
-/// What is prescribed along z.
+/// Quantity prescribed along z.
 #[derive(Debug, Clone, Copy)]
 pub enum Normal {
     Force(f64),
     Approach(f64),
-    /// The pressure of every cell is that of the [`Step::cells`].
+    /// The pressure of every cell is given by [`Step::cells`].
     Pressure,
 }
 
-/// What is prescribed along x or along y.
+/// Quantity prescribed along x or along y.
 #[derive(Debug, Clone, Copy)]
 pub enum Tangential {
-    /// On body 1.
+    /// Force on body 1.
     Force(f64),
-    /// What the shift gains in the step.
+    /// Increment of the shift in the step.
     Shift(f64),
 }
 
-/// One step: what is prescribed, and what CONTACT found at its end.
+/// One step: the prescribed quantities, and the results of CONTACT at its end.
 #[derive(Debug)]
 pub struct Step {
-    /// Whether it continues from the step before, or from bodies not loaded before.
+    /// Whether the step continues from the previous step, or starts from unloaded bodies.
     pub continues: bool,
-    /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero where the pressure is prescribed.
+    /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero if the pressure is prescribed.
     gap: [f64; 6],
     pub normal: Normal,
     pub tangential: [Tangential; 2],
@@ -48,29 +48,29 @@ pub struct Step {
     pub load: f64,
     pub force: [f64; 2],
     pub approach: f64,
-    /// What the shift gains in the step.
+    /// Increment of the shift in the step.
     pub shift: [f64; 2],
-    /// At the end of the step; none where the normal problem was not solved.
+    /// Elastic energy at the end of the step; `None` if the normal problem was not solved.
     pub elastic_energy: Option<f64>,
-    /// During the step.
+    /// Energy dissipated during the step.
     pub dissipated_energy: f64,
-    /// The cells that touch.
+    /// Cells in contact.
     pub cells: Vec<Cell>,
 }
 
-/// A cell that touches; column and row count from 0.
+/// A cell in contact; column and row are counted from 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Cell {
     pub ix: usize,
     pub iy: usize,
     pub sticks: bool,
     pub pressure: f64,
-    /// On body 1.
+    /// Traction on body 1.
     pub traction: [f64; 2],
 }
 
 impl Case {
-    /// The case of a file, which must be whole.
+    /// Parses the case of a file, which must be complete.
     pub fn parse(text: &str) -> Self {
         let mut lines = text
             .lines()
@@ -94,7 +94,7 @@ impl Case {
         }
     }
 
-    /// The undeformed gap of a step.
+    /// Returns the undeformed gap of a step.
     pub fn gap(&self, step: &Step) -> Field {
         let [xx, xy, yy, along_x, along_y, constant] = step.gap;
         Field::from_indices(self.grid, |ix, iy| {
@@ -104,7 +104,7 @@ impl Case {
         })
     }
 
-    /// A quantity of the cells that touch, zero elsewhere.
+    /// Returns a quantity of the cells in contact, and zero elsewhere.
     pub fn field(&self, step: &Step, quantity: impl Fn(&Cell) -> f64) -> Field {
         let mut field = Field::zeros(self.grid);
         for cell in &step.cells {
@@ -130,7 +130,7 @@ impl Step {
         let tangential = ["along_x", "along_y"].map(|axis| {
             match after(lines.next(), axis).split_once(' ').unwrap() {
                 ("force", value) => Tangential::Force(number(value)),
-                // CONTACT's shift is that of body 1 over body 2.
+                // The shift of CONTACT moves body 1 over body 2.
                 (_, value) => Tangential::Shift(-number(value)),
             }
         });
@@ -183,13 +183,13 @@ fn parse_cells<'a>(
     cells
 }
 
-/// The rest of a line that begins with a word.
+/// Returns the rest of a line that starts with a word.
 fn after<'a>(line: Option<&'a str>, word: &str) -> &'a str {
     let rest = line.and_then(|line| line.strip_prefix(word)?.strip_prefix(' '));
     rest.unwrap_or_else(|| panic!("{word} expected, found {line:?}"))
 }
 
-/// A line without its first words.
+/// Returns a line without its first words.
 fn skip(line: &str, words: usize) -> &str {
     line.splitn(words + 1, ' ').last().unwrap()
 }
@@ -198,12 +198,12 @@ fn number(word: &str) -> f64 {
     word.parse().unwrap()
 }
 
-/// The numbers a line begins with.
+/// Returns the numbers at the start of a line.
 fn numbers<const N: usize>(line: &str) -> [f64; N] {
     first_words(line, number)
 }
 
-/// The whole numbers a line begins with.
+/// Returns the whole numbers at the start of a line.
 fn counts<const N: usize>(line: &str) -> [usize; N] {
     first_words(line, |word| word.parse().unwrap())
 }

@@ -1,4 +1,4 @@
-//! The scenes, the oracle and the measures that tests, benches and unpackaged examples share.
+//! Scenes, reference solutions and measures shared by tests, benches and unpackaged examples.
 
 #![allow(
     missing_docs,
@@ -36,10 +36,10 @@ use stickslip::{
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
 
-/// The first argument in an everyday run of the tests, the second in the campaign before a release, which sets the
-/// environment variable `STICKSLIP_CAMPAIGN`.
+/// Returns the first argument in an everyday run of the tests, and the second in the campaign before a release, which
+/// sets the environment variable `STICKSLIP_CAMPAIGN`.
 ///
-/// Both must test the same law to the same tolerance. The first is a small instance, because every change waits for it.
+/// Both must test the same law to the same tolerance. The first is a small instance, because it runs for every change.
 pub fn thorough<T>(everyday: T, campaign: T) -> T {
     if std::env::var_os("STICKSLIP_CAMPAIGN").is_some() {
         campaign
@@ -48,8 +48,8 @@ pub fn thorough<T>(everyday: T, campaign: T) -> T {
     }
 }
 
-/// A rough gap: waves of all directions down to eight cells, amplitudes falling as for a Hurst
-/// exponent of 0.8, root-mean-square height one, least value zero.
+/// Returns a rough gap: waves of all directions down to eight cells, amplitudes that decrease as for a Hurst exponent
+/// of 0.8, a root-mean-square height of one and a minimum of zero.
 pub fn rough(grid: Grid, seed: u64) -> Field {
     let mut random = Random(seed);
     let side = grid.dx() * grid.nx() as f64;
@@ -100,13 +100,13 @@ fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64)
     }
 }
 
-/// Two equal bodies of unit contact modulus: no coupling between pressure and traction.
+/// Returns two equal bodies of unit contact modulus, for which pressure and traction are uncoupled.
 pub fn unit_pair(poisson_ratio: f64) -> ElasticPair {
     let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
     ElasticPair::new(each, each).unwrap()
 }
 
-/// All surroundings that a grid may have, the datum of a row of it at twice its length.
+/// Returns all boundaries that a grid may have. For periodic rows the datum is at twice the length of the grid.
 pub fn boundaries(grid: Grid) -> [Boundary; 3] {
     let datum = 2.0 * grid.dx() * grid.nx() as f64;
     [
@@ -173,13 +173,13 @@ pub fn max_abs(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |a, b| a.max(b.abs()))
 }
 
-/// `max |a - b|`.
+/// Returns `max |a - b|`.
 pub fn max_difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
 }
 
-/// `|a - b|_2 / |b|_2`.
+/// Returns `|a - b|_2 / |b|_2`.
 pub fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
@@ -187,7 +187,7 @@ pub fn l2_difference(a: &[f64], b: &[f64]) -> f64 {
     (square / norm).sqrt()
 }
 
-/// `|a - b|_C / |b|_C` by the operator of a component.
+/// Returns `|a - b|_C / |b|_C` with the operator C of a component.
 pub fn energy_difference(bodies: &HalfSpace, component: Component, a: &Field, b: &Field) -> f64 {
     let operator = bodies.operator(component).unwrap();
     let mut workspace = operator.scratch().unwrap();

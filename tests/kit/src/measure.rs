@@ -5,13 +5,13 @@ use std::time::{Duration, Instant};
 use stickslip::influence::Component;
 use stickslip::{Error, Field, HalfSpace, Operator, Result};
 
-/// Solves of which the fastest counts.
+/// Number of solves, of which the fastest counts.
 const REPEATS: usize = 3;
-/// No further repeat after this time in all.
+/// Total time after which no further repeat starts.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// The least time of a few solves, in milliseconds; one that does not converge is tried but once, and
-/// its report says so.
+/// Returns the shortest time of a few solves, in milliseconds. A solve that does not converge is run once only, and its
+/// report states the status.
 pub fn fastest(mut solve: impl FnMut() -> Result<()>) -> Result<f64> {
     let mut least = f64::INFINITY;
     let first = Instant::now();
@@ -28,7 +28,7 @@ pub fn fastest(mut solve: impl FnMut() -> Result<()>) -> Result<f64> {
     Ok(least)
 }
 
-/// Sum of all differences over the sum of the truth, in absolute values.
+/// Returns the sum of all absolute differences divided by the sum of the absolute true values.
 pub fn distance(found: &Field, truth: &Field) -> f64 {
     let pairs = found.as_slice().iter().zip(truth.as_slice());
     let difference: f64 = pairs.map(|(found, truth)| (found - truth).abs()).sum();
@@ -40,7 +40,7 @@ pub fn distance(found: &Field, truth: &Field) -> f64 {
             .sum::<f64>()
 }
 
-/// Energy norm of the difference over that of what was found, as the certified bound has it.
+/// Returns the energy norm of the difference divided by that of the solution found, as in the certified bound.
 pub fn energy_error(
     bodies: &HalfSpace,
     component: Component,

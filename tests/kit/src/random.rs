@@ -1,4 +1,4 @@
-//! The same draws on every machine.
+//! Random numbers that are the same on every machine.
 
 /// A small deterministic generator (splitmix64).
 #[derive(Debug, Clone)]
@@ -13,29 +13,29 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in `[low, high)`.
+    /// Returns a number uniform in `[low, high)`.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Ten to an exponent uniform in `[low, high)`.
+    /// Returns ten to the power of an exponent uniform in `[low, high)`.
     pub fn decade(&mut self, low: f64, high: f64) -> f64 {
         10_f64.powf(self.uniform(low, high))
     }
 
-    /// Uniform in `low..=high`.
+    /// Returns an integer uniform in `low..=high`.
     pub fn integer(&mut self, low: usize, high: usize) -> usize {
         let choices = high - low + 1;
         let part = self.uniform(0.0, choices as f64);
         low + (1..choices).take_while(|&k| part >= k as f64).count()
     }
 
-    /// True so often.
+    /// Returns true with the given probability.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.uniform(0.0, 1.0) < probability
     }
 
-    /// One of these.
+    /// Returns one of the choices.
     pub fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[self.integer(0, choices.len() - 1)]
     }

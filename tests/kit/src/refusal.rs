@@ -1,8 +1,8 @@
-//! Parameters of every kind, and what has to become of those that make no sense.
+//! Checks of parameters of every kind: invalid values must be rejected, and extreme values handled.
 
 use stickslip::{Error, Field, Grid};
 
-/// What a parameter must be.
+/// Requirement for a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rule {
     /// Greater than zero, and finite.
@@ -26,8 +26,9 @@ impl Rule {
     }
 }
 
-/// The call refuses every value that breaks the rule with an error that names the parameter and the value, and
-/// neither panics nor comes to no number on those at the ends of what doubles can say.
+/// Asserts that the call rejects every value that violates the rule, with an error that names the parameter and the
+/// value. Asserts further that the smallest and the largest valid doubles neither panic nor give a result that is not
+/// finite.
 pub fn assert_checked(word: &str, rule: Rule, call: impl Fn(f64) -> Result<f64, Error>) {
     for value in rule.broken_by() {
         let Err(error) = call(value) else {
@@ -49,7 +50,7 @@ pub fn assert_checked(word: &str, rule: Rule, call: impl Fn(f64) -> Result<f64, 
     }
 }
 
-/// The number of largest size in a field, NaN if there is one.
+/// Returns the value of largest magnitude in a field, or NaN if there is one.
 pub fn extreme(field: &Field) -> f64 {
     field.as_slice().iter().fold(0.0, |largest: f64, &value| {
         if largest.is_nan() || value.is_nan() {
@@ -60,7 +61,7 @@ pub fn extreme(field: &Field) -> f64 {
     })
 }
 
-/// Both sizes that do not fit, in numbers.
+/// Asserts that the message contains both sizes, and returns the error.
 pub fn mismatch(quantity: &'static str, expected: Grid, found: Grid) -> Error {
     let error = Error::GridMismatch {
         quantity,

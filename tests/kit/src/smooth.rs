@@ -1,11 +1,12 @@
-//! Smooth contacts of closed form, anywhere between the cells.
+//! Smooth contacts of closed form, at any offset from the cells.
 
 use stickslip::analytical::HertzEllipse;
 use stickslip::{Field, Grid, NormalControl};
 
 use crate::unit_pair;
 
-/// A contact of the [unit pair](unit_pair) of Poisson's ratio zero, about the origin; its longer half axis is one.
+/// A contact of the [unit pair](unit_pair) with a Poisson's ratio of zero about the origin; its longer semi-axis is
+/// one.
 #[expect(missing_debug_implementations, reason = "it holds functions")]
 pub struct Smooth {
     pub name: &'static str,
@@ -18,7 +19,7 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// Hertz.
+    /// Returns a Hertzian contact of a sphere.
     pub fn sphere() -> Self {
         let peak = 2.0 / std::f64::consts::PI;
         Self {
@@ -32,7 +33,7 @@ impl Smooth {
         }
     }
 
-    /// The gap `r^4`.
+    /// Returns the contact of the gap `r^4`.
     pub fn quartic() -> Self {
         let peak = 32.0 / (9.0 * std::f64::consts::PI);
         let pressure = move |x: f64, y: f64| {
@@ -46,15 +47,15 @@ impl Smooth {
             force: 64.0 / 15.0,
             area: std::f64::consts::PI,
             approach: 8.0 / 3.0,
-            // Where 2 r^2 = 1.
+            // The maximum is at 2 r^2 = 1.
             max_pressure: peak * 2.0 * 0.5_f64.sqrt(),
         }
     }
 
-    /// Hertz of half axes of about 2 to 1, turned by 45 degrees.
+    /// Returns a Hertzian contact with semi-axes of about 2 to 1, rotated by 45 degrees.
     pub fn ellipse() -> Self {
         let of = |scale: f64, load| HertzEllipse::new(&unit_pair(0.0), scale, 0.309 * scale, load);
-        // Lengths grow with the radii where the load does with their square.
+        // Lengths scale with the radii if the load scales with their square.
         let first = of(1.0, 1.0).unwrap();
         let scale = 1.0 / first.semi_axes()[0];
         let hertz = of(scale, scale * scale).unwrap();
@@ -81,21 +82,21 @@ impl Smooth {
         [Self::sphere(), Self::quartic(), Self::ellipse()]
     }
 
-    /// The gap about a point that lies so many cells from the middle of the grid.
+    /// Returns the gap about a point that is the given number of cells from the middle of the grid.
     pub fn gap(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
         Field::from_fn(grid, |x, y| {
             (self.height)(x - x0 * grid.dx(), y - y0 * grid.dy())
         })
     }
 
-    /// The pressure at the centres of the cells.
+    /// Returns the pressure at the centres of the cells.
     pub fn pressure(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
         Field::from_fn(grid, |x, y| {
             (self.pressure)(x - x0 * grid.dx(), y - y0 * grid.dy())
         })
     }
 
-    /// The mean pressure of the cells, by 24 x 24 points in each.
+    /// Returns the mean pressure of the cells, by 24 x 24 points in each.
     pub fn mean_pressure(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
         let parts = 24;
         let part = |k: i32| (f64::from(k) + 0.5) / f64::from(parts) - 0.5;
@@ -112,15 +113,15 @@ impl Smooth {
         })
     }
 
-    /// The stick radius over the contact radius, of a force that is this part of the sliding force.
+    /// Returns the ratio of stick radius to contact radius, for a force that is this fraction of the sliding force.
     pub fn stick_radius(&self, part: f64) -> f64 {
-        // Forces of similar contacts are as the powers 3 and 5 of their radii.
+        // Forces of similar contacts are proportional to their radii to the powers 3 and 5.
         let power = if self.name == "quartic" { 5.0 } else { 3.0 };
         (1.0 - part).powf(1.0 / power)
     }
 
-    /// The traction about the origin over the coefficient of friction, under a force that is this part of the sliding
-    /// force: the pressure minus the pressure of the contact that is as large as the stick zone.
+    /// Returns the traction about the origin divided by the friction coefficient, under a force that is this fraction of
+    /// the sliding force. It is the pressure minus the pressure of the contact that is as large as the stick zone.
     ///
     /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, Int. J.
     /// Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>.
@@ -131,12 +132,12 @@ impl Smooth {
         (self.pressure)(x, y) - stuck
     }
 
-    /// The gap about the origin.
+    /// Returns the gap about the origin.
     pub fn height(&self, x: f64, y: f64) -> f64 {
         (self.height)(x, y)
     }
 
-    /// The pressure about the origin.
+    /// Returns the pressure about the origin.
     pub fn pressure_at(&self, x: f64, y: f64) -> f64 {
         (self.pressure)(x, y)
     }
@@ -146,7 +147,7 @@ impl Smooth {
     }
 }
 
-/// `sum |a - b|` over the sum of `b`, of cells that are chosen by their index.
+/// Returns `sum |a - b|` divided by the sum of `b`, over the cells selected by their index.
 pub fn l1_difference(a: &Field, b: &Field, counts: impl Fn(usize) -> bool) -> f64 {
     let pairs = a.iter().zip(b.iter()).enumerate();
     let sum: f64 = pairs

@@ -1,16 +1,16 @@
-//! The waves of a field, by the slow transform.
+//! Waves of a field, by the slow transform.
 
 use std::f64::consts::TAU;
 
 use stickslip::Field;
 
-/// One wave `a exp(i (kx x + ky y))` of a field, referred to the origin of the grid; the wave of
-/// the opposite wave vector is listed too.
+/// One wave `a exp(i (kx x + ky y))` of a field relative to the origin of the grid; the wave of the opposite wave
+/// vector is listed as well.
 #[derive(Debug, Clone, Copy)]
 pub struct Wave {
-    /// Periods along each side, from `-n/2` up.
+    /// Number of periods along each side, from `-n/2`.
     pub numbers: [i64; 2],
-    /// Wave vector, `2 pi` over the wavelength along each axis.
+    /// Wave vector, `2 pi` divided by the wavelength along each axis.
     pub vector: [f64; 2],
     /// Real and imaginary part.
     pub amplitude: [f64; 2],
@@ -21,13 +21,13 @@ impl Wave {
         self.vector[0].hypot(self.vector[1])
     }
 
-    /// Squared modulus.
+    /// Returns the squared modulus.
     pub fn power(&self) -> f64 {
         self.amplitude[0].powi(2) + self.amplitude[1].powi(2)
     }
 }
 
-/// All waves of a field, continued periodically.
+/// Returns all waves of a field that is continued periodically.
 pub fn waves(field: &Field) -> Vec<Wave> {
     let grid = field.grid();
     let columns = along(grid.nx(), grid.dx());
@@ -57,11 +57,11 @@ pub fn waves(field: &Field) -> Vec<Wave> {
     found
 }
 
-/// Every number of periods along an axis, its wave vector, and `exp(-i k x)` in every cell.
+/// Returns each number of periods along an axis, its wave vector, and `exp(-i k x)` in every cell.
 fn along(n: usize, d: f64) -> Vec<(i64, f64, Vec<[f64; 2]>)> {
     let numbers = (0..n as i64).map(|i| i - (n / 2) as i64);
     let with_turns = |number: i64| {
-        // Twice a position is a whole number of cells: angles stay small and exact.
+        // Twice a position is a whole number of cells, so that the angles remain small and exact.
         let turn = |cell: i64| {
             let steps = number * (2 * cell - (n as i64 - 1));
             let (s, c) = (TAU * steps.rem_euclid(2 * n as i64) as f64 / (2 * n) as f64).sin_cos();

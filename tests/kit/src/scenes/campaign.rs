@@ -1,4 +1,4 @@
-//! What the index of a random scene stands for, solved.
+//! Random scenes, solved by index.
 
 use stickslip::cgm::Method;
 use stickslip::influence::Direction::{X, Y, Z};
@@ -8,12 +8,12 @@ use super::judge::Verifier;
 use super::row::Row;
 use super::{Scene, draw, steps};
 
-/// Cells up to which a scene is compared with the dense twin, and solved by both methods.
+/// Number of cells up to which a scene is compared with the dense reference and solved by both methods.
 const SMALL: usize = 150;
-/// One index in so many is a history.
+/// One in this many indices is a history.
 const HISTORIES: u64 = 8;
 
-/// The rows of an index.
+/// Returns the rows of an index.
 pub fn rows(index: u64) -> Vec<Row> {
     let outcome = if index % HISTORIES == HISTORIES - 1 {
         steps::story(index).map(|story| story.rows())
@@ -23,7 +23,8 @@ pub fn rows(index: u64) -> Vec<Row> {
     settled(index, outcome)
 }
 
-/// The rows of the contacts of an index, of coated bodies; one that says so where nothing can be certified.
+/// Returns the rows of the contacts of an index with coated bodies, or a single row that states why no error can be
+/// certified.
 pub fn coated_rows(index: u64) -> Vec<Row> {
     let outcome = draw::coated_scene(index).and_then(|scene| {
         let plane = scene.bodies.tensor_preconditioner([X, Y]).map(|_| ());
@@ -31,7 +32,8 @@ pub fn coated_rows(index: u64) -> Vec<Row> {
         let pressure = scene.bodies.tensor_operator([Z])?.lower_bound();
         let traction = scene.bodies.tensor_operator([X, Y])?.lower_bound();
         match bound {
-            // Energy norms of a datum that is too near are not norms: tests of lines of coated bodies compare other numbers.
+            // If the datum is too close, the operator is not definite and has no energy norm. Tests of lines of coated
+            // bodies compare other quantities.
             Ok(()) if pressure.min(traction) <= 0.0 && scene.gap.grid().cells() > 1 => {
                 let mut row = Row::new(&scene.name, "all");
                 "refused: datum too near".clone_into(&mut row.ending);

@@ -1,4 +1,4 @@
-//! Hard scenes with a closed form, held to what cells of that size resolve.
+//! Difficult scenes with a closed form, compared to the accuracy that cells of this size resolve.
 
 use stickslip::analytical::{FlatPunch, HertzSphere, Westergaard};
 use stickslip::{
@@ -17,7 +17,7 @@ fn pair() -> Result<ElasticPair> {
     ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())
 }
 
-/// The approach of a punch whose edge runs between cells: off by part of a cell over its radius.
+/// Compares the approach of a punch whose edge lies between cells; the error is a fraction of a cell over the radius.
 fn flat_punch() -> Result<Row> {
     let grid = Grid::square(128, 2.5)?;
     let bodies = HalfSpace::new(grid, pair()?)?;
@@ -32,12 +32,12 @@ fn flat_punch() -> Result<Row> {
     )
 }
 
-/// Hertz on a contact five cells wide.
+/// Compares with Hertz for a contact five cells wide.
 fn small_sphere() -> Result<Row> {
     let grid = Grid::square(33, 33.0)?;
     let bodies = HalfSpace::new(grid, pair()?)?;
     let radius = 100.0;
-    // The load of a contact radius of two and a half cells.
+    // The load has a contact radius of two and a half cells.
     let force = 4.0 / 3.0 * bodies.pair().contact_modulus() * 2.5_f64.powi(3) / radius;
     let hertz = HertzSphere::new(bodies.pair(), radius, force)?;
     let gap = surface::sphere(grid, radius)?;
@@ -50,7 +50,7 @@ fn small_sphere() -> Result<Row> {
     )
 }
 
-/// A wave pressed flat by exactly the pressure that does it.
+/// Compares a wave that is flattened by exactly the pressure required for full contact.
 fn closed_wave() -> Result<Row> {
     let grid = Grid::square(64, 1.0)?;
     let bodies = HalfSpace::with_boundary(grid, pair()?, Boundary::Periodic)?;
@@ -65,7 +65,7 @@ fn closed_wave() -> Result<Row> {
     })
 }
 
-/// A solve, and the error of one number with the bound it must keep.
+/// Solves a problem and compares the error of one number with its bound.
 fn row(
     name: &str,
     bodies: &HalfSpace,

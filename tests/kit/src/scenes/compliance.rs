@@ -1,18 +1,18 @@
-//! Energies and displacements on the whole grid, by the public operators alone.
+//! Energies and displacements on the whole grid, by the public operators only.
 
 use stickslip::influence::Component;
 use stickslip::{ElasticOperator, HalfSpace, Operator, Result};
 
-/// Displacement by one traction, or by two in the plane: all x components, then all y components.
+/// Compliance for one traction, or for two in the plane: all x components, then all y components.
 #[derive(Debug)]
 pub(crate) struct Compliance {
     cells: usize,
     blocks: usize,
     /// Row, column, and the operator between them.
     parts: Vec<(usize, usize, ElasticOperator)>,
-    /// Of the eigenvalues; in the plane that of the axes alone, which may be a little more.
+    /// Lower bound of the eigenvalues. In the plane it is that of the axes alone, which may be slightly larger.
     pub(crate) lower_bound: f64,
-    /// Round-off of a product over its largest value, that of the coefficients included.
+    /// Round-off of a product relative to its largest value, including that of the coefficients.
     pub(crate) round_off: f64,
 }
 
@@ -40,7 +40,7 @@ impl Compliance {
             blocks,
             parts,
             lower_bound,
-            // The tables of layers have 1e-13.
+            // The tables of layers are accurate to 1e-13.
             round_off: if bodies.pair().is_coated() {
                 1e-13
             } else {
@@ -53,7 +53,7 @@ impl Compliance {
         Self::of(bodies, &[Component::ZZ])
     }
 
-    /// Along an axis, or in the plane.
+    /// Returns the compliance along an axis, or in the plane.
     pub(crate) fn shear(bodies: &HalfSpace, axis: Option<usize>) -> Result<Self> {
         match axis {
             Some(0) => Self::of(bodies, &[Component::XX]),
@@ -82,7 +82,7 @@ impl Compliance {
         sum
     }
 
-    /// `sqrt(x' C x)`.
+    /// Returns `sqrt(x' C x)`.
     pub(crate) fn norm(&self, x: &[f64]) -> f64 {
         dot(x, &self.product(x)).max(0.0).sqrt()
     }

@@ -1,4 +1,4 @@
-//! Random scenes over everything the catalogue holds, each from its index alone.
+//! Random scenes over the whole range of the catalogue, each determined by its index.
 
 use std::time::Duration;
 
@@ -11,21 +11,23 @@ use stickslip::{
 use super::{Demand, Expected, Scene, Shear, gaps};
 use crate::Random;
 
-/// The time a solve may take before it counts as hanging.
+/// Time limit of a solve, after which it counts as hanging.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The generator of a scene: neighbours have nothing in common.
+/// Returns the generator of a scene; the scenes of adjacent indices are unrelated.
 pub(crate) fn random_of(index: u64) -> Random {
     let mut seed = Random(index);
     Random(seed.bits())
 }
 
-/// The scene of an index.
+/// Returns the scene of an index.
 pub(crate) fn scene(index: u64) -> Result<Scene> {
     scene_of(index, |pair, _| Ok(pair))
 }
 
-/// The same with a layer on body 1, from a hundredth of a cell to the grid thick, a thousand times as soft or as stiff.
+/// Returns the scene of an index with a layer on body 1, in three of ten cases also on body 2. Its thickness is between
+/// a hundredth of a cell and the size of the grid. Its modulus differs from that of the body by a factor of up to a
+/// thousand.
 pub(crate) fn coated_scene(index: u64) -> Result<Scene> {
     let mut random = random_of(index ^ 0x0063_6f61_7465_6400);
     scene_of(index, |pair, grid| {
@@ -89,7 +91,7 @@ fn scene_of(
     Ok(scene)
 }
 
-/// A grid that repeats along y, with some datum, or one that is free.
+/// Returns a boundary that is periodic along y with a random datum, or that of a free grid.
 fn along_y(grid: Grid, index: u64) -> Boundary {
     let length = grid.dx() * grid.nx() as f64;
     let far = [1.0, 10.0, 1e6].get((index % 4) as usize);

@@ -1,7 +1,7 @@
-//! Solves a scene and looks for anything that is wrong with the answer.
+//! Solves a scene and checks the solution for faults.
 //!
-//! Right is an answer that is feasible, whose complementarity holds to the tolerance on a product of its own,
-//! and whose distance from the truth is within the certified error.
+//! A solution is correct if it is feasible, if complementarity holds to the tolerance with an independent product, and
+//! if its distance from the reference solution is within the certified error.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -16,14 +16,14 @@ use super::oracle::{self, ReferenceSolution, gathered, limits};
 use super::row::{Measured, Row};
 use super::{Demand, Expected, Scene, Shear};
 
-/// Cells up to which the dense twin is asked.
+/// Verifier with the number of cells up to which the dense reference is used.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Verifier {
     pub(crate) dense_limit: usize,
 }
 
 impl Verifier {
-    /// All halves of a scene; a panic is a fault like any other.
+    /// Returns the rows of all parts of a scene; a panic counts as a fault.
     pub(crate) fn rows(self, scene: &Scene, method: Method) -> Vec<Row> {
         let halves = AssertUnwindSafe(|| self.halves(scene, method));
         match catch_unwind(halves) {
@@ -65,7 +65,7 @@ impl Verifier {
         };
         let mut solution = solver.new_solution();
         if let Some(before) = &scene.before {
-            // However that ends, it must not be seen in what follows.
+            // The outcome of the first scene must not affect the next solve.
             pose(&mut solver, before)?;
             let _ = solver.solve_into(&mut solution);
             pose(&mut solver, &(scene.gap.clone(), scene.load))?;
@@ -96,7 +96,7 @@ impl Verifier {
             let gap = u + (h - approach);
             let forbidden = if *p > 0.0 { gap.abs() } else { (-gap).max(0.0) };
             violated = violated.max(forbidden);
-            // A gap far from the contact has no say.
+            // The gap of cells far from the contact does not matter.
             if forbidden > 0.0 {
                 noise = noise.max(size);
             }
@@ -158,7 +158,7 @@ impl Verifier {
         let expected = if normal.contact_cells() == 0 {
             Expected::Refused("EmptyContact")
         } else if sum <= 0.0 {
-            // Any part of nothing can be held.
+            // Any fraction of a zero limit can be carried.
             Expected::Answer
         } else {
             shear.expected
@@ -240,7 +240,7 @@ impl Verifier {
                 self.dense_limit,
             );
             let truth = truth.filter(|truth| truth.error < 1.0);
-            // The last digits before the limit no force finds that was itself found by a shift.
+            // Near the limit, a reference under the force found has lost its last digits if the load was a shift.
             if truth.is_some() || !solution.is_gross_slip() {
                 answer.check_error(row, truth);
             }
@@ -249,24 +249,24 @@ impl Verifier {
     }
 }
 
-/// Changes gap and load; between the two no load stands in the way.
+/// Changes the gap and the load. The load is zero in between, so that it cannot conflict with the gap.
 fn pose(solver: &mut NormalSolver, (gap, load): &(Field, NormalControl)) -> Result<()> {
     solver.set_load(NormalControl::Force(0.0))?;
     solver.set_gap(gap)?;
     solver.set_load(*load)
 }
 
-/// A row that should not be.
+/// Returns a row with a fault.
 fn broken(scene: &Scene, fault: String) -> Row {
     let mut row = Row::new(&scene.name, "all");
     row.fault = Some(fault);
     row
 }
 
-/// Relative distance from the limit within which a traction is at it.
+/// Relative distance from the limit within which a traction counts as at the limit.
 pub(crate) const RIM: f64 = 1.1e-12;
 
-/// The most slip that friction does not allow.
+/// Returns the largest slip that violates the friction law.
 fn forbidden_slip(solution: &TangentialSolution, limits: &[f64], product: &[f64]) -> f64 {
     let cells = limits.len();
     let components: Vec<usize> = match solution.axis() {
@@ -283,7 +283,7 @@ fn forbidden_slip(solution: &TangentialSolution, limits: &[f64], product: &[f64]
         }
         let size = q[0].hypot(q[1]);
         let forbidden = if size >= limit * (1.0 - RIM) {
-            // Against the traction it may slip as far as it likes.
+            // Slip against the traction is unrestricted.
             let n = q.map(|q| q / size);
             let against = (-(slip[0] * n[0] + slip[1] * n[1])).max(0.0);
             (slip[0] + against * n[0]).hypot(slip[1] + against * n[1])
@@ -295,7 +295,7 @@ fn forbidden_slip(solution: &TangentialSolution, limits: &[f64], product: &[f64]
     most
 }
 
-/// An answer with a product of its own.
+/// A solution with an independent product.
 pub(crate) struct Answer<'a> {
     pub(crate) compliance: &'a Compliance,
     pub(crate) x: &'a [f64],
@@ -306,7 +306,7 @@ pub(crate) struct Answer<'a> {
 }
 
 impl Answer<'_> {
-    /// The largest displacement, or what the smallest eigenvalue makes of the largest unknown.
+    /// Returns the largest displacement, or its bound by the smallest eigenvalue and the largest unknown.
     fn displacement(&self) -> f64 {
         let cells = self.compliance.cells();
         let size = |v: &[f64], i: usize| match v.get(i + cells) {
@@ -320,14 +320,14 @@ impl Answer<'_> {
         largest[0].max(self.compliance.lower_bound * largest[1])
     }
 
-    /// `x' C x`, or what the smallest eigenvalue makes of it.
+    /// Returns `x' C x`, or its bound by the smallest eigenvalue.
     fn energy(&self) -> f64 {
         dot(self.x, self.product).max(self.compliance.lower_bound * dot(self.x, self.x))
     }
 
-    /// What round-off of a product may hide, relative in the energy norm.
+    /// Returns the relative error in the energy norm that the round-off of a product may hide.
     fn round_off(&self) -> f64 {
-        // On a grid that repeats a product is what is left of terms as large as a cell displaces itself.
+        // On a periodic grid a product is a difference of terms as large as the self-displacement of a cell.
         let mut one_cell = vec![0.0; self.x.len()];
         one_cell[0] = 1.0;
         let own = self.compliance.norm(&one_cell).powi(2);
@@ -336,7 +336,8 @@ impl Answer<'_> {
         1e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
     }
 
-    /// What a total missed by round-off may change, if one cell has to make up for it.
+    /// Returns the change of the energy norm due to the round-off of the total, if a single cell has to compensate for
+    /// it.
     fn missing_load(&self) -> f64 {
         let magnitude: f64 = self.x.iter().map(|x| x.abs()).sum();
         let mut one_cell = vec![0.0; self.x.len()];
@@ -344,7 +345,7 @@ impl Answer<'_> {
         self.compliance.norm(&one_cell) / self.energy().sqrt()
     }
 
-    /// Holds the residual reported, and the tolerance, against the violation found.
+    /// Compares the reported residual, and the tolerance, with the violation found.
     pub(crate) fn check_residual(&self, row: &mut Row, violated: f64, size: f64) {
         let displacement = self.displacement();
         let slack = 1e-13 * displacement + 8.0 * f64::EPSILON * size;
@@ -362,7 +363,7 @@ impl Answer<'_> {
         });
     }
 
-    /// Holds the certified error against the true one.
+    /// Compares the certified error with the true error.
     pub(crate) fn check_error(&self, row: &mut Row, truth: Option<ReferenceSolution>) {
         let Some(truth) = truth.filter(|truth| truth.error < 1.0) else {
             row.blame(true, || "there is nothing to compare with".to_owned());
@@ -371,7 +372,7 @@ impl Answer<'_> {
         let difference: Vec<f64> = self.x.iter().zip(&truth.x).map(|(a, b)| a - b).collect();
         let size = self.energy().sqrt();
         let distance = self.compliance.norm(&difference);
-        // Nothing deforms under a uniform traction that repeats.
+        // A uniform traction on a periodic grid causes no deformation.
         let error = if distance > 0.0 { distance / size } else { 0.0 };
         let slack = self.round_off() + self.missing_load() + 1.001 * truth.error;
         let certified = self.report.energy_error_bound();

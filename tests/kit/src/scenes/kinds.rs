@@ -1,4 +1,4 @@
-//! Random contacts of every kind, each from its index alone, for how their solves end: problems, then a history.
+//! Random contacts of every kind, each determined by its index, to test how their solves end: problems, then a history.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -16,7 +16,7 @@ use super::row::Row;
 use super::{Expected, gaps};
 use crate::Random;
 
-/// What a contact is drawn for.
+/// Kind of random contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     OneWay,
@@ -42,13 +42,13 @@ const KINDS: [(Kind, &str); 9] = [
     (Kind::Coupled, "coupled"),
 ];
 
-/// One index in so many is a history too.
+/// One in this many indices is also a history.
 const HISTORIES: u64 = 3;
 
-/// What is missing of the sliding force in the plane where the last digits of the force decide: a solve may stall there.
+/// Deficit from the sliding force in the plane below which the last digits of the force decide; a solve may stall there.
 const LAST_DIGITS: f64 = 1e-7;
 
-/// The rows of an index; the scene of each is its kind.
+/// Returns the rows of an index; the scene of each row is its kind.
 pub fn rows(index: u64) -> Vec<Row> {
     let (kind, name) = KINDS[(index % KINDS.len() as u64) as usize];
     let mut random = draw::random_of(index ^ 0x6b69_6e64);
@@ -70,7 +70,7 @@ pub fn rows(index: u64) -> Vec<Row> {
     vec![row]
 }
 
-/// A contact, and the part of the sliding force that shears it.
+/// A contact, and the fraction of the sliding force that shears it.
 #[derive(Debug)]
 struct Contact {
     bodies: HalfSpace,
@@ -167,7 +167,7 @@ fn gap(kind: Kind, grid: Grid, random: &mut Random) -> Field {
     }
 }
 
-/// Of which part of the sliding force remains to slide.
+/// Draws the deficit from the sliding force, as a fraction.
 fn missing(kind: Kind, random: &mut Random) -> f64 {
     match kind {
         Kind::NearSliding => random.decade(-9.0, -6.0),
@@ -187,7 +187,7 @@ impl Contact {
             Kind::Punch => random.chance(0.7),
             _ => false,
         };
-        // Nothing reaches the largest.
+        // The largest limit is never reached.
         let hardness = has_hardness.then(|| {
             let least = force / grid.area();
             Hardness::uniform(least * random.pick(&[1.05, 1.5, 3.0, 10.0, 100.0, 1e4]))
@@ -231,7 +231,7 @@ impl Contact {
         NormalControl::Force(self.force)
     }
 
-    /// The pressure and then the tractions, or both at once.
+    /// Solves the pressure and then the tractions, or the coupled problem.
     fn problems(&self, name: &str) -> Result<Vec<Row>> {
         if self.coupling == Coupling::Full && self.bodies.pair().is_coupled() {
             return self.both(name);
@@ -309,14 +309,14 @@ impl Contact {
         Ok(vec![row])
     }
 
-    /// Displacement by the force over a contact of the size of the grid.
+    /// Returns the displacement due to the force over a contact of the size of the grid.
     fn reach(&self) -> f64 {
         let (modulus, grid) = (self.bodies.pair().contact_modulus(), self.bodies.grid());
         self.force / (modulus * grid.area().sqrt())
     }
 
-    /// Part of it where constants displace nothing: a pressure between zero and `h` times its mean differs from the mean
-    /// by at most `sqrt(h - 1)` of it, as a root of squares.
+    /// Returns the fraction of this displacement that remains if constants cause no displacement. A pressure between
+    /// zero and `h` times its mean differs from the mean by at most `sqrt(h - 1)` of it in the root mean square.
     fn part_of_reach(&self) -> f64 {
         let mean = self.force / self.bodies.grid().area();
         let limit = self.hardness.as_ref().map(|hardness| hardness.of_cell(0));
@@ -326,10 +326,10 @@ impl Contact {
         }
     }
 
-    /// How a force of this part of the sliding one has to end.
+    /// Returns the expected ending for this fraction of the sliding force.
     fn expected(&self, part: f64) -> Expected {
         let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
-        // The last digit of a height, of a displacement that is known to an order of magnitude.
+        // The last digit of a height, relative to a displacement known to an order of magnitude.
         let displacement = self.reach() * self.part_of_reach();
         let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / displacement;
         if is_sliding || self.settings.tolerance < digit {
@@ -339,7 +339,7 @@ impl Contact {
         }
     }
 
-    /// To and fro by force, by shift, and under another load.
+    /// Moves back and forth by force, by shift, and under a different load.
     fn history(&self, name: &str, random: &mut Random) -> Result<Vec<Row>> {
         let mut builder = History::builder(&self.bodies, &self.gap, self.friction.clone())
             .model(self.model)
@@ -389,7 +389,7 @@ impl Contact {
     }
 }
 
-/// Takes down how a solve has ended.
+/// Records how a solve ended.
 fn end<'a, T>(
     row: &mut Row,
     outcome: &'a Result<T>,

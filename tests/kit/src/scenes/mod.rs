@@ -1,4 +1,4 @@
-//! Hard scenes: what they are, how they are solved, and what shows that an answer is right.
+//! Difficult scenes: their definition, their solution, and the verification of the solutions.
 
 pub mod campaign;
 pub mod catalogue;
@@ -25,7 +25,7 @@ pub(crate) struct Scene {
     pub(crate) load: NormalControl,
     pub(crate) settings: Settings,
     pub(crate) expected: Expected,
-    /// What the same solver solves first.
+    /// Problem that the same solver solves first.
     pub(crate) before: Option<(Field, NormalControl)>,
     pub(crate) shears: Vec<Shear>,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Shear {
 }
 
 impl Shear {
-    /// The method to solve it by: that asked for, where its model has it.
+    /// Returns the requested method if the model supports it, and the active-set method otherwise.
     pub(crate) fn method(&self, asked: Method) -> Method {
         match self.lateral {
             TangentialModel::Vector => Method::ActiveSet,
@@ -53,25 +53,25 @@ impl Shear {
 /// A tangential load that fits any pressure.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Demand {
-    /// In parts of the sliding force.
+    /// Fractions of the sliding force.
     Force([f64; 2]),
-    /// In parts of the largest displacement that tractions at the friction limit cause.
+    /// Fractions of the largest displacement caused by tractions at the friction limit.
     Shift([f64; 2]),
 }
 
-/// How a solve has to end.
+/// Expected ending of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Expected {
     /// Converged.
     Answer,
     /// Converged, or stalled at round-off.
     AnswerOrRoundOff,
-    /// Refused with this variant of the error.
+    /// Rejected with this variant of the error.
     Refused(&'static str),
 }
 
 impl Scene {
-    /// With default settings, to be answered, nothing sheared yet.
+    /// Creates a scene with default settings that must converge, without tangential contacts.
     pub(crate) fn new(
         name: impl Into<String>,
         bodies: &HalfSpace,
@@ -110,7 +110,7 @@ impl Scene {
         self
     }
 
-    /// Sheared along x in the scalar model, and obliquely in that of the plane.
+    /// Adds tangential contacts: along x in the scalar model, and oblique in the vector model.
     pub(crate) fn sheared(self, coefficient: f64, part: f64) -> stickslip::Result<Self> {
         let friction = Friction::coulomb(coefficient)?;
         Ok(self

@@ -1,4 +1,4 @@
-//! The truth about a scene: from the dense twin, or from another solve with a finer tolerance.
+//! Reference solutions of a scene: from the dense reference, or from a second solve with a smaller tolerance.
 
 use std::time::Duration;
 
@@ -12,11 +12,11 @@ use stickslip::{
 
 use super::{Scene, Shear};
 
-/// An answer to compare with, on the whole grid.
+/// A reference solution on the whole grid.
 #[derive(Debug)]
 pub(crate) struct ReferenceSolution {
     pub(crate) x: Vec<f64>,
-    /// Bound of its own error, relative in the energy norm.
+    /// Bound of the error of the reference, relative in the energy norm.
     pub(crate) error: f64,
     pub(crate) against: &'static str,
 }
@@ -31,18 +31,18 @@ impl ReferenceSolution {
     }
 }
 
-/// Time a finer solve may take.
+/// Time limit of a reference solve.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// What may be missing of the limit in a force that counts as the limit.
+/// Relative deficit within which a force counts as the friction limit.
 const SLIDING: f64 = 1.1e-12;
 
-/// The tolerance of a finer solve.
+/// Returns the tolerance of a reference solve.
 fn finer(tolerance: f64) -> f64 {
     (1e-3 * tolerance).max(1e-12)
 }
 
-/// The true pressure of the force or the approach that was found.
+/// Returns the reference pressure for the force or the approach that was found.
 pub(crate) fn pressure(
     scene: &Scene,
     found: &NormalSolution,
@@ -53,7 +53,7 @@ pub(crate) fn pressure(
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
     let (datum, total) = match scene.load {
         NormalControl::Force(force) => (scene.gap.min(), Some(force / grid.cell_area())),
-        // Certified is the error against the contact under the force found.
+        // The certified error is relative to the contact under the force found.
         NormalControl::Approach(_) if is_periodic => {
             let total = found.pressure().as_slice().iter().sum();
             (scene.gap.min(), Some(total))
@@ -82,7 +82,7 @@ pub(crate) fn pressure(
         .and_then(NormalProblem::into_solver);
     let mut solver = solver.ok()?;
     let mut solution = solver.new_solution();
-    // Stalled at round-off will do: it says how good it is.
+    // A reference that stalls at round-off is sufficient, because it reports its own error.
     let _ = solver.solve_into(&mut solution);
     Some(ReferenceSolution {
         error: solution.report().energy_error_bound(),
@@ -91,7 +91,7 @@ pub(crate) fn pressure(
     })
 }
 
-/// The true tractions of the load that was put on; of the force found where a periodic grid was shifted.
+/// Returns the reference tractions for the load, or for the force found if a periodic grid was shifted.
 pub(crate) fn tractions(
     scene: &Scene,
     shear: &Shear,
@@ -104,7 +104,8 @@ pub(crate) fn tractions(
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
-    // Near sliding the tractions of a force and of the force that an answer reaches differ by the root of the difference.
+    // Near sliding the tractions under the prescribed force and under the force reached differ by the square root of
+    // their difference.
     let is_missed = prescribed_force(load).is_some_and(|[x, y]| {
         let limit = limits.iter().sum::<f64>() * cell_area;
         found.axis().is_none() && found.report().load_error > 1.0 - x.hypot(y) / limit
@@ -116,7 +117,7 @@ pub(crate) fn tractions(
         load
     };
     let slides = sliding(&limits, load, (cell_area, is_periodic), found);
-    // Limits that hardly vary leave nothing of this comparison.
+    // If the limits hardly vary, this comparison has no accuracy.
     if let Some(truth) = slides.filter(|truth| truth.error < 1.0) {
         return Some(truth);
     }
@@ -151,7 +152,7 @@ pub(crate) fn tractions(
     })
 }
 
-/// The force of a load that prescribes one along both axes.
+/// Returns the force of a load that prescribes a force along both axes.
 pub(crate) fn prescribed_force(load: TangentialLoad) -> Option<[f64; 2]> {
     match [load.control(Axis::X), load.control(Axis::Y)] {
         [TangentialControl::Force(x), TangentialControl::Force(y)] => Some([x, y]),
@@ -159,7 +160,7 @@ pub(crate) fn prescribed_force(load: TangentialLoad) -> Option<[f64; 2]> {
     }
 }
 
-/// The shift of a load that prescribes one along both axes.
+/// Returns the shift of a load that prescribes a shift along both axes.
 fn prescribed_shift(load: TangentialLoad) -> Option<[f64; 2]> {
     match [load.control(Axis::X), load.control(Axis::Y)] {
         [TangentialControl::Shift(x), TangentialControl::Shift(y)] => Some([x, y]),
@@ -167,14 +168,14 @@ fn prescribed_shift(load: TangentialLoad) -> Option<[f64; 2]> {
     }
 }
 
-/// What the rounding of a force that was found leaves open of the tractions in the plane: near sliding they turn by
-/// the root of what is missing of the limit.
+/// Returns the uncertainty of the tractions in the plane due to the rounding of the force. Near sliding they rotate by
+/// the square root of the deficit from the limit.
 fn blur(limits: &[f64], [x, y]: [f64; 2], cell_area: f64) -> f64 {
     let missing = 1.0 - x.hypot(y) / (limits.iter().sum::<f64>() * cell_area);
     2.0 * f64::EPSILON / missing.max(f64::EPSILON).sqrt()
 }
 
-/// All cells at their limits along the force, if that is as good as the limit.
+/// Returns the tractions with all cells at their limits along the force, if the force equals the limit to round-off.
 fn sliding(
     limits: &[f64],
     load: TangentialLoad,
@@ -186,7 +187,7 @@ fn sliding(
     let size = x.hypot(y);
     let missing = (1.0 - size / limit).max(0.0);
     let along = |n: f64| limits.iter().map(move |limit| n / size * limit);
-    // In the plane tractions turn by the root of what is missing.
+    // In the plane tractions rotate by the square root of the deficit.
     let (x, error): (Vec<f64>, f64) = if let Some(axis) = found.axis() {
         (along([x, y][axis.index()]).collect(), 1e-10)
     } else {
@@ -200,7 +201,8 @@ fn sliding(
     })
 }
 
-/// Part of a field that is not its mean, as a root of squares: on a grid that repeats along both axes that alone has energy.
+/// Returns the root-mean-square fraction of a field that is not its mean. On a grid that is periodic along both axes only
+/// this part has an energy.
 fn varying(field: &[f64]) -> f64 {
     let mean = field.iter().sum::<f64>() / field.len() as f64;
     let square = |of: f64| field.iter().map(|value| (value - of).powi(2)).sum::<f64>();
@@ -237,8 +239,8 @@ fn exact_traction(
     Some(whole)
 }
 
-/// The influence of some cells on each other. That of a periodic grid gets a constant more, which changes no
-/// answer under a total.
+/// Returns the influence of some cells on each other. For a periodic grid a constant is added, which changes no
+/// solution with a prescribed total.
 pub(crate) fn matrix(
     bodies: &HalfSpace,
     component: Component,
@@ -256,7 +258,7 @@ pub(crate) fn matrix(
     DenseOperator::from_rows(cells.len(), entries.collect())
 }
 
-/// The friction limit of every cell.
+/// Returns the friction limit of every cell.
 pub(crate) fn limits(friction: &Friction, normal: &NormalSolution) -> Vec<f64> {
     let pressures = normal.pressure().as_slice().iter().enumerate();
     pressures
@@ -270,7 +272,7 @@ pub(crate) fn limits(friction: &Friction, normal: &NormalSolution) -> Vec<f64> {
         .collect()
 }
 
-/// The tractions of the model, one component or two.
+/// Returns the tractions of the model, one component or two.
 pub(crate) fn gathered(solution: &TangentialSolution) -> Vec<f64> {
     let traction = solution.traction();
     match solution.axis() {

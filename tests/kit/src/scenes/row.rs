@@ -1,4 +1,4 @@
-//! One row of the table: a solve, how it ended, and whether that is right.
+//! One row of the table: a solve, how it ended, and whether this is correct.
 
 use std::fmt;
 use std::time::Duration;
@@ -9,28 +9,28 @@ use stickslip::{Error, Result};
 use super::Expected;
 use super::compliance::Compliance;
 
-/// What was found in one solve.
+/// Result of one solve.
 #[derive(Debug, Clone)]
 pub struct Row {
     pub scene: String,
-    /// The half of the problem, or the model.
+    /// Part of the problem, or the model.
     pub half: String,
-    /// How the solve ended, in a word.
+    /// Ending of the solve, in a word.
     pub ending: String,
-    /// None if it was refused.
+    /// Report of the solve; `None` if it was rejected.
     pub report: Option<Report>,
     pub error: Option<Measured>,
     pub time: Duration,
-    /// What is wrong with it, if anything.
+    /// Description of the fault, if there is one.
     pub fault: Option<String>,
 }
 
-/// An error and what it was measured against.
+/// An error and the reference it was measured against.
 #[derive(Debug, Clone, Copy)]
 pub struct Measured {
-    /// Relative, in the energy norm.
+    /// Relative error in the energy norm.
     pub value: f64,
-    /// What round-off and the answer compared with may add to it.
+    /// Amount that round-off and the error of the reference may add.
     pub slack: f64,
     pub against: &'static str,
 }
@@ -48,7 +48,7 @@ impl Row {
         }
     }
 
-    /// Holds the certified error against the distance from an exact answer.
+    /// Compares the certified error with the distance from an exact solution.
     pub(crate) fn compare(
         &mut self,
         compliance: &Compliance,
@@ -70,7 +70,7 @@ impl Row {
         });
     }
 
-    /// Keeps the first fault.
+    /// Records a fault if the condition holds; the first fault is kept.
     pub(crate) fn blame(&mut self, condition: bool, fault: impl FnOnce() -> String) {
         if condition && self.fault.is_none() {
             self.fault = Some(fault());
@@ -81,7 +81,7 @@ impl Row {
         self.fault.is_none()
     }
 
-    /// Takes down how a solve ended; true if there is an iterate to look at.
+    /// Records how a solve ended; returns whether there is an iterate to check.
     pub(crate) fn end(&mut self, outcome: &Result<()>, report: &Report, wanted: Expected) -> bool {
         match outcome {
             Ok(()) | Err(Error::NotConverged(_)) => {
@@ -105,7 +105,7 @@ impl Row {
         }
     }
 
-    /// Takes down a refusal.
+    /// Records a rejection.
     pub(crate) fn refuse(&mut self, error: &Error, wanted: Expected) {
         let variant = variant(error);
         self.blame(!is_refusal(variant, wanted), || {
@@ -119,7 +119,7 @@ fn is_refusal(variant: &str, wanted: Expected) -> bool {
     matches!(wanted, Expected::Refused(name) if name == variant)
 }
 
-/// The name of an error's variant, of those that scenes expect.
+/// Returns the name of the error variant, for the variants that scenes expect.
 fn variant(error: &Error) -> &'static str {
     match error {
         Error::ApproachBeyondMeanGap { .. } => "ApproachBeyondMeanGap",
@@ -133,7 +133,7 @@ fn variant(error: &Error) -> &'static str {
     }
 }
 
-/// The line above the rows.
+/// Header line above the rows.
 pub const HEADER: &str = "| scene | half | ending | steps | products, double + single | certified error | error | against | ms | |\n\
      |---|---|---|--:|--:|--:|--:|---|--:|---|";
 

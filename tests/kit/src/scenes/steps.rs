@@ -1,4 +1,5 @@
-//! Histories over hard scenes: every step held to friction, to its own slip and to the dense twin.
+//! Histories over difficult scenes: every step is compared with the friction law, with its own slip and with the dense
+//! reference.
 
 use stickslip::cgm::{Bounds, Settings};
 use stickslip::influence::Component;
@@ -14,7 +15,7 @@ use super::row::Row;
 use super::{Expected, draw, gaps};
 use crate::Random;
 
-/// A contact and what is done to it, step by step.
+/// A contact and its load history.
 #[derive(Debug)]
 pub(crate) struct LoadHistory {
     pub(crate) name: String,
@@ -23,12 +24,12 @@ pub(crate) struct LoadHistory {
     pub(crate) friction: Friction,
     pub(crate) lateral: TangentialModel,
     pub(crate) settings: Settings,
-    /// The normal force that presses first.
+    /// Normal force of the first step.
     pub(crate) force: f64,
     pub(crate) acts: Vec<StepAction>,
 }
 
-/// One step, in parts of what the contact of the first pressing holds.
+/// One step, in fractions of the friction capacity or the displacement of the contact after the first step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum StepAction {
     Force([f64; 2]),
@@ -39,14 +40,14 @@ pub(crate) enum StepAction {
 
 const DENSE_LIMIT: usize = 150;
 
-/// The state before a step that the step remembers.
+/// State before a step, on which the step depends.
 struct Before {
     slip: [Vec<f64>; 2],
     shift: [f64; 2],
 }
 
 impl LoadHistory {
-    /// A row for every step.
+    /// Returns a row for every step.
     pub(crate) fn rows(&self) -> Vec<Row> {
         match self.tell() {
             Ok(rows) => rows,
@@ -129,7 +130,7 @@ impl LoadHistory {
     }
 }
 
-/// The same step along the axis of the model, or along both.
+/// Returns a step along the axis of the model, or along both axes.
 fn along(
     parts: [f64; 2],
     axis: Option<usize>,
@@ -146,7 +147,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0_f64, |a, u| a.max(u.abs()))
 }
 
-/// Looks for what is wrong after a step.
+/// Checks the history after a step.
 fn check(
     row: &mut Row,
     story: &LoadHistory,
@@ -165,9 +166,10 @@ fn check(
 
     let energy = step.energy();
     let size = energy.work.abs() + energy.elastic_before + energy.elastic_after;
-    // On a periodic grid a uniform traction has no energy but round-off.
+    // On a periodic grid a uniform traction has no energy except for round-off.
     let squares: f64 = limits.iter().map(|limit| limit * limit).sum();
-    // Neither has one that is small beside the work of the whole force on the whole shift.
+    // An imbalance is also due to round-off if it is small compared with the work of the whole force over the whole
+    // shift.
     let shift = largest(&before.shift).max(largest(&history.shift()));
     let travel = history.accumulated_slip().max().max(shift);
     let sum: f64 = limits.iter().sum();
@@ -182,7 +184,7 @@ fn check(
     let Some(report) = step.tangential_report() else {
         return;
     };
-    // A cell that has come into contact brings an offset of its own.
+    // A cell that came into contact has its own offset, which this check does not include.
     if matches!(act, StepAction::Press(_))
         || story
             .acts
@@ -235,7 +237,7 @@ fn check(
     }
 }
 
-/// The true tractions after a step along one axis, from the slip before it.
+/// Returns the reference tractions after a step along one axis, from the slip before it.
 fn exact(
     story: &LoadHistory,
     history: &History,
@@ -272,7 +274,7 @@ fn exact(
     for (&i, value) in contact.iter().zip(minimum.x) {
         x[i] = value;
     }
-    // What was slipped on the way may be far larger than any displacement now.
+    // The accumulated slip may be much larger than any displacement in this step.
     let compliance = Compliance::shear(&story.bodies, Some(axis.index())).ok()?;
     let travel = history.accumulated_slip().max().max(largest(&linear));
     let noise = 16.0 * f64::EPSILON * travel * (linear.len() as f64).sqrt();
@@ -285,7 +287,8 @@ fn exact(
     })
 }
 
-/// To and fro, up to sliding and back, with what the contact forgets and what it does not.
+/// Runs histories that move back and forth, up to sliding and back, through states that erase the memory of the contact
+/// and states that do not.
 pub(crate) fn rows() -> Result<Vec<Row>> {
     let to_and_fro = [0.7, -0.7, 0.999999, 0.0, -1.0, 1.0 + 1e-9, 1e-12, 0.5];
     let mut rows = Vec::new();
@@ -323,7 +326,7 @@ pub(crate) fn rows() -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Name, bodies, gap and mean pressure over the contact modulus.
+/// Returns the name, bodies, gap and mean pressure relative to the contact modulus.
 fn scenes() -> Result<Vec<(&'static str, HalfSpace, Field, f64)>> {
     let body = Material::new(2.0, 0.3)?;
     let pair = ElasticPair::new(body, body)?;
@@ -349,7 +352,7 @@ fn scenes() -> Result<Vec<(&'static str, HalfSpace, Field, f64)>> {
     ])
 }
 
-/// A random story of an index.
+/// Returns the random load history of an index.
 pub(crate) fn story(index: u64) -> Result<LoadHistory> {
     let scene = draw::scene(index)?;
     let mut random = draw::random_of(index ^ 0x5eed);

@@ -1,4 +1,4 @@
-//! The table of scenes.
+//! Table of scenes.
 
 use stickslip::NormalControl::{Approach, Force};
 use stickslip::history::EntryRule;
@@ -10,16 +10,16 @@ const HOLD: TangentialControl = TangentialControl::Hold;
 
 /// Equal bodies of unit contact modulus.
 const ALIKE: [(f64, f64); 2] = [(1.82, 0.3), (1.82, 0.3)];
-/// Bodies of which the first gives way more.
+/// Dissimilar bodies, the first of which is softer.
 const UNLIKE: [(f64, f64); 2] = [(1.0, 0.1), (6.0, 0.35)];
 const ON_RIGID: [(f64, f64); 2] = [(1.0, 0.0), (f64::INFINITY, 0.0)];
 
-/// A ball beside the middle, alike in no direction.
+/// Returns the gap of a ball off the centre, without symmetry.
 fn ball(x: f64, y: f64) -> f64 {
     0.05 * ((x - 0.1).powi(2) + 0.8 * (y + 0.07).powi(2) + 0.1 * x * y)
 }
 
-/// The ball with bumps.
+/// Returns the gap of the ball with bumps.
 fn bumpy(x: f64, y: f64) -> f64 {
     ball(x, y) + 0.004 * (7.0 * x + 3.0 * y).sin() + 0.003 * (2.0 * x - 8.0 * y).cos()
 }
@@ -56,7 +56,7 @@ fn spring(position: f64, stiffness: f64) -> TangentialControl {
     }
 }
 
-/// Along x alone: pressed, sheared, turned round, pressed more, dragged, let go.
+/// Returns a path along x: pressing, shear, reversal, more pressing, a spring, unloading.
 fn to_and_fro(load: f64) -> Vec<Step> {
     use TangentialControl::{Force as Pull, Shift};
     vec![
@@ -69,7 +69,7 @@ fn to_and_fro(load: f64) -> Vec<Step> {
     ]
 }
 
-/// In all directions, and apart on the way.
+/// Returns a path in all directions with a separation in between.
 fn around(load: f64) -> Vec<Step> {
     use TangentialControl::{Force as Pull, Shift};
     vec![
@@ -83,7 +83,7 @@ fn around(load: f64) -> Vec<Step> {
     ]
 }
 
-/// With these amounts of twist.
+/// Adds these amounts of twist to the steps.
 fn twisted(mut path: Vec<Step>, twists: &[f64]) -> Vec<Step> {
     for (step, twist) in path.iter_mut().zip(twists) {
         step.twist = Some(*twist);
@@ -91,7 +91,7 @@ fn twisted(mut path: Vec<Step>, twists: &[f64]) -> Vec<Step> {
     path
 }
 
-/// With these amounts of strain.
+/// Adds these amounts of strain to the steps.
 fn strained(mut path: Vec<Step>, amounts: &[f64]) -> Vec<Step> {
     for (step, amount) in path.iter_mut().zip(amounts) {
         step.strain = Some(*amount);
@@ -102,7 +102,7 @@ fn strained(mut path: Vec<Step>, amounts: &[f64]) -> Vec<Step> {
 const TWISTS: [f64; 6] = [0.0, 0.01, 0.02, -0.015, 0.0, 0.0];
 const STRAINS: [f64; 6] = [0.0, 0.004, 0.01, -0.006, 0.002, 0.0];
 
-/// A bumpy ball between equal bodies, sheared along x: what the others differ from.
+/// Returns the basic scene, which the other scenes modify: a bumpy ball between equal bodies, sheared along x.
 fn scalar(name: &'static str) -> Scene {
     Scene {
         name,
@@ -126,7 +126,7 @@ fn scalar(name: &'static str) -> Scene {
     }
 }
 
-/// In the plane, with twist.
+/// Returns a scene in the vector model with twist.
 fn plane(name: &'static str) -> Scene {
     Scene {
         model: TangentialModel::Vector,
@@ -135,7 +135,7 @@ fn plane(name: &'static str) -> Scene {
     }
 }
 
-/// Pressure and traction of dissimilar bodies together, with twist.
+/// Returns a fully coupled scene of dissimilar bodies with twist.
 fn coupled(name: &'static str) -> Scene {
     Scene {
         bodies: UNLIKE,
@@ -143,7 +143,7 @@ fn coupled(name: &'static str) -> Scene {
     }
 }
 
-/// Waves on a grid that repeats; nothing twists there.
+/// Returns waves on a periodic grid, without twist.
 fn repeating(scene: &Scene, load: f64) -> Scene {
     Scene {
         around: Around::Everywhere,
@@ -156,7 +156,7 @@ fn repeating(scene: &Scene, load: f64) -> Scene {
     }
 }
 
-/// A contact that is large, then small, and large again.
+/// Returns a contact that is large, then small, and large again.
 fn shrinking(scene: &Scene) -> Scene {
     let press = |approach, shift| step(Approach(approach), TangentialControl::Shift(shift), HOLD);
     let steps = [
@@ -177,8 +177,8 @@ fn shrinking(scene: &Scene) -> Scene {
     }
 }
 
-/// Every kind of history.
-#[rustfmt::skip] // a line a scene
+/// Returns histories of every kind.
+#[rustfmt::skip] // one scene per line
 pub fn scenes() -> Vec<Scene> {
     let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected];
     let strain = Some([[1.0, 0.2], [0.1, -0.3]]);

@@ -1,10 +1,10 @@
-//! What a history has come to: in bits, and in numbers that another pose of the scene must find again.
+//! Results of a history: its bits, and numbers that must be the same for a different pose of the scene.
 
 use stickslip::{Field, History};
 
 use super::{Scene, UnitTransform};
 
-/// All that the history is and its last step did, in bits.
+/// Returns the complete state of a history and of its last step, in bits.
 pub fn bits(history: &History) -> Vec<u8> {
     let (mut bits, step) = (history.to_bytes(), history.last_step());
     let [x, y] = step.slip();
@@ -22,7 +22,7 @@ pub fn bits(history: &History) -> Vec<u8> {
     bits
 }
 
-/// What every rank knows of a history and its last step.
+/// Returns the results of a history and its last step that every rank has.
 pub fn known(history: &History) -> Vec<f64> {
     let (step, normal) = (history.last_step(), history.normal());
     let energy = step.energy();
@@ -71,7 +71,7 @@ pub fn known(history: &History) -> Vec<f64> {
     known
 }
 
-/// What a history has come to in each cell.
+/// Returns the results of a history in each cell.
 pub fn cells(history: &History) -> Vec<[f64; 8]> {
     let ([qx, qy], step) = (history.traction(), history.last_step());
     let fields = [
@@ -91,8 +91,8 @@ pub fn cells(history: &History) -> Vec<[f64; 8]> {
     (0..history.grid().cells()).map(cell).collect()
 }
 
-/// The numbers of all steps, as they are in the scene without its pose: those of each group are told from round-off by the
-/// largest of it.
+/// Numbers of all steps, transformed back to the scene without its pose. Round-off is measured relative to the largest
+/// number of each group.
 #[derive(Debug, Default)]
 pub struct Measured {
     pub pressures: Vec<f64>,
@@ -101,7 +101,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Of all steps of a scene.
+    /// Returns the numbers of all steps of a scene.
     pub fn run(scene: &Scene, pose: &UnitTransform) -> Self {
         let mut history = scene.history(&scene.half_space(pose), pose);
         let mut measured = Self::default();

@@ -1,6 +1,5 @@
-//! Histories of every kind on small grids, for laws that each of them obeys: whatever a history may be built with and
-//! loaded by has a scene. Lengths, pressures and directions are those of no units and of one orientation; a [`UnitTransform`] gives
-//! them others.
+//! Histories of every kind on small grids, for laws that each of them obeys. Every option and load of a history occurs in
+//! a scene. Lengths, pressures and directions have no units and one orientation; a [`UnitTransform`] transforms them.
 
 mod kinds;
 mod measure;
@@ -21,17 +20,17 @@ pub use kinds::scenes;
 pub use measure::{Measured, bits, cells, known};
 pub use pose::UnitTransform;
 
-/// What surrounds the grid.
+/// Boundary of the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Around {
     Nothing,
     Everywhere,
     AlongY,
-    /// One row, in plane strain.
+    /// A single row, in plane strain.
     Line,
 }
 
-/// The loads of a step.
+/// Loads of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Step {
     pub normal: NormalControl,
@@ -40,19 +39,19 @@ pub struct Step {
     pub strain: Option<f64>,
 }
 
-/// A history: what it is built with, and the steps it takes.
+/// A history: its options and its steps.
 #[derive(Debug, Clone)]
 pub struct Scene {
     pub name: &'static str,
     pub size: [usize; 2],
-    /// Of a cell.
+    /// Sides of a cell.
     pub sides: [f64; 2],
     pub around: Around,
-    /// Young's modulus, infinite of a rigid body, and Poisson's ratio of each body.
+    /// Young's modulus (infinite for a rigid body) and Poisson's ratio of each body.
     pub bodies: [(f64, f64); 2],
     pub gap: fn(f64, f64) -> f64,
     pub friction: f64,
-    /// By what the coefficient of friction differs from place to place.
+    /// Position-dependent part of the friction coefficient.
     pub slippery: Option<fn(f64, f64) -> f64>,
     pub shear_strength: f64,
     pub model: TangentialModel,
@@ -61,14 +60,14 @@ pub struct Scene {
     pub hardness: Option<fn(f64, f64) -> f64>,
     pub is_set_permanent: bool,
     pub strain: Option<[[f64; 2]; 2]>,
-    /// Depth over pressure and slip.
+    /// Wear depth divided by pressure and slip.
     pub wear: f64,
     pub tolerance: f64,
     pub path: Vec<Step>,
 }
 
 impl Scene {
-    /// The same scene on more cells, each smaller.
+    /// Returns the scene on a finer grid.
     #[must_use]
     pub fn finer(mut self, times: [usize; 2]) -> Self {
         for (axis, times) in times.into_iter().enumerate() {
@@ -80,12 +79,12 @@ impl Scene {
         self
     }
 
-    /// Whether the grid may change its axes.
+    /// Returns whether the grid may exchange its axes.
     pub fn can_turn(&self) -> bool {
         matches!(self.around, Around::Nothing | Around::Everywhere)
     }
 
-    /// Length over which the contact carries a load, as a unit of it.
+    /// Returns the length over which the contact carries a load, as a unit of the load.
     fn depth(&self, pose: &UnitTransform) -> f64 {
         if self.around == Around::Line {
             1.0
@@ -134,7 +133,7 @@ impl Scene {
         HalfSpace::with_boundary(grid, self.pair(pose), self.boundary(grid)).unwrap()
     }
 
-    /// The slab of a rank.
+    /// Returns the half-space on the slab of a rank.
     pub fn half_space_on(&self, rank: Arc<dyn Ranks>) -> Result<HalfSpace> {
         let pose = UnitTransform::IN_PLACE;
         let grid = self.grid(&pose);
@@ -156,7 +155,7 @@ impl Scene {
         friction
     }
 
-    /// The history before its first step.
+    /// Returns the history before its first step.
     pub fn history(&self, bodies: &HalfSpace, pose: &UnitTransform) -> History {
         let grid = bodies.grid();
         let gap = pose.field(grid, self.gap).scaled(pose.length);
@@ -181,7 +180,7 @@ impl Scene {
         builder.build().unwrap()
     }
 
-    /// A step of the path as it is posed.
+    /// Returns a step of the path, transformed by the pose.
     pub fn load(&self, step: &Step, pose: &UnitTransform) -> LoadStep {
         let (length, stiffness) = (pose.length, pose.pressure * self.depth(pose));
         let force = stiffness * length;
@@ -219,7 +218,7 @@ impl Scene {
         load
     }
 
-    /// Takes a step of the path, and wears the gap by what it did.
+    /// Takes a step of the path, and applies its wear to the gap.
     pub fn take(&self, history: &mut History, step: &Step, pose: &UnitTransform) {
         let load = self.load(step, pose);
         let taken = history.step(&load).map(|_| ());
@@ -227,7 +226,7 @@ impl Scene {
         self.wear(history, pose);
     }
 
-    /// Wears the gap by what the last step did.
+    /// Applies the wear of the last step to the gap.
     pub fn wear(&self, history: &mut History, pose: &UnitTransform) {
         if self.wear == 0.0 {
             return;

@@ -1,15 +1,15 @@
-//! Scenes in other units, turned, mirrored, and with their bodies exchanged.
+//! Scenes in different units, rotated, mirrored, and with their bodies exchanged.
 
 use stickslip::{Field, Grid};
 
-/// Units, and the place of a scene: first x and y are swapped, then each may be reversed.
+/// Units and orientation of a scene: first x and y are swapped, then each may be reversed.
 #[derive(Debug, Clone, Copy)]
 pub struct UnitTransform {
     pub length: f64,
     pub pressure: f64,
     pub swaps: bool,
     pub signs: [f64; 2],
-    /// Whether body 1 and body 2 are exchanged, and with them the sign of all that is tangential.
+    /// Whether body 1 and body 2 are exchanged, which reverses the sign of all tangential quantities.
     pub exchanges: bool,
 }
 
@@ -34,18 +34,18 @@ impl UnitTransform {
         if self.swaps { [y, x] } else { [x, y] }
     }
 
-    /// The sign of what body 2 does to body 1.
+    /// Returns the sign of the action of body 2 on body 1.
     pub(super) fn side(&self) -> f64 {
         if self.exchanges { -1.0 } else { 1.0 }
     }
 
-    /// The sign of rotations and moments.
+    /// Returns the sign of rotations and moments.
     pub(super) fn turn(&self) -> f64 {
         let swaps = if self.swaps { -1.0 } else { 1.0 };
         swaps * self.signs[0] * self.signs[1] * self.side()
     }
 
-    /// A strain of body 1 less that of body 2.
+    /// Transforms a strain of body 1 minus that of body 2.
     pub(super) fn tensor(&self, strain: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
         let [from_x, from_y] = self.swapped([0, 1]);
         let part = |i: usize, j: usize| {
@@ -55,7 +55,7 @@ impl UnitTransform {
         [[part(0, 0), part(0, 1)], [part(1, 0), part(1, 1)]]
     }
 
-    /// A function of the place in the scene, on the posed grid.
+    /// Returns a function of the position in the scene as a field on the transformed grid.
     pub(super) fn field(&self, grid: Grid, value: impl Fn(f64, f64) -> f64) -> Field {
         Field::from_fn(grid, |x, y| {
             let [x, y] = self.back([x, y]).map(|place| place / self.length);
@@ -63,12 +63,12 @@ impl UnitTransform {
         })
     }
 
-    /// A vector as it was before it was posed, but for units.
+    /// Transforms a vector back, except for its units.
     pub(super) fn back(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         self.swapped([self.signs[0] * x, self.signs[1] * y])
     }
 
-    /// The samples of a posed field in the order of the cells of the scene.
+    /// Returns the samples of a transformed field in the order of the cells of the scene.
     pub(super) fn cells_back(&self, field: &Field) -> Vec<f64> {
         let (grid, mut samples) = (field.grid(), Vec::new());
         let [nx, ny] = self.swapped([grid.nx(), grid.ny()]);

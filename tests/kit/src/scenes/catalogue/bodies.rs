@@ -1,4 +1,4 @@
-//! Hard for what touches: few cells or all, slender grids, odd materials, units and surfaces.
+//! Scenes with difficult bodies: few cells or all in contact, slender grids, extreme materials, units and surfaces.
 
 use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, Result};
 
@@ -6,7 +6,7 @@ use super::super::{Scene, gaps};
 use super::{free, pair, periodic, press, suffix};
 use crate::Random;
 
-/// From one cell in contact to all of them.
+/// Returns contacts from a single cell to all cells.
 pub(crate) fn contacts() -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     let places = [[10, 10], [10, 11], [3, 17], [0, 0], [19, 2]];
@@ -70,7 +70,7 @@ pub(crate) fn contacts() -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// Slender grids, prime sizes, slender cells.
+/// Returns slender grids, prime sizes and slender cells.
 pub(crate) fn grids() -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for (nx, ny) in [
@@ -127,7 +127,7 @@ pub(crate) fn materials() -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// Units nobody would choose.
+/// Returns scenes in extreme units.
 pub(crate) fn scales() -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for modulus in [1e-3, 1e15] {

@@ -1,4 +1,4 @@
-//! The bare engine, from starts and with operators no contact has.
+//! Direct calls of the engine, with starts and operators that no contact has.
 
 use std::ops::ControlFlow;
 
@@ -13,7 +13,7 @@ use super::super::{Expected, gaps};
 use super::{free, press};
 use crate::Random;
 
-/// The bare engine from any start there is.
+/// Runs the engine from every kind of start.
 pub(crate) fn starts() -> Result<Vec<Row>> {
     let bodies = free(20, 20)?;
     let gap = gaps::bowl(bodies.grid(), 40.0);
@@ -69,7 +69,7 @@ pub(crate) fn starts() -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// What is no number cannot converge.
+/// Runs the engine with operators that are NaN or negative definite, which must not converge.
 pub(crate) fn broken_operators() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, sign) in [("NaN", f64::NAN), ("a negative definite map", -1.0)] {
@@ -92,7 +92,7 @@ pub(crate) fn broken_operators() -> Vec<Row> {
     rows
 }
 
-/// Every entry times this.
+/// Operator that multiplies every entry by this number.
 struct Diagonal(f64);
 
 impl Operator for Diagonal {

@@ -1,4 +1,4 @@
-//! Hard for what is asked: loads, friction, tolerances, and what was solved before.
+//! Scenes with difficult requests: loads, friction, tolerances and previous solves.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -8,7 +8,7 @@ use super::super::{Demand, Expected, Scene, Shear, gaps};
 use super::{free, periodic, press, suffix};
 use crate::Random;
 
-/// From a load of nothing to one that no body bears, and everything between no shear and sliding.
+/// Returns loads from zero to far beyond the range of elastic bodies, and tangential forces from zero to sliding.
 pub(crate) fn loads() -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for part in [1e-14, 1e-9, 1.0, 1e3] {
@@ -36,7 +36,7 @@ pub(crate) fn loads() -> Result<Vec<Scene>> {
             (0.999999, "F = 0.999999 of sliding"),
             (1.0 - 1e-12, "F = 1 - 1e-12 of sliding"),
             (1.0, "F = sliding"),
-            // Half of what still counts as the limit.
+            // Half of the tolerance within which a force counts as the limit.
             (1.0 + 5e-13, "F = 1 + 5e-13 of sliding"),
             (1.0 + 2e-12, "F = 1 + 2e-12 of sliding"),
         ] {
@@ -133,7 +133,7 @@ pub(crate) fn tolerances() -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// What the solver did before is not seen in the answer.
+/// Returns scenes whose solver has solved a different scene before, which must not affect the solution.
 pub(crate) fn warm_starts() -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for bodies in [free(20, 20)?, periodic(20, 20)?, free(60, 60)?] {

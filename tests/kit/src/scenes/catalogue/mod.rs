@@ -1,4 +1,4 @@
-//! Every hard scene worth a name.
+//! Catalogue of named difficult scenes.
 
 mod bodies;
 mod engine;
@@ -13,7 +13,7 @@ use super::{closed_forms, steps};
 
 const JUDGE: Verifier = Verifier { dense_limit: 450 };
 
-/// Solves one scene in so many, and everything that is no scene.
+/// Solves every `stride`-th scene, and all rows that are not scenes.
 pub fn rows(stride: usize) -> Result<Vec<Row>> {
     let groups = [
         bodies::contacts()?,
@@ -39,7 +39,7 @@ pub fn rows(stride: usize) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Two equal bodies of a contact modulus near one.
+/// Returns two equal bodies with a contact modulus near one.
 pub(crate) fn pair(poisson_ratio: f64) -> Result<ElasticPair> {
     let body = Material::new(2.0, poisson_ratio)?;
     ElasticPair::new(body, body)
@@ -53,12 +53,12 @@ pub(crate) fn periodic(nx: usize, ny: usize) -> Result<HalfSpace> {
     HalfSpace::with_boundary(Grid::new(nx, ny, 1.0, 1.0)?, pair(0.3)?, Boundary::Periodic)
 }
 
-/// A force of this mean pressure over the whole grid, in parts of the contact modulus.
+/// Returns a force with this mean pressure over the whole grid, as a fraction of the contact modulus.
 pub(crate) fn press(bodies: &HalfSpace, part: f64) -> NormalControl {
     NormalControl::Force(part * bodies.pair().contact_modulus() * bodies.grid().area())
 }
 
-/// What a name says of the boundary.
+/// Returns the part of a name that describes the boundary.
 pub(crate) fn suffix(boundary: Boundary) -> &'static str {
     match boundary {
         Boundary::Periodic => ", periodic",

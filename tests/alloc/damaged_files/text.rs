@@ -1,0 +1,285 @@
+//! CSV, XYZ, and SDF in text.
+
+use stickslip::{Field, Result, io};
+
+use super::assert_rejected;
+
+pub(crate) fn parse_csv(bytes: &[u8]) -> Result<Field> {
+    io::csv::parse(bytes, [1.0, 1.0])
+}
+
+#[test]
+fn damaged_csv_files_are_rejected() {
+    for (file, expected) in [
+        ("", "CSV, on line 1: the file has no numbers"),
+        ("\n# nothing\n\n", "CSV, on line 1: the file has no numbers"),
+        (
+            "1,2\n3,4,5\n",
+            "CSV, on line 2: 3 cells, but the lines before have 2",
+        ),
+        (
+            "# x\n1,2,3\n\n4,5\n",
+            "CSV, on line 4: 2 cells, but the lines before have 3",
+        ),
+        (
+            "1 2\n3\n",
+            "CSV, on line 2: 1 cells, but the lines before have 2",
+        ),
+        ("x,y\n1,2\n", "CSV, on line 1: \"x\" is not a number"),
+        (
+            "1;2\n3;4,5,6\n",
+            "CSV, on line 2: \"4,5,6\" is not a number",
+        ),
+        ("1;1.234,5\n", "CSV, on line 1: \"1.234,5\" is not a number"),
+        ("1,2\n3,1e999\n", "CSV, on line 2: \"1e999\" overflows"),
+        ("1 2\n3 0x10\n", "CSV, on line 2: \"0x10\" is not a number"),
+        ("1 2\n3 4*\n", "CSV, on line 2: \"4*\" is not a number"),
+        ("1,2 3,4,5\n", "CSV, on line 1: \"2 3\" is not a number"),
+    ] {
+        assert_rejected(file.as_bytes(), parse_csv, expected);
+    }
+    let binary: Vec<u8> = (0..=255).rev().collect();
+    assert_rejected(&binary, parse_csv, "CSV, on line 1: \"");
+    let endless = vec![b'7'; 100_000];
+    assert!(
+        parse_csv(&endless).is_err(),
+        "a number of 100000 digits overflows"
+    );
+    assert_rejected(
+        &endless,
+        parse_csv,
+        "CSV, on line 1: \"77777777777777777777777777777777\" overflows",
+    );
+    let wide = b"1,".repeat(50_000);
+    assert_eq!(parse_csv(&wide).unwrap().grid().nx(), 50_000);
+    let mut ragged = wide.clone();
+    ragged.extend_from_slice(b"\n1");
+    assert_rejected(
+        &ragged,
+        parse_csv,
+        "CSV, on line 2: 1 cells, but the lines before have 50001",
+    );
+}
+
+#[test]
+fn valid_text_matrices_are_read() {
+    let nan = f64::NAN;
+    for (file, width, samples) in [
+        ("1;2;\n3;4;\n", 2, vec![1.0, 2.0, 3.0, 4.0]),
+        ("1;2;\n3;4;5\n", 3, vec![1.0, 2.0, nan, 3.0, 4.0, 5.0]),
+        ("\u{feff}% c\r\n1,5 -2,5\r\n", 2, vec![1.5, -2.5]),
+        ("1, 2, 3\n", 3, vec![1.0, 2.0, 3.0]),
+        ("1,5\n", 2, vec![1.0, 5.0]),
+        ("1\t\t3\n\t\t\n", 3, vec![1.0, nan, 3.0, nan, nan, nan]),
+        ("  1   +2e0 \n  BAD .5\n", 2, vec![1.0, 2.0, nan, 0.5]),
+        ("***,NaN,,bad\n", 4, vec![nan; 4]),
+        ("-inf infinity", 2, vec![f64::NEG_INFINITY, f64::INFINITY]),
+    ] {
+        let field = parse_csv(file.as_bytes()).unwrap();
+        assert_eq!(field.grid().nx(), width, "{file:?}");
+        assert_eq!(field.as_slice().len(), samples.len(), "{file:?}");
+        for (a, b) in field.as_slice().iter().zip(samples) {
+            assert!(
+                a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
+                "{file:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn damaged_xyz_files_are_rejected() {
+    let sparse = "XYZ, in all points: too few for a regular grid: ";
+    for (file, expected) in [
+        ("", "XYZ, on line 1: the file has no points"),
+        ("0 0\n", "XYZ, on line 1: a point needs three cells"),
+        (
+            "0 0 1\n0 1 2 3\n",
+            "XYZ, on line 2: a point needs three cells",
+        ),
+        ("0 0 1\n0 x 2\n", "XYZ, on line 2: \"x\" is not a number"),
+        (
+            "0 0 1\n0 nan 2\n",
+            "XYZ, on line 2: the position of a point is not finite",
+        ),
+        (
+            "0 0 1\n-inf 0 2\n",
+            "XYZ, on line 2: the position of a point is not finite",
+        ),
+        (
+            "5 5 1\n",
+            "XYZ, in all points: 1 places do not define a spacing",
+        ),
+        (
+            "5 5 1\n5 5 1\n",
+            "XYZ, in all points: 1 places do not define a spacing",
+        ),
+        (
+            "0 0 1\n1 0 2\n# again\n0 0 3\n",
+            "XYZ, on line 4: (0, 0) repeats the place of an earlier point",
+        ),
+        (
+            "0 0 1\n1 0 2\n0 0 nan\n",
+            "XYZ, on line 3: (0, 0) repeats the place of an earlier point",
+        ),
+        (
+            "0 0 1\n1 0 2\n2.3 0 3\n3.3 0 3\n",
+            "XYZ, on line 2: (1, 0) is off the regular grid",
+        ),
+        ("0 0 1\n1 0 2\n900 0 3\n", sparse),
+        (
+            "0 0 1\n1 0 2\n1e12 0 3\n",
+            "XYZ, on line 2: (1, 0) repeats the place of an earlier point",
+        ),
+        ("-1e308 0 1\n1e308 1 2\n", sparse),
+        ("0 0 1\n1 1 2\n2 50 3\n", sparse),
+        ("-1e308 0 1\n1e308 0 2\n", sparse),
+        (
+            "0 0 1\n5e-324 0 2\n",
+            "XYZ, in all points: cell area must be positive and finite",
+        ),
+        (
+            "0 0 1\n1e200 0 2\n",
+            "XYZ, in all points: cell area must be positive and finite",
+        ),
+    ] {
+        assert_rejected(file.as_bytes(), io::xyz::parse, expected);
+    }
+    // A diagonal of n points spans a grid of n x n positions.
+    let diagonal: String = (0..2000).map(|i| format!("{i} {i} 0\n")).collect();
+    assert_rejected(
+        diagonal.as_bytes(),
+        io::xyz::parse,
+        "XYZ, in all points: too few for a regular grid: 2000 for 2000 x 2000 places",
+    );
+}
+
+#[test]
+fn valid_lists_of_points_are_read() {
+    // Spacings of a third of a unit to two decimals, two empty columns, a missing height, in any order.
+    let file = "0.33,2,1\n0,2,2\n1.67,0,3\n0,0,\n";
+    let field = io::xyz::parse(file.as_bytes()).unwrap();
+    let grid = field.grid();
+    assert_eq!([grid.nx(), grid.ny()], [6, 2]);
+    assert!((grid.dx() - 0.334).abs() < 1e-12 && (grid.dy() - 2.0).abs() < 1e-12);
+    let measured = [(5, 0, 3.0), (1, 1, 1.0), (0, 1, 2.0)];
+    for (ix, iy, height) in measured {
+        assert!((field.get(ix, iy).unwrap() - height).abs() < 1e-15);
+    }
+    let missing = field.as_slice().iter().filter(|z| z.is_nan()).count();
+    assert_eq!(missing, 12 - measured.len());
+
+    let row = io::xyz::parse(b"7 3 1\n7 5 2\n").unwrap();
+    let grid = row.grid();
+    assert_eq!([grid.nx(), grid.ny()], [1, 2]);
+    assert!(
+        (grid.dx() - 2.0).abs() < 1e-15,
+        "the spacing of the other axis"
+    );
+}
+
+#[test]
+fn damaged_text_sdf_files_are_rejected() {
+    let header = "aISO-1.0\nNumPoints = 2\nNumProfiles = 2\nXscale = 1\nYscale = 1\nZscale = 1\n";
+    let without = |name: &str| {
+        let lines = header.lines().filter(|line| !line.starts_with(name));
+        lines
+            .chain(["*", "1 2 3 4", "*"])
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    let with = |line: &str| format!("{header}{line}\n*\n1 2 3 4\n*\n");
+    assert!(io::sdf::parse(with("").as_bytes()).is_ok());
+    for (file, expected) in [
+        (
+            "aISO-1.0".into(),
+            "SDF, on line 1: the header does not end with a line `*`",
+        ),
+        (
+            header.into(),
+            "SDF, on line 1: the header does not end with a line `*`",
+        ),
+        (
+            with("nonsense"),
+            "SDF, on line 7: a header line must have the form Name = Value",
+        ),
+        (
+            with("NumPoints = -2"),
+            "SDF, on line 7: NumPoints = \"-2\" is not a valid number",
+        ),
+        (
+            with("NumPoints = 2.5"),
+            "SDF, on line 7: NumPoints = \"2.5\" is not a valid number",
+        ),
+        (
+            with("NumPoints = 0"),
+            "SDF, on line 8: a grid of 0 x 2 cells",
+        ),
+        (
+            with("NumPoints = 9999999999999999999"),
+            "SDF, on line 8: cannot allocate 2384185791015.6 GiB for a padded grid",
+        ),
+        (
+            with("NumProfiles = 1000000000"),
+            "SDF, on line 10: 4 samples, but 1000000000 profiles",
+        ),
+        (
+            with("Xscale = none"),
+            "SDF, on line 7: Xscale = \"none\" is not a valid number",
+        ),
+        (
+            with("Xscale = nan"),
+            "SDF, on line 8: cell side dx must be positive and finite",
+        ),
+        (
+            with("Yscale = 0"),
+            "SDF, on line 8: cell side dy must be positive and finite, got 0",
+        ),
+        (
+            with("Zscale = -1"),
+            "SDF, on line 8: Zscale must be positive and finite, got -1",
+        ),
+        (
+            with("Compression = 1"),
+            "SDF, on line 7: Compression \"1\" is not supported",
+        ),
+        (
+            with("CheckType = 7"),
+            "SDF, on line 7: CheckType \"7\" is not supported",
+        ),
+        (
+            without("NumPoints"),
+            "SDF, on line 6: the header has no NumPoints",
+        ),
+        (
+            without("NumProfiles"),
+            "SDF, on line 6: the header has no NumProfiles",
+        ),
+        (
+            without("Xscale"),
+            "SDF, on line 6: the header has no Xscale",
+        ),
+        (
+            without("Yscale"),
+            "SDF, on line 6: the header has no Yscale",
+        ),
+        (
+            without("Zscale"),
+            "SDF, on line 6: the header has no Zscale",
+        ),
+        (
+            format!("{header}*\n1 2 3\n"),
+            "SDF, on line 8: 3 samples, but 2 profiles of 2 points",
+        ),
+        (
+            format!("{header}*\n1 2 3 4 5 *\n"),
+            "SDF, on line 8: 5 samples, but 2 profiles",
+        ),
+        (
+            format!("{header}*\n1 2 3 GOOD\n"),
+            "SDF, on line 8: \"GOOD\" is not a number",
+        ),
+    ] {
+        assert_rejected(file.as_bytes(), io::sdf::parse, expected);
+    }
+}

@@ -1,0 +1,95 @@
+//! A state has the values of its history, and does not belong to different bodies.
+
+use kit::{rough, unit_bodies};
+use stickslip::history::State;
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    TangentialModel,
+};
+
+fn grid() -> Grid {
+    Grid::square(64, 100.0).unwrap()
+}
+
+fn start(lateral: TangentialModel) -> History {
+    let friction = Friction::per_cell(Field::constant(grid(), 0.5)).unwrap();
+    let (bodies, gap) = (unit_bodies(grid(), 0.3), rough(grid(), 11));
+    let builder = History::builder(&bodies, &gap, friction).model(lateral);
+    builder.tolerance(1e-7).build().unwrap()
+}
+
+fn load(normal: f64, shear: f64) -> LoadStep {
+    let step = LoadStep::hold().normal(NormalControl::Force(normal));
+    step.tangential(Axis::X, TangentialControl::Force(shear))
+}
+
+fn run(history: &mut History, loads: &[[f64; 2]]) {
+    for &[normal, shear] in loads {
+        history.step(&load(normal, shear)).unwrap();
+    }
+}
+
+#[test]
+fn state_of_different_bodies_is_rejected() {
+    let mut history = start(TangentialModel::Scalar);
+    run(&mut history, &[[10.0, 0.0], [10.0, 3.0]]);
+    let bytes = history.to_bytes();
+    let other = unit_bodies(grid(), 0.2);
+    let builder = History::builder(&other, history.gap(), history.friction().clone());
+    let state = builder.build().unwrap().state().clone();
+    let refused = history.set_state(&state);
+    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+    assert_eq!(history.to_bytes(), bytes);
+    let bodies = unit_bodies(grid(), 0.3);
+    let refused = History::from_state(&bodies, state);
+    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+}
+
+#[test]
+fn state_has_values_of_history() {
+    let mut history = start(TangentialModel::Vector);
+    run(&mut history, &[[10.0, 0.0], [10.0, 3.0], [12.0, -2.0]]);
+    let state: &State = history.state();
+    assert_eq!(state.grid(), history.grid());
+    assert_eq!(state.axis(), history.axis());
+    assert_eq!(state.pressure(), history.normal().pressure());
+    assert_eq!(state.traction(), history.traction());
+    assert_eq!(state.slip(), history.slip());
+    assert_eq!(state.zones(), history.zones());
+    assert_eq!(state.steps(), 3);
+    let read = State::from_bytes(&state.to_bytes()).unwrap();
+    assert_eq!(read.accumulated_slip(), history.accumulated_slip());
+    assert_eq!(read.dissipated_energy(), history.dissipated_energy());
+    assert_eq!(read.gap(), history.gap());
+    assert_eq!(read.friction(), history.friction());
+    assert_eq!(read.settings(), history.settings());
+    let bits = |[x, y]: [f64; 2]| [x.to_bits(), y.to_bits()];
+    assert_eq!(bits(read.shift()), bits(history.shift()));
+    assert_eq!(
+        bits(read.tangential_force()),
+        bits(history.tangential_force())
+    );
+}
+
+/// The stiffness follows from the slip and the entering cells of the last step.
+#[test]
+fn stiffness_after_return_or_restart_is_bitwise() {
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let mut history = start(model);
+        run(&mut history, &[[60.0, 0.0]]);
+        let shifted = LoadStep::shift([9e-4, 0.0]).normal(NormalControl::Force(100.0));
+        history.step(&shifted).unwrap();
+        let expected = history.stiffness().unwrap();
+        let (state, bytes) = (history.state().clone(), history.to_bytes());
+        // Continue to a different window and to a step with different slip.
+        run(&mut history, &[[200.0, 0.0], [20.0, 5.0]]);
+        assert_ne!(history.stiffness().unwrap(), expected);
+        history.set_state(&state).unwrap();
+        assert_eq!(history.stiffness().unwrap(), expected);
+        let bodies = unit_bodies(grid(), 0.3);
+        let restarted = History::from_bytes(&bodies, &bytes).unwrap();
+        assert_eq!(restarted.stiffness().unwrap(), expected);
+        let moved = History::from_state(&bodies, state).unwrap();
+        assert_eq!(moved.stiffness().unwrap(), expected);
+    }
+}

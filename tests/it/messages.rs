@@ -1,0 +1,678 @@
+//! Messages of errors and warnings name the subject, the value and a remedy that applies to the subject.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use stickslip::analytical::{CattaneoMindlin, HertzSphere};
+use stickslip::history::{AdaptiveSteps, Cycle, Rolling};
+use stickslip::influence::Direction::Z;
+use stickslip::kernel::Operators;
+use stickslip::normal::Hardness;
+use stickslip::ranks::Threads;
+use stickslip::rolling::{RollingControl, RollingProblem};
+use stickslip::subsurface::Planes;
+use stickslip::surface::SelfAffine;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    Kernel, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Operator, Result,
+    Scratch, TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, Warning,
+    surface,
+};
+
+/// Ball of radius 20 on a grid of side 2.8; its contact radius is 1 under [`load`].
+const RADIUS: f64 = 20.0;
+
+fn bodies(cells: usize) -> HalfSpace {
+    let grid = Grid::square(cells, 2.8).unwrap();
+    HalfSpace::new(grid, kit::unit_pair(0.3)).unwrap()
+}
+
+fn load() -> f64 {
+    4.0 / 3.0 * kit::unit_pair(0.3).contact_modulus() / RADIUS
+}
+
+fn ball(bodies: &HalfSpace) -> Field {
+    surface::sphere(bodies.grid(), RADIUS).unwrap()
+}
+
+fn friction() -> Friction {
+    Friction::coulomb(0.5).unwrap()
+}
+
+fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
+    problem.build().unwrap().solve().unwrap()
+}
+
+fn history(bodies: &HalfSpace) -> History {
+    History::builder(bodies, ball(bodies), friction())
+        .build()
+        .unwrap()
+}
+
+fn press(part: f64) -> LoadStep {
+    LoadStep::hold().normal(NormalControl::Force(part * load()))
+}
+
+fn message<T>(outcome: Result<T>) -> String {
+    match outcome {
+        Ok(_) => panic!("no error was returned"),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[test]
+fn force_beyond_friction_names_remedy_for_its_subject() {
+    let bodies = bodies(12);
+    let normal = pressed(&bodies, &ball(&bodies), load());
+    let too_much = load();
+    let slide = "prescribe a shift or a spring to let the body slide";
+    let roll = "prescribe the creepage, or lower the force";
+
+    let still = TangentialProblem::builder(
+        &bodies,
+        &normal,
+        friction(),
+        TangentialLoad::force([too_much, 0.0]),
+    );
+    let text = message(still.build());
+    let numbers = format!("a tangential force of {too_much:?} exceeds the friction limit ");
+    assert!(
+        text.starts_with(&numbers) && text.ends_with(slide),
+        "{text}"
+    );
+
+    let rolling = || RollingProblem::builder(&bodies, &normal, friction());
+    let control = [
+        RollingControl::Force(too_much),
+        RollingControl::Creepage(0.0),
+    ];
+    let text = message(rolling().control(Axis::X, control[0]).build());
+    assert!(text.starts_with(&numbers) && text.ends_with(roll), "{text}");
+    let mut solver = rolling().build().unwrap().into_solver().unwrap();
+    let text = message(solver.set_control(control, 0.0));
+    assert!(text.ends_with(roll), "{text}");
+
+    let mut history = history(&bodies);
+    history.step(&press(1.0)).unwrap();
+    let drag = LoadStep::force([too_much, 0.0]);
+    let text = message(history.step(&drag));
+    assert!(text.ends_with(slide), "{text}");
+    let text = message(history.step(&drag.roll(Rolling::new(1))));
+    assert!(text.ends_with(roll), "{text}");
+
+    let hertz = HertzSphere::new(bodies.pair(), RADIUS, load()).unwrap();
+    let text = message(CattaneoMindlin::new(hertz, 0.5, too_much));
+    assert!(
+        text.ends_with("lower the force, or raise the friction or the load"),
+        "{text}"
+    );
+    let none = Friction::coulomb(0.0).unwrap();
+    let load = TangentialLoad::force([too_much, 0.0]);
+    let text = message(TangentialProblem::builder(&bodies, &normal, none, load).build());
+    assert!(
+        text.ends_with("there is no friction: give a coefficient of friction above zero"),
+        "{text}"
+    );
+}
+
+/// No cell carries pressure: never pressed, pressed by a zero force, pressed and separated, and of dissimilar bodies.
+#[test]
+fn force_on_empty_contact_reports_empty_contact() {
+    let bodies = bodies(12);
+    let drag = LoadStep::force([0.01, 0.0]);
+    let is_empty = |history: &mut History, load: &LoadStep| {
+        assert_eq!(history.step(load).unwrap_err(), Error::EmptyContact);
+    };
+    let mut never = history(&bodies);
+    is_empty(&mut never, &drag);
+    is_empty(&mut never, &drag.normal(NormalControl::Force(0.0)));
+    let mut separated = history(&bodies);
+    separated.step(&press(1.0)).unwrap();
+    separated.step(&press(0.0)).unwrap();
+    is_empty(&mut separated, &drag);
+    let mut pulled = history(&bodies);
+    pulled.step(&press(1.0)).unwrap();
+    is_empty(&mut pulled, &drag.normal(NormalControl::Force(0.0)));
+
+    let rubber = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
+    let dissimilar = HalfSpace::new(bodies.grid(), rubber).unwrap();
+    let mut coupled = history(&dissimilar);
+    is_empty(&mut coupled, &drag);
+    let load = TangentialLoad::force([0.01, 0.0]);
+    let press = NormalControl::Force(0.0);
+    let problem =
+        CoupledProblem::builder(&dissimilar, ball(&dissimilar), friction(), press, load).build();
+    let outcome = problem.and_then(|problem| problem.solve());
+    assert_eq!(outcome.unwrap_err(), Error::EmptyContact);
+}
+
+#[test]
+fn unsupported_load_names_its_model() {
+    let bodies = bodies(12);
+    let normal = pressed(&bodies, &ball(&bodies), load());
+    let turn = TangentialLoad::force([0.0; 2]).twist(0.25);
+    let text = message(TangentialProblem::builder(&bodies, &normal, friction(), turn).build());
+    assert_eq!(
+        text,
+        "the model of this contact does not include twist, got 0.25: build it with the vector model"
+    );
+
+    let mut history = history(&bodies);
+    history.step(&press(1.0)).unwrap();
+    let text = message(history.step(&LoadStep::hold().relative_displacement(2.0)));
+    assert!(
+        text.starts_with(
+            "the model of this history does not include a relative displacement, got 2.0: "
+        ),
+        "{text}"
+    );
+    let one = Rolling::new(1);
+    let text = message(history.step(&LoadStep::hold().twist(0.5).roll(one)));
+    assert_eq!(
+        text,
+        "the model of rolling does not include a twist, got 0.5: give the spin of a rolled step instead"
+    );
+    let mut adaptive = AdaptiveSteps::new(&history, 1e-3).unwrap();
+    let text = message(adaptive.step(&mut history, &press(1.0).roll(one)));
+    assert_eq!(
+        text,
+        "the method of adaptive steps does not include steps that roll, got 1.0: roll cell by cell"
+    );
+
+    let grid = Grid::square(16, 1.0).unwrap();
+    let waves = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let gap = surface::bisinusoidal(grid, 0.01, [1.0, 1.0]).unwrap();
+    let pressed = pressed(&waves, &gap, 1e-3);
+    let text = message(RollingProblem::builder(&waves, &pressed, friction()).build());
+    assert_eq!(
+        text,
+        "the model of rolling does not include a step along an axis on which the grid repeats, got 0.0625: roll along the other axis, or on a grid that does not repeat"
+    );
+}
+
+/// Operator of bodies whose first displacement violates reciprocity.
+struct SkewOperator {
+    of: stickslip::ElasticOperator<1>,
+    factor: f64,
+}
+
+impl Operator for SkewOperator {
+    fn cells(&self) -> usize {
+        self.of.cells()
+    }
+
+    fn scratch(&self) -> Result<Scratch> {
+        self.of.scratch()
+    }
+
+    fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], scratch: &mut Scratch) {
+        self.of.apply(x, [&mut *out], scratch);
+        out[0] *= self.factor;
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.of.lower_bound()
+    }
+}
+
+#[test]
+fn errors_of_operators_name_operators() {
+    let bodies = bodies(12);
+    let skew = |factor| {
+        let of = bodies
+            .operator(stickslip::influence::Component::ZZ)
+            .unwrap();
+        Operators::new().with([Z], SkewOperator { of, factor })
+    };
+    let text = message(Kernel::operators(*bodies.pair(), skew(2.0)));
+    assert!(
+        text.starts_with("the model of user-defined operators does not include a difference between the works of two tractions on each other's displacements (relative to their energies), got 0.")
+            && text.ends_with(": give an operator that obeys reciprocity"),
+        "{text}"
+    );
+    let kernel = Kernel::operators(*bodies.pair(), skew(1.0)).unwrap();
+    let of_operators = HalfSpace::new(bodies.grid(), &kernel).unwrap();
+    let normal = pressed(&of_operators, &ball(&of_operators), load());
+    let remedy = ": describe the bodies by materials, layers or a response, which are known beyond the cells of one grid";
+    for (text, quantity) in [
+        (
+            message(RollingProblem::builder(&of_operators, &normal, friction()).build()),
+            "rolling",
+        ),
+        (
+            message(Planes::new(&of_operators, &[0.1])),
+            "stress below the surface",
+        ),
+    ] {
+        let expected = format!("{quantity} is not modelled for user-defined operators{remedy}");
+        assert_eq!(text, expected);
+    }
+    let grid = bodies.grid();
+    let refusals = Threads::run(2, Duration::from_secs(60), |rank| {
+        HalfSpace::distributed(grid, &kernel, Boundary::NonPeriodic, Arc::new(rank)).map(|_| ())
+    });
+    let of_itself =
+        |refused: &Result<()>| matches!(refused, Err(Error::UnsupportedForCoatings { .. }));
+    let text = message(refusals.into_iter().find(of_itself).unwrap());
+    assert!(
+        text.starts_with("a grid that ranks share is not modelled for user-defined operators: "),
+        "{text}"
+    );
+
+    let layer = stickslip::layers::Layer::new(2.0, 0.3, 0.1).unwrap();
+    let coated = Material::new(1.0, 0.3).unwrap().coated(&[layer]).unwrap();
+    let pair = ElasticPair::new(coated, Material::rigid()).unwrap();
+    let text = message(HertzSphere::new(&pair, 1.0, 1.0));
+    assert_eq!(
+        text,
+        "a closed form with one modulus is not modelled for coated bodies: solve the contact on a grid"
+    );
+}
+
+#[test]
+fn rolling_off_grid_names_cells_to_add() {
+    let bodies = bodies(12);
+    let flat = pressed(&bodies, &Field::zeros(bodies.grid()), 0.1);
+    let outcome = RollingProblem::builder(&bodies, &flat, friction())
+        .step(3)
+        .build();
+    let Err(error) = outcome else {
+        panic!("no room was needed")
+    };
+    assert!(matches!(
+        error,
+        Error::GridTooShort {
+            side: "ahead of",
+            needed: 3,
+            found: 0
+        }
+    ));
+    assert_eq!(
+        error.to_string(),
+        "the grid is too small in the rolling direction: a step needs 3 cells ahead of the contact, the grid has 0; add at least 3 cells there"
+    );
+    let mut history = history(&bodies);
+    history.step(&press(1.0)).unwrap();
+    let text = message(history.step(&press(1.0).roll(Rolling::new(5))));
+    assert!(
+        text.contains("a step needs 5 cells behind the contact")
+            && text.contains("; add at least "),
+        "{text}"
+    );
+}
+
+#[test]
+fn numbers_in_messages_are_plain() {
+    let grid = Grid::square(16, 1.0).unwrap();
+    let filter = surface::GaussianFilter::s(0.1);
+    let text = message(filter.apply(&Field::zeros(grid)));
+    assert_eq!(
+        text,
+        "nesting index of the S filter must be at least 0.125 (two cells), got 0.1"
+    );
+    for (error, text) in [
+        (
+            Error::BelowMinimum {
+                quantity: "kurtosis",
+                value: 0.5,
+                least_is: "the squared skewness plus one",
+                least: 1.0,
+            },
+            "kurtosis must be at least 1.0 (the squared skewness plus one), got 0.5",
+        ),
+        (
+            Error::BeyondHardness {
+                force: 2e9,
+                capacity: 3e-8,
+            },
+            "a normal force of 2000000000.0 exceeds the 3e-8 that cells at their hardness carry: take a larger grid, or prescribe an approach",
+        ),
+        (
+            Error::NotPositive {
+                quantity: "side",
+                value: 0.0,
+            },
+            "side must be positive and finite, got 0.0",
+        ),
+    ] {
+        assert_eq!(error.to_string(), text);
+    }
+}
+
+#[test]
+fn memory_is_in_units_of_1024() {
+    for (bytes, size) in [
+        (3_000, "0.002861 MiB"),
+        (1 << 20, "1.000 MiB"),
+        (700 << 20, "700.0 MiB"),
+        (1 << 30, "1.000 GiB"),
+        (128_000_000_000, "119.2 GiB"),
+    ] {
+        let error = Error::Memory {
+            quantity: "a padded grid",
+            bytes,
+        };
+        let expected = format!("cannot allocate {size} for a padded grid");
+        assert_eq!(error.to_string(), expected);
+    }
+}
+
+fn texts(warnings: &[Warning]) -> Vec<String> {
+    warnings.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn contact_without_force_reports_zero_force() {
+    let bodies = bodies(12);
+    let apart = pressed(&bodies, &ball(&bodies), 0.0);
+    assert_eq!(
+        texts(&apart.warnings()),
+        [
+            "the normal force is zero, no cell carries pressure: give a normal force above zero, or an approach beyond the least gap"
+        ]
+    );
+}
+
+/// A rough surface always has some small spots. The warning is issued only if they make up a tenth of the contact.
+#[test]
+fn small_spots_of_rough_surface_are_judged_together() {
+    let press = |cells: usize, cut_off: f64| {
+        let grid = Grid::square(cells, 1.0).unwrap();
+        let rough = SelfAffine::with_rms_slope(0.1)
+            .longest_wavelength(0.5)
+            .roll_off_wavelength(0.5)
+            .cut_off_wavelength(cut_off)
+            .seed(3)
+            .generate(grid)
+            .unwrap();
+        let gap = surface::gap_from_heights(rough.heights()).unwrap();
+        let bodies =
+            HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+        pressed(&bodies, &gap, 0.004)
+    };
+    let coarse = press(64, 2.0 / 64.0);
+    let share = |contact: &NormalSolution| {
+        let spots = contact.spots();
+        let small = || spots.as_slice().iter().filter(|spot| spot.cells < 5);
+        let cells: usize = small().map(|spot| spot.cells).sum();
+        (
+            small().count(),
+            cells as f64 / contact.contact_cells() as f64,
+        )
+    };
+    let (unresolved, part) = share(&coarse);
+    assert!(part > 0.1, "{part}");
+    let spots = coarse.spots().as_slice().iter().count();
+    let text = texts(&coarse.warnings()).join("\n");
+    let expected = format!(
+        "{unresolved} of {spots} contact spots are smaller than 5 cells and have a tenth of the contact cells or more: refine the grid, or filter out the short waves of the surface"
+    );
+    assert!(text.contains(&expected), "{text}");
+    let expected = format!(
+        "in the fields of {spots} contact spots, by an estimate: for 1 % resample the surface onto cells "
+    );
+    assert!(
+        text.contains(&expected) && text.contains(" times smaller, or filter out its short waves"),
+        "{text}"
+    );
+
+    let fine = press(128, 16.0 / 128.0);
+    let (unresolved, part) = share(&fine);
+    assert!(part < 0.1, "{unresolved} {part}");
+    let is_unresolved = |warning: &Warning| matches!(warning, Warning::UnresolvedSpots { .. });
+    assert!(!fine.warnings().iter().any(is_unresolved));
+}
+
+/// A slip zone of two cells does not fit into spots of three cells. The warning would name a remedy that these spots do
+/// not have.
+#[test]
+fn narrow_slip_in_small_spots_gives_no_warning() {
+    let grid = Grid::square(64, 64.0).unwrap();
+    // Four balls of a periodic array.
+    let wave = |x: f64| (std::f64::consts::TAU * x / 32.0).cos();
+    let gap = Field::from_fn(grid, |x, y| 0.4 * (2.0 - wave(x) - wave(y)));
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let is_narrow = |warning: &Warning| matches!(warning, Warning::UnderresolvedSlipZone { .. });
+    for (force, part, radius, is_remarked) in [(2.2, 0.35, 3.0, false), (45.0, 0.15, 9.0, true)] {
+        let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(force));
+        history.step(&press).unwrap();
+        let drag = LoadStep::force([part * force, 0.0]);
+        let ratio = history.step(&drag).unwrap().stick_ratio();
+        let area = history.normal().contact_area() / 4.0;
+        let found = (area / std::f64::consts::PI).sqrt();
+        assert_eq!(history.spots().as_slice().len(), 4);
+        assert!((found / radius - 1.0).abs() < 0.1, "{found} {radius}");
+        assert!(ratio > 0.0 && ratio < 1.0 && found * (1.0 - ratio.sqrt()) < 2.0);
+        assert_eq!(step_warns(&history, is_narrow), is_remarked, "{found}");
+    }
+}
+
+fn step_warns(history: &History, is_meant: impl Fn(&Warning) -> bool) -> bool {
+    history.last_step().warnings().iter().any(is_meant)
+}
+
+/// Returns the ratio of contact radius to radius of curvature that a warning states.
+fn stated_radius(warnings: &[Warning]) -> Option<f64> {
+    warnings.iter().find_map(|warning| match warning {
+        Warning::LargeContactRadius { per_mille } => Some(1e-3 * *per_mille as f64),
+        _ => None,
+    })
+}
+
+#[test]
+fn contact_radius_above_a_third_of_curvature_gives_warning() {
+    let pair = kit::unit_pair(0.3);
+    for (ratio, is_large) in [(0.1, false), (0.25, false), (0.35, true), (0.8, true)] {
+        let radius = 1.0 / ratio;
+        let grid = Grid::square(30, 2.8).unwrap();
+        let force = 4.0 / 3.0 * pair.contact_modulus() / radius;
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        // The position on the grid does not matter.
+        let gap = Field::from_fn(grid, |x, y| {
+            ((x - 0.2).powi(2) + (y + 0.1).powi(2)) / (2.0 * radius)
+        });
+        let contact = pressed(&bodies, &gap, force);
+        let found = stated_radius(&contact.warnings());
+        assert_eq!(found.is_some(), is_large, "{ratio} {found:?}");
+        if let Some(found) = found {
+            assert!((found / ratio - 1.0).abs() < 0.1, "{found} {ratio}");
+            let text = format!(
+                "the contact radius is about {found:.2} of the radius of curvature, expected at most 0.3: "
+            );
+            let all = texts(&contact.warnings()).join("\n");
+            assert!(
+                all.contains(&text) && all.contains("units of gap and grid"),
+                "{all}"
+            );
+        }
+        let mut history = History::builder(&bodies, &gap, friction()).build().unwrap();
+        let press = LoadStep::hold().normal(NormalControl::Force(force));
+        let mut cycle = Cycle::new(&history);
+        assert_eq!(
+            stated_radius(&history.step(&press).unwrap().warnings()),
+            found
+        );
+        cycle.add(&history).unwrap();
+        assert_eq!(stated_radius(&cycle.warnings()), found);
+        // A step that holds the pressure and a restored history report the same value.
+        assert_eq!(
+            stated_radius(&history.step(&LoadStep::hold()).unwrap().warnings()),
+            found
+        );
+        let restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+        assert_eq!(stated_radius(&restored.normal().warnings()), found);
+    }
+    // A punch has steps at its edge and no curvature within the contact. A hollow has a negative curvature.
+    let bodies = bodies(24);
+    let punch = Field::from_fn(
+        bodies.grid(),
+        |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 },
+    );
+    let wave = Field::from_fn(
+        bodies.grid(),
+        |x, y| if x.hypot(y) < 1.0 { -x * x } else { 9.0 },
+    );
+    for gap in [punch, wave] {
+        let contact = pressed(&bodies, &gap, 0.5);
+        assert_eq!(stated_radius(&contact.warnings()), None);
+    }
+    // A cylinder on a line of cells.
+    let line = Grid::line(60, 2.8 / 60.0).unwrap();
+    let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
+    let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();
+    let gap = Field::from_fn(line, |x, _| x * x / 4.0);
+    let force = std::f64::consts::PI / 4.0 * pair.contact_modulus() / 2.0 * line.dy();
+    let contact = pressed(&bodies, &gap, force);
+    let found = stated_radius(&contact.warnings()).unwrap();
+    assert!((found / 0.5 - 1.0).abs() < 0.1, "{found}");
+}
+
+#[test]
+fn steep_surface_in_contact_gives_warning() {
+    let grid = Grid::square(64, 1.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let slope = |rms: f64| {
+        let rough = SelfAffine::with_rms_slope(rms)
+            .cut_off_wavelength(8.0 / 64.0)
+            .seed(5)
+            .generate(grid)
+            .unwrap();
+        let gap = surface::gap_from_heights(rough.heights()).unwrap();
+        let contact = pressed(&bodies, &gap, 0.3 * rms);
+        assert!(contact.contact_cells() > 1000);
+        let found = contact
+            .warnings()
+            .into_iter()
+            .find_map(|warning| match warning {
+                Warning::SteepSurface { per_mille } => Some((1e-3 * per_mille as f64, warning)),
+                _ => None,
+            });
+        assert_eq!(stated_radius(&contact.warnings()), None);
+        found
+    };
+    assert_eq!(slope(0.3), None);
+    let (found, warning) = slope(1.0).unwrap();
+    assert!((0.6..1.1).contains(&found), "{found}");
+    let text = format!(
+        "the rms slope of the surface within the contact is {found:.2}, expected at most 0.5: "
+    );
+    let words = warning.to_string();
+    assert!(
+        words.starts_with(&text) && words.contains("units of heights and grid"),
+        "{words}"
+    );
+}
+
+#[test]
+fn approach_larger_than_grid_gives_warning() {
+    let bodies = bodies(16);
+    let stated = |datum: f64, approach: f64| {
+        let gap = Field::from_fn(bodies.grid(), |x, y| datum + (x * x + y * y) / 40.0);
+        let control = NormalControl::Approach(datum + approach);
+        let contact = NormalProblem::builder(&bodies, &gap, control).build();
+        let contact = contact.unwrap().solve().unwrap();
+        contact
+            .warnings()
+            .into_iter()
+            .find_map(|warning| match warning {
+                Warning::ApproachBeyondGrid { tenths } => Some((tenths, warning.to_string())),
+                _ => None,
+            })
+    };
+    // The datum of the heights does not matter.
+    assert_eq!(stated(1000.0, 0.05), None);
+    assert_eq!(stated(0.0, 2.7), None);
+    let (tenths, text) = stated(-50.0, 2.8 * 1.5).unwrap();
+    assert_eq!(tenths, 15);
+    assert_eq!(
+        text,
+        "the approach is 1.5 times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load"
+    );
+}
+
+#[test]
+fn held_shift_that_loses_force_gives_warning() {
+    let bodies = bodies(20);
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let start = || {
+            let builder = History::builder(&bodies, ball(&bodies), friction()).model(model);
+            let mut history = builder.build().unwrap();
+            history.step(&press(1.0)).unwrap();
+            history.step(&LoadStep::force([0.2 * load(), 0.0])).unwrap();
+            history
+        };
+        let lost = |history: &History| {
+            let warnings = history.last_step().warnings();
+            warnings.into_iter().find_map(|warning| match warning {
+                Warning::HeldShiftLostForce { per_cent } => Some((per_cent, warning.to_string())),
+                _ => None,
+            })
+        };
+        let before = start().tangential_force()[0];
+        for (part, is_lost) in [(0.9, false), (0.5, false), (0.15, true), (0.0, false)] {
+            let mut history = start();
+            let mut cycle = Cycle::new(&history);
+            history.step(&press(part)).unwrap();
+            cycle.add(&history).unwrap();
+            let found = lost(&history);
+            assert_eq!(found.is_some(), is_lost, "{part} {found:?}");
+            if let Some((per_cent, text)) = found {
+                let exact = 100.0 * (1.0 - history.tangential_force()[0] / before);
+                assert!((per_cent as f64 - exact).abs() <= 0.5, "{per_cent} {exact}");
+                assert!(exact > 50.0);
+                assert_eq!(
+                    text,
+                    format!(
+                        "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
+                    )
+                );
+                assert!(
+                    cycle
+                        .warnings()
+                        .contains(&Warning::HeldShiftLostForce { per_cent })
+                );
+            }
+        }
+        // Reducing the friction has the same effect.
+        let mut history = start();
+        history
+            .set_friction(&Friction::coulomb(0.05).unwrap())
+            .unwrap();
+        history.step(&LoadStep::hold()).unwrap();
+        assert!(lost(&history).is_some());
+        // If the caller prescribes a force or a shift, the loss of force is intended.
+        let mut history = start();
+        history
+            .step(&press(0.15).tangential(Axis::X, TangentialControl::Force(0.0)))
+            .unwrap();
+        assert_eq!(lost(&history), None);
+        let mut history = start();
+        history
+            .step(&press(0.15).tangential(Axis::X, TangentialControl::Shift(0.0)))
+            .unwrap();
+        assert_eq!(lost(&history), None);
+        // The round-off of a zero force does not count.
+        let mut history = start();
+        history.step(&LoadStep::force([0.0; 2])).unwrap();
+        history.step(&press(0.3)).unwrap();
+        assert_eq!(lost(&history), None);
+    }
+}
+
+/// The limited pressure of a hardness changes the gap. A restored history still reports the same warnings.
+#[test]
+fn warnings_of_yielded_history_survive_saving() {
+    let bodies = bodies(20);
+    let gap = surface::sphere(bodies.grid(), 2.0).unwrap();
+    let hardness = Hardness::uniform(0.2).unwrap();
+    let builder = History::builder(&bodies, &gap, friction()).hardness(hardness);
+    let mut history = builder.permanent_set(true).build().unwrap();
+    history
+        .step(&LoadStep::hold().normal(NormalControl::Force(0.6)))
+        .unwrap();
+    assert!(stated_radius(&history.normal().warnings()).is_some());
+    let restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+    assert_eq!(restored.normal().warnings(), history.normal().warnings());
+}

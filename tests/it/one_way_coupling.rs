@@ -1,0 +1,303 @@
+//! One-way coupling (Goodman's approximation): tractions under a given pressure, in problems and in histories.
+
+use kit::{l2_difference, max_difference};
+use stickslip::analytical::SpencePressing;
+use stickslip::{
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
+    History, LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    TangentialModel, TangentialProblem, TangentialSolution, surface,
+};
+
+fn on_rigid(beta: f64) -> ElasticPair {
+    let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+    let body = Material::new(1.0, poisson_ratio).unwrap();
+    ElasticPair::new(body, Material::rigid()).unwrap()
+}
+
+/// Presses and holds a flat punch of radius one on `cells` cells along a side.
+fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
+    let grid = Grid::square(cells, 2.4).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+    let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
+    let press = NormalControl::Force(1.0);
+    let normal = NormalProblem::builder(&bodies, &gap, press)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap();
+    let friction = Friction::coulomb(coefficient).unwrap();
+    TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::shift([0.0; 2]))
+        .model(TangentialModel::Vector)
+        .build()
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+/// The stick zone of a punch agrees with Spence's for any beta, because shear changes the pressure in neither.
+#[test]
+fn one_way_punch_sticks_as_in_spence() {
+    for &beta in kit::thorough(&[0.5][..], &[0.5, 0.2]) {
+        let coefficients = [0.35, 0.5, 0.7, 0.9].map(|ratio| ratio * beta);
+        let error = |cells: usize| {
+            let errors = coefficients.map(|mu| {
+                let exact = SpencePressing::round(&on_rigid(beta), mu).unwrap();
+                (punch(cells, beta, mu).stick_ratio().sqrt() - exact.stick_radius()).abs()
+            });
+            errors.iter().sum::<f64>() / 4.0
+        };
+        let (coarse, fine) = (error(33), error(129));
+        assert!(
+            fine < 5e-3 && fine < 0.4 * coarse,
+            "{beta}: {coarse} {fine}"
+        );
+    }
+}
+
+/// Rows of equal cells that are pressed all over slide outwards on both sides of the middle. The tractions of the two
+/// halves are at opposite limits and sum to zero, so that hardly any cell sticks.
+#[test]
+fn pressed_flat_surface_slides_in_both_halves() {
+    let mut sliding = 0;
+    for cells in [4, 6, 8, 12, 16] {
+        for coefficient in [0.02, 0.04, 0.1, 0.18] {
+            let grid = Grid::square(cells, cells as f64).unwrap();
+            let datum = 10.0 * cells as f64;
+            let boundary = Boundary::PeriodicAlongY { datum };
+            let bodies = HalfSpace::with_boundary(grid, on_rigid(0.5), boundary).unwrap();
+            let press = NormalControl::Force(1e-3 * grid.area());
+            let flat = Field::zeros(grid);
+            let normal = NormalProblem::builder(&bodies, &flat, press)
+                .build()
+                .unwrap();
+            let normal = normal.solve().unwrap();
+            let friction = Friction::coulomb(coefficient).unwrap();
+            let shear = TangentialProblem::builder(
+                &bodies,
+                &normal,
+                friction,
+                TangentialLoad::force([0.0; 2]),
+            )
+            .model(TangentialModel::Vector)
+            .coupling(Coupling::OneWay)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+            // Apart from one or two cells that compensate the round-off between the halves.
+            sliding += usize::from(shear.stick_ratio() < 0.13);
+            let [x, _] = shear.traction();
+            let scale = coefficient * normal.pressure().max();
+            for iy in 0..cells {
+                for ix in 0..cells / 2 {
+                    let pair = x.get(ix, iy).unwrap() + x.get(cells - 1 - ix, iy).unwrap();
+                    assert!(pair.abs() < 1e-6 * scale, "{cells} {coefficient}: {pair:e}");
+                }
+            }
+        }
+    }
+    assert!(sliding >= 8, "{sliding} of 20 cases slide");
+}
+
+/// If the cells of a row slide apart from its middle, rotations of their tractions are too small to carry a small force
+/// along the row. One cell must therefore stick.
+#[test]
+fn small_force_along_diverging_row_leaves_a_cell_sticking() {
+    let pair = ElasticPair::new(Material::new(1.0, 0.05).unwrap(), Material::rigid()).unwrap();
+    for cells in [2, 4, 7] {
+        let grid = Grid::new(cells, 1, 1.8, 1.0).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let gap = Field::zeros(grid);
+        let press = NormalControl::Force(1e-3);
+        let normal = NormalProblem::builder(&bodies, &gap, press)
+            .build()
+            .unwrap();
+        let normal = normal.solve().unwrap();
+        let coefficient = 0.02;
+        for part in [1e-9, 1e-7, 1e-5, 1e-3, 0.1] {
+            for angle in [0.1_f64, -0.5, 1.2, 2.7] {
+                let force = [angle.cos(), angle.sin()].map(|n| n * part * coefficient * 1e-3);
+                let friction = Friction::coulomb(coefficient).unwrap();
+                let load = TangentialLoad::force(force);
+                let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
+                    .model(TangentialModel::Vector)
+                    .build()
+                    .unwrap();
+                let shear = shear.solve().unwrap();
+                assert!(shear.stick_ratio() > 0.0, "{cells} {part:e} {angle}");
+                assert!(
+                    shear.report().iterations < 100,
+                    "{cells} {part:e} {angle}: {}",
+                    shear.report()
+                );
+                for (found, asked) in shear.force().into_iter().zip(force) {
+                    assert!((found - asked).abs() < 1e-14 * 1e-3, "{found:e} {asked:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Under the pressure of the fully coupled solution, the tractions are those of the fully coupled solution.
+#[test]
+fn tractions_match_full_coupling_under_its_pressure() {
+    let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
+    for boundary in kit::boundaries(grid) {
+        let bodies = HalfSpace::with_boundary(grid, on_rigid(0.4), boundary).unwrap();
+        let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
+        let friction = || Friction::coulomb(0.4).unwrap();
+        let load =
+            TangentialLoad::force([0.01, 0.0]).along(Axis::Y, TangentialControl::Shift(0.002));
+        let press = NormalControl::Force(0.08);
+        let full = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
+        let full = full.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let given = TangentialProblem::builder(&bodies, full.normal().pressure(), friction(), load);
+        let found = given
+            .model(TangentialModel::Vector)
+            .tolerance(1e-12)
+            .build()
+            .unwrap();
+        let found = found.solve().unwrap();
+        assert!(full.tangential().stick_ratio() > 0.1 && full.tangential().stick_ratio() < 0.95);
+        let largest = full.tangential().traction()[0].max();
+        for axis in 0..2 {
+            let [a, b] =
+                [full.tangential().traction(), found.traction()].map(|q| q[axis].as_slice());
+            assert!(
+                max_difference(a, b) < 1e-9 * largest,
+                "{:e}",
+                max_difference(a, b) / largest
+            );
+            let (a, b) = (full.tangential().shift()[axis], found.shift()[axis]);
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+            let [a, b] = [full.tangential().slip(), found.slip()].map(|slip| slip[axis].as_slice());
+            assert!(max_difference(a, b) < 1e-9, "{:e}", max_difference(a, b));
+        }
+        assert!(found.report().duality_gap < 1e-12);
+    }
+}
+
+fn ball(beta: f64) -> (HalfSpace, Field) {
+    let grid = Grid::square(33, 2.6).unwrap();
+    let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
+    (bodies, surface::sphere(grid, 10.0).unwrap())
+}
+
+fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
+    History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
+        .coupling(coupling)
+        .model(TangentialModel::Vector)
+        .entry_rule(stickslip::history::EntryRule::WholeStep)
+        .tolerance(1e-9)
+        .build()
+        .unwrap()
+}
+
+/// Takes steps of all kinds: pressing, shear, twist, unloading, wear, separation, pressing again.
+fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let path = [
+        press(0.05),
+        press(0.1),
+        press(0.1).tangential(Axis::X, TangentialControl::Force(0.01)),
+        press(0.12).tangential(Axis::Y, TangentialControl::Shift(0.01)),
+        LoadStep::hold().twist(0.02),
+        press(0.03).tangential(Axis::X, TangentialControl::Force(-0.005)),
+        press(0.0).tangential(Axis::X, TangentialControl::Hold),
+        LoadStep::hold().normal(NormalControl::Approach(0.05)),
+        press(0.06).tangential(Axis::Y, TangentialControl::Force(0.005)),
+    ];
+    for (number, load) in path.iter().enumerate() {
+        if number == 5 {
+            let worn = Field::from_fn(history.grid(), |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
+            let mut gap = history.gap().clone();
+            gap.add_scaled(1.0, &worn).unwrap();
+            history.set_gap(&gap).unwrap();
+        }
+        history.step(load).unwrap();
+        seen(number, history);
+    }
+}
+
+#[test]
+fn one_way_energies_balance_and_restarts_are_bitwise() {
+    let (bodies, gap) = ball(0.4);
+    let mut whole = history(&bodies, &gap, Coupling::OneWay);
+    let mut saved = Vec::new();
+    steps(&mut whole, |number, history| {
+        let energy = history.last_step().energy();
+        let size = energy.elastic_before + energy.elastic_after;
+        assert!(
+            energy.imbalance().abs() <= 1e-13 * size,
+            "{number}: {energy:?}"
+        );
+        assert!(energy.dissipated_energy >= 0.0, "{number}: {energy:?}");
+        saved.push(history.to_bytes());
+    });
+    let mut again = history(&bodies, &gap, Coupling::OneWay);
+    steps(&mut again, |_, _| {});
+    assert!(again.to_bytes() == *saved.last().unwrap());
+    for (number, bytes) in saved.iter().enumerate() {
+        let restored = History::from_bytes(&bodies, bytes).unwrap();
+        assert_eq!(restored.state().coupling(), Coupling::OneWay);
+        assert!(restored.to_bytes() == *bytes, "{number}");
+    }
+    let load = LoadStep::force([0.002, 0.0]).normal(NormalControl::Force(0.07));
+    let mut restored = History::from_bytes(&bodies, saved.last().unwrap()).unwrap();
+    restored.step(&load).unwrap();
+    again.step(&load).unwrap();
+    assert!(restored.to_bytes() == again.to_bytes());
+}
+
+/// The error of one-way coupling is of the order of beta: in all steps the tractions approach those of full coupling.
+#[test]
+fn one_way_error_vanishes_with_beta() {
+    let differences = [0.2, 0.1, 0.05].map(|beta| {
+        let (bodies, gap) = ball(beta);
+        let mut full = history(&bodies, &gap, Coupling::Full);
+        let mut fields = Vec::new();
+        steps(&mut full, |_, history| {
+            fields.push(history.traction().map(Field::clone));
+        });
+        let mut one_way = history(&bodies, &gap, Coupling::OneWay);
+        let mut largest = 0.0_f64;
+        steps(&mut one_way, |number, history| {
+            let [x, y] = [0, 1].map(|axis| {
+                let (full, found) = (&fields[number][axis], history.traction()[axis]);
+                l2_difference(found.as_slice(), full.as_slice())
+            });
+            if history.pressure().max() > 0.0 {
+                largest = largest.max(x.max(y));
+            }
+        });
+        largest
+    });
+    // The error is proportional to beta for this friction.
+    assert!(differences[0] < 0.1, "{differences:?}");
+    for pair in differences.windows(2) {
+        assert!(pair[1] < 0.55 * pair[0], "{differences:?}");
+    }
+}
+
+/// A history that returns to a state with a different coupling continues with the coupling of that state.
+#[test]
+fn set_state_takes_coupling_of_state() {
+    let (bodies, gap) = ball(0.4);
+    let all = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
+    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let started = all.map(|coupling| {
+        let mut history = history(&bodies, &gap, coupling);
+        history.step(&press(0.1)).unwrap();
+        history
+    });
+    let next = press(0.12).tangential(Axis::X, TangentialControl::Force(0.01));
+    for from in &started {
+        for to in &started {
+            let (mut returned, mut expected) = (from.clone(), to.clone());
+            returned.set_state(to.state()).unwrap();
+            returned.step(&next).unwrap();
+            expected.step(&next).unwrap();
+            assert!(returned.to_bytes() == expected.to_bytes());
+        }
+    }
+}

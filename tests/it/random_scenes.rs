@@ -1,0 +1,85 @@
+//! Random difficult scenes are solved correctly, including those in which a campaign over many thousands of scenes once
+//! found a fault.
+
+use kit::scenes::row::Row;
+use kit::scenes::{campaign, kinds};
+use rayon::prelude::*;
+
+/// Collects the faults of the scenes with these indices; small scenes are solved by both methods.
+fn faults(indices: &[u64], rows: fn(u64) -> Vec<Row>) -> Vec<String> {
+    let found = indices
+        .par_iter()
+        .flat_map_iter(|&index| faults_of(index, &rows(index)));
+    found.collect()
+}
+
+fn faults_of(index: u64, rows: &[Row]) -> Vec<String> {
+    let wrong = rows.iter().filter(|row| !row.is_right());
+    wrong.map(|row| format!("{index}: {row}")).collect()
+}
+
+#[test]
+fn random_scenes_are_solved_correctly() {
+    let indices: Vec<u64> = (0..kit::thorough(30, 400)).collect();
+    let found = faults(&indices, campaign::rows);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn random_coated_scenes_are_solved_correctly() {
+    let indices = 0..kit::thorough(8_u64, 60);
+    let rows: Vec<Vec<Row>> = (indices.clone().into_par_iter())
+        .map(campaign::coated_rows)
+        .collect();
+    let found = indices.zip(&rows);
+    let found: Vec<String> = found
+        .flat_map(|(index, rows)| faults_of(index, rows))
+        .collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    let is_certified = |row: &Row| row.error.is_some();
+    let certified = rows.iter().filter(|rows| rows.iter().any(is_certified));
+    // The other scenes are rejected or have no contact.
+    let certified = certified.count();
+    assert!(
+        4 * certified > 3 * rows.len(),
+        "{certified} of {}",
+        rows.len()
+    );
+}
+
+#[test]
+fn scenes_with_former_faults_are_solved_correctly() {
+    let indices = [
+        // In the plane, under a force close to sliding.
+        107, 114, 164, 247, 254, 506, 520, 762, 863, 953, 997, 1050, 1117, 1438,
+        // A single periodic cell, in the plane.
+        543, 1091, 1787, 4020,
+        // A window around a tip that is not the lowest, under a tiny load.
+        10225, // Round-off of the slip that is much larger than the displacement.
+        191, 575, 615, 17791,
+    ];
+    let found = faults(&indices, campaign::rows);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn scenes_that_formerly_stalled_converge() {
+    // A small shift of a periodic grid in full contact whose cells slip everywhere, to the last digit.
+    let small_shifts = [13459, 16149].into_iter().map(|i| (i, campaign::rows(i)));
+    let of_kinds = [
+        // Slipping cells whose tractions are collinear and oblique to the axes.
+        3483, 5238, 6156, 7587, 8208, 8586,
+        // Projected gradients that converge next to the minimum, and alternating pressure and traction solves that
+        // diverge.
+        1665, 3248,
+    ];
+    let of_kinds = of_kinds.into_iter().map(|i| (i, kinds::rows(i)));
+    for (index, rows) in small_shifts.chain(of_kinds) {
+        for row in rows {
+            assert!(
+                row.is_right() && row.ending == "converged",
+                "{index}: {row}"
+            );
+        }
+    }
+}

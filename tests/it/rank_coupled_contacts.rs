@@ -1,0 +1,156 @@
+//! Coupled contacts of dissimilar bodies on ranks are bitwise identical to those of one process.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use stickslip::coupled::{CoupledSolution, CoupledSolver};
+use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::*;
+
+use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, pair, same};
+use crate::rank_histories::friction;
+
+/// Gaps of a centred ball, and of a ball off the centre that touches few rows.
+const BALL: fn(f64, f64) -> f64 = |x, y| 0.05 * (x * x + y * y);
+const OFF_CENTRE_BALL: fn(f64, f64) -> f64 = |x, y| 0.05 * ((x - 5.0).powi(2) + (y + 8.0).powi(2));
+
+fn solver(
+    bodies: &HalfSpace,
+    gap: fn(f64, f64) -> f64,
+    friction: Friction,
+    press: NormalControl,
+    load: TangentialLoad,
+) -> CoupledSolver {
+    let gap = Field::from_fn(bodies.grid(), gap);
+    let problem = CoupledProblem::builder(bodies, &gap, friction, press, load);
+    problem.build().unwrap().into_solver().unwrap()
+}
+
+/// Returns the samples of the solution in every cell, and results that every rank has.
+fn samples(contact: &CoupledSolution) -> Found {
+    let (normal, shear) = (contact.normal(), contact.tangential());
+    let ([ux, uy, uz], [qx, qy]) = (contact.displacement(), shear.traction());
+    let report = contact.report();
+    let ([fx, fy], [dx, dy]) = (shear.force(), shear.shift());
+    let mut known = vec![
+        normal.approach(),
+        normal.force(),
+        fx,
+        fy,
+        dx,
+        dy,
+        shear.moment(),
+        shear.dissipated_energy(),
+        contact.elastic_energy(),
+        report.pressure_error_bound,
+        report.traction_error_bound,
+        report.work.iterations as f64,
+    ];
+    known.extend(report.error_bounds.into_iter().flatten());
+    known.extend(report.error_estimate.map(|estimate| estimate.traction));
+    let cells = by_cell([normal.pressure(), normal.gap(), qx, qy, ux, uy, uz]);
+    (cells, known)
+}
+
+/// Solvers continue from the last solution and in windows that are replaced by larger ones. In small windows some ranks
+/// have no cells. A prescribed shift under weak friction has error bounds of the whole contact.
+#[test]
+fn continued_coupled_solves_on_ranks_match_one_process() {
+    let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
+    assert_shared(grid, Boundary::NonPeriodic, |bodies| {
+        let (press, weak) = (NormalControl::Force(0.5), Friction::coulomb(0.01).unwrap());
+        let mut load = TangentialLoad::shift([0.0, 0.0]);
+        let mut solver = solver(bodies, OFF_CENTRE_BALL, weak, press, load);
+        let mut contact = solver.new_solution();
+        let mut bounds = 0;
+        for force in [0.5, 0.52, 6.0, 0.5] {
+            solver.set_load(NormalControl::Force(force), load).unwrap();
+            solver.solve_into(&mut contact).unwrap();
+            bounds += usize::from(contact.report().error_bounds.is_some());
+            load = TangentialLoad::shift([0.01 * force, 0.0]);
+        }
+        solver.set_friction(&friction(bodies)).unwrap();
+        solver.solve_into(&mut contact).unwrap();
+        assert_eq!(bounds, 4);
+        samples(&contact)
+    });
+}
+
+/// Only the observer of the first rank ends the solve. Every rank solves the coarse cells of the smaller grid on its own,
+/// whereas those of the larger grid are distributed.
+#[test]
+fn first_rank_decides_for_all() {
+    for &cells in kit::thorough(&[96][..], &[96, 600]) {
+        assert_first_rank_decides(Grid::square(cells, 8.0).unwrap());
+    }
+}
+
+fn assert_first_rank_decides(grid: Grid) {
+    let solve = |bodies: &HalfSpace, last: usize| {
+        let load = TangentialLoad::force([0.05, 0.0]);
+        let coulomb = Friction::coulomb(0.3).unwrap();
+        let press = NormalControl::Force(0.5);
+        let mut solver = solver(bodies, BALL, coulomb, press, load);
+        let (mut contact, mut left) = (solver.new_solution(), last);
+        let outcome = solver.solve_observed(&mut contact, |_| {
+            left -= 1;
+            if left == 0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        (outcome, samples(&contact))
+    };
+    let alone = HalfSpace::new(grid, pair()).unwrap();
+    let (outcome, expected) = solve(&alone, usize::MAX);
+    outcome.unwrap();
+    for (first, others) in [(usize::MAX, 3), (usize::MAX, 12), (3, usize::MAX)] {
+        let parts = Threads::run(3, PATIENCE, |rank| {
+            let own = if rank.rank() == 0 { first } else { others };
+            let boundary = Boundary::NonPeriodic;
+            let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank));
+            solve(&bodies.unwrap(), own)
+        });
+        for (outcome, part) in parts {
+            if first == usize::MAX {
+                outcome.unwrap();
+                same(&part.1, &expected.1).unwrap();
+            } else {
+                let Err(Error::NotConverged(report)) = outcome else {
+                    panic!("{outcome:?}")
+                };
+                assert_eq!(report.status, Status::Cancelled);
+            }
+        }
+    }
+}
+
+/// Input that one rank rejects is rejected by all ranks, and different kinds of friction are reported.
+#[test]
+fn input_rejected_by_one_rank_is_rejected_by_all() {
+    let grid = Grid::square(128, 8.0).unwrap();
+    let outcomes = Threads::run(3, PATIENCE, |rank| {
+        let is_other = rank.rank() == 1;
+        let boundary = Boundary::NonPeriodic;
+        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+        let build = |curvature: f64, mu: f64| {
+            let gap = Field::from_fn(bodies.grid(), |x, y| curvature * (x * x + y * y));
+            let (press, still) = (NormalControl::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
+            let coulomb = Friction::coulomb(mu).unwrap();
+            let problem = CoupledProblem::builder(&bodies, &gap, coulomb, press, still);
+            problem.build().map(drop)
+        };
+        [
+            build(if is_other { f64::NAN } else { 1.0 }, 0.3),
+            build(1.0, if is_other { 0.4 } else { 0.3 }),
+        ]
+    });
+    for (rank, [gap, friction]) in outcomes.into_iter().enumerate() {
+        let is_refused = gap == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }));
+        assert_eq!(is_refused, rank != 1, "{gap:?}");
+        assert!(gap.is_err());
+        let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
+        assert_eq!(friction, Err(different));
+    }
+}

@@ -1,0 +1,411 @@
+//! After a cancellation or a time limit a solve takes at most one more product and returns a feasible iterate with its
+//! status. An iteration limit applies to all passes of a solve on its grid.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+use kit::{rough, unit_bodies};
+use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem, Settings};
+use stickslip::influence::Component;
+use stickslip::{
+    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    NormalControl, NormalProblem, NormalSolution, Operator, Report, Scratch, Status,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    surface,
+};
+
+/// Operator that counts its products.
+struct Counting {
+    inner: ElasticOperator,
+    products: AtomicUsize,
+}
+
+impl Counting {
+    fn of(bodies: &HalfSpace, component: Component) -> Self {
+        Self {
+            inner: bodies.operator(component).unwrap(),
+            products: AtomicUsize::new(0),
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.products.load(Ordering::Relaxed)
+    }
+}
+
+impl Operator for Counting {
+    fn cells(&self) -> usize {
+        self.inner.cells()
+    }
+
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        self.inner.scratch()
+    }
+
+    fn apply(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], scratch: &mut Scratch) {
+        self.products.fetch_add(1, Ordering::Relaxed);
+        self.inner.apply(x, out, scratch);
+    }
+
+    fn apply_f32(&self, x: [&[f64]; 1], out: [&mut [f64]; 1], scratch: &mut Scratch) {
+        self.products.fetch_add(1, Ordering::Relaxed);
+        self.inner.apply_f32(x, out, scratch);
+    }
+
+    fn lower_bound(&self) -> f64 {
+        self.inner.lower_bound()
+    }
+}
+
+fn bodies() -> HalfSpace {
+    unit_bodies(Grid::square(128, 100.0).unwrap(), 0.3)
+}
+
+/// Returns the report of a solve that ended with the given status.
+fn ended(outcome: Result<(), Error>, status: Status) -> Report {
+    let Err(Error::NotConverged(report)) = outcome else {
+        panic!("{outcome:?}");
+    };
+    assert_eq!(report.status, status);
+    // The values are infinite if there is no displacement yet to measure by.
+    assert!(report.residual >= 0.0 && report.duality_gap >= 0.0);
+    *report
+}
+
+/// Returns the number of products in both precisions.
+fn products(report: &Report) -> usize {
+    report.double_precision_products + report.single_precision_products
+}
+
+#[test]
+fn observer_is_called_before_every_product() {
+    let bodies = unit_bodies(Grid::square(kit::thorough(32, 48), 100.0).unwrap(), 0.3);
+    let gap = rough(bodies.grid(), 3);
+    let limits: Vec<f64> = gap.as_slice().iter().map(|h| (1.5 - h).max(0.0)).collect();
+    let shifted = vec![-1.0; limits.len()];
+    let inverse = bodies.preconditioner(Component::ZZ).unwrap().unwrap();
+    for method in [Method::ActiveSet, Method::PolonskyKeer] {
+        let settings = Settings::default().method(method).tolerance(1e-11);
+        for total in [None, Some(kit::thorough(25.0, 80.0))] {
+            // The start is the least value of the gap, or an approach that closes part of the gap.
+            let datum = if total.is_some() { 0.0 } else { 1.0 };
+            let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
+            let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
+                let operator = Counting::of(&bodies, Component::ZZ);
+                let problem = Problem::new(&operator, [&linear], NonNegative);
+                let problem = problem.preconditioner(inverse.clone());
+                let problem = total.into_iter().fold(problem, Problem::total);
+                let outcome = cgm::minimise_with(
+                    &problem,
+                    settings,
+                    [x],
+                    &mut problem.workspace().unwrap(),
+                    &mut |iteration| observer(iteration, operator.count()),
+                );
+                assert!(x.iter().all(|p| *p >= 0.0));
+                (outcome, operator.count())
+            };
+            let shear = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
+                let operator = Counting::of(&bodies, Component::XX);
+                let problem = Problem::new(&operator, [&shifted], AbsBound(&limits));
+                let problem = problem.preconditioner(inverse.clone());
+                let problem = total.into_iter().fold(problem, Problem::total);
+                let outcome = cgm::minimise_with(
+                    &problem,
+                    settings,
+                    [x],
+                    &mut problem.workspace().unwrap(),
+                    &mut |iteration| observer(iteration, operator.count()),
+                );
+                assert!(x.iter().zip(&limits).all(|(q, m)| q.abs() <= *m));
+                (outcome, operator.count())
+            };
+            for solve in [&normal as &Solve<'_>, &shear] {
+                assert_stops(solve, &settings, limits.len(), total);
+            }
+        }
+    }
+}
+
+type Observer<'a> = dyn FnMut(&Iteration, usize) -> ControlFlow<()> + Send + 'a;
+type Solve<'a> =
+    dyn Fn(&mut [f64], &mut Observer<'_>, &Settings) -> (Result<(), Error>, usize) + 'a;
+
+fn assert_stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Option<f64>) {
+    let sum = |x: &[f64]| x.iter().sum::<f64>();
+    let keeps_total = |x: &[f64]| total.is_none_or(|total| (sum(x) / total - 1.0).abs() < 1e-12);
+    // Without cancellation there are never two products between calls of the observer.
+    let (mut calls, mut last) = (0, 0);
+    let mut watch = |_: &Iteration, count: usize| {
+        calls += 1;
+        assert!(
+            count <= last + 1,
+            "{count} products, {last} at the last call of the observer"
+        );
+        last = count;
+        ControlFlow::Continue(())
+    };
+    let mut x = vec![0.0; len];
+    let (outcome, count) = solve(&mut x, &mut watch, settings);
+    outcome.unwrap();
+    assert!(count <= last + 1 && calls > 20);
+    for stop in (0..calls).step_by(kit::thorough(17, 3)) {
+        let (mut left, mut at_stop) = (stop, 0);
+        let mut cancel = |_: &Iteration, count: usize| {
+            if left == 0 {
+                at_stop = count;
+                return ControlFlow::Break(());
+            }
+            left -= 1;
+            ControlFlow::Continue(())
+        };
+        let mut x = vec![0.0; len];
+        let (outcome, count) = solve(&mut x, &mut cancel, settings);
+        let report = ended(outcome, Status::Cancelled);
+        assert!(
+            count <= at_stop + 1,
+            "{count} products, cancelled at {at_stop}"
+        );
+        assert!(count == products(&report) && keeps_total(&x));
+    }
+    let timed = settings.time_limit(Duration::ZERO);
+    let mut x = vec![0.0; len];
+    let (outcome, count) = solve(&mut x, &mut |_, _| ControlFlow::Continue(()), &timed);
+    ended(outcome, Status::TimeLimit);
+    assert!(count <= 1 && keeps_total(&x));
+}
+
+fn press(bodies: &HalfSpace, gap: &Field) -> NormalSolution {
+    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
+    problem.build().unwrap().solve().unwrap()
+}
+
+/// End of a solve at the given call of the observer, by cancellation or by the clock.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    call: usize,
+    by_clock: bool,
+}
+
+const LIMIT: Duration = Duration::from_millis(50);
+
+impl End {
+    const fn status(self) -> Status {
+        if self.by_clock {
+            Status::TimeLimit
+        } else {
+            Status::Cancelled
+        }
+    }
+
+    /// Returns an observer that ends a solve, and counts its calls in `calls`.
+    fn observer(self, calls: &mut usize) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
+        move |_| {
+            *calls += 1;
+            match *calls == self.call {
+                true if self.by_clock => std::thread::sleep(LIMIT),
+                true => return ControlFlow::Break(()),
+                false => {}
+            }
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Asserts that no work follows the end. The first calls are made on the coarsest cells.
+    fn check(self, calls: usize, report: &Report) {
+        let called_again = usize::from(self.by_clock);
+        assert!(calls <= self.call + called_again, "{self:?}: {calls} calls");
+        if self.call <= 3 {
+            // The products are those on the window of the contact and, for a normal contact, on the whole grid.
+            assert!(products(report) <= 2, "{self:?}: {report}");
+        }
+    }
+}
+
+fn ends() -> impl Iterator<Item = End> {
+    let cancelled: &[usize] = kit::thorough(&[2, 8, 27], &[1, 2, 3, 8, 13, 20, 27]);
+    let timed: &[usize] = kit::thorough(&[1, 9], &[1, 3, 9]);
+    let end = |by_clock| move |&call: &usize| End { call, by_clock };
+    cancelled
+        .iter()
+        .map(end(false))
+        .chain(timed.iter().map(end(true)))
+}
+
+#[test]
+fn normal_contact_stops_on_every_grid_of_nested_start() {
+    let bodies = bodies();
+    let gap = rough(bodies.grid(), 5);
+    for end in ends() {
+        let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0));
+        let builder = builder.tolerance(1e-12);
+        let builder = if end.by_clock {
+            builder.time_limit(LIMIT)
+        } else {
+            builder
+        };
+        let mut solver = builder.build().unwrap().into_solver().unwrap();
+        let mut solution = solver.new_solution();
+        let mut calls = 0;
+        let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
+        let report = ended(outcome, end.status());
+        end.check(calls, &report);
+        assert_eq!(solution.report(), &report);
+        assert!(solution.pressure().min() >= 0.0);
+        assert!((solution.force() / 60.0 - 1.0).abs() < 1e-12);
+        // The solver can continue from this iterate.
+        if !end.by_clock {
+            solver.solve_into(&mut solution).unwrap();
+        }
+    }
+}
+
+#[test]
+fn tangential_contact_stops_on_every_grid_of_nested_start() {
+    let bodies = bodies();
+    let normal = press(&bodies, &rough(bodies.grid(), 5));
+    let friction = 0.4;
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        for end in ends() {
+            let coulomb = Friction::coulomb(friction).unwrap();
+            let load = TangentialLoad::force([13.0, 0.0]);
+            let builder = TangentialProblem::builder(&bodies, &normal, coulomb, load);
+            let builder = builder.model(lateral).tolerance(1e-12);
+            let builder = if end.by_clock {
+                builder.time_limit(LIMIT)
+            } else {
+                builder
+            };
+            let mut solver = builder.build().unwrap().into_solver().unwrap();
+            let mut solution = solver.new_solution();
+            let mut calls = 0;
+            let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
+            let report = ended(outcome, end.status());
+            end.check(calls, &report);
+            assert_eq!(solution.report(), &report);
+            assert_feasible(&normal, &solution, friction);
+        }
+    }
+}
+
+fn assert_feasible(normal: &NormalSolution, solution: &TangentialSolution, friction: f64) {
+    let [x, y] = solution.traction().map(Field::as_slice);
+    for ((x, y), p) in x.iter().zip(y).zip(normal.pressure().as_slice()) {
+        assert!(x.hypot(*y) <= friction * p * (1.0 + 1e-14));
+    }
+    let [x, y] = solution.force();
+    assert!((x / 13.0 - 1.0).abs() < 1e-12 && y.abs() < 1e-11);
+}
+
+/// Result of a solve of several passes, with the iterations that its observer received.
+struct PassLog {
+    report: Report,
+    seen: Vec<Iteration>,
+}
+
+impl PassLog {
+    fn new(outcome: Result<Report, Error>, seen: Vec<Iteration>) -> Self {
+        let report = outcome.unwrap_or_else(|error| match error {
+            Error::NotConverged(report) => *report,
+            other => panic!("{other}"),
+        });
+        Self { report, seen }
+    }
+
+    /// Asserts that the counts increase from pass to pass, and that the last entry of the history does not exceed the
+    /// counts of the report.
+    fn assert_counted_once(&self) {
+        let Self { report, seen } = self;
+        for steps in [seen, &report.history] {
+            assert!(steps.is_sorted_by_key(|step| step.iteration));
+            assert!(steps.is_sorted_by_key(|step| step.double_precision_products));
+            assert!(steps.last().is_some_and(|last| {
+                last.iteration <= report.iterations
+                    && last.double_precision_products <= report.double_precision_products
+            }));
+        }
+    }
+}
+
+/// Solves with every iteration limit and asserts that the limit is kept.
+fn assert_limited(least: usize, solve: impl Fn(usize) -> PassLog) {
+    let whole = solve(10_000);
+    assert_eq!(whole.report.status, Status::Converged);
+    whole.assert_counted_once();
+    let free = whole.report.iterations;
+    assert!(least < free, "{least}, {}", whole.report);
+    for limit in least..free {
+        let PassLog { report, .. } = &solve(limit);
+        assert_eq!(
+            (report.status, report.iterations),
+            (Status::IterationLimit, limit)
+        );
+    }
+    assert_eq!(solve(free + 1).report.status, Status::Converged);
+}
+
+/// If the contact outgrows its window, the load is solved again in a larger one.
+#[test]
+fn enlarged_window_has_remaining_iterations() {
+    let grid = Grid::square(64, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 300.0).unwrap();
+    let light = NormalControl::Force(0.02);
+    let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
+    let alone = builder().build().unwrap().solve().unwrap();
+    assert_limited(alone.report().iterations.max(1), |limit| {
+        let problem = builder().max_iterations(limit).build().unwrap();
+        let mut solver = problem.into_solver().unwrap();
+        let mut solution = solver.new_solution();
+        solver.solve_into(&mut solution).unwrap();
+        solver.set_load(NormalControl::Force(50.0)).unwrap();
+        let mut seen = Vec::new();
+        let outcome = solver.solve_observed(&mut solution, |step| {
+            seen.push(*step);
+            ControlFlow::Continue(())
+        });
+        assert!((solution.force() / 50.0 - 1.0).abs() < 1e-11 && solution.pressure().min() >= 0.0);
+        PassLog::new(outcome.map(|()| solution.report().clone()), seen)
+    });
+}
+
+/// If a spring is much softer than the contact, a step is solved again with a smaller tolerance.
+#[test]
+fn finer_pass_with_soft_spring_has_remaining_iterations() {
+    let grid = Grid::square(48, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    let stiffness = 1e-4;
+    let drag = LoadStep::hold().tangential(
+        Axis::X,
+        TangentialControl::Spring {
+            position: 0.1 / stiffness,
+            stiffness,
+        },
+    );
+    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
+        // The limit applies to the second step only. The first step would otherwise start from coarser cells with fewer
+        // iterations.
+        let pressed = || {
+            let friction = Friction::coulomb(0.3).unwrap();
+            let builder = History::builder(&bodies, &ball, friction).model(lateral);
+            let mut history = builder.tolerance(1e-6).build().unwrap();
+            history.step(&press).unwrap();
+            history
+        };
+        assert_limited(1, |limit| {
+            let mut history = pressed();
+            let settings = history.settings().max_iterations(limit);
+            history.set_settings(settings).unwrap();
+            let mut seen = Vec::new();
+            let outcome = history.step_observed(&drag, |step| {
+                seen.push(*step);
+                ControlFlow::Continue(())
+            });
+            let report = outcome.map(|step| step.tangential_report().unwrap().clone());
+            PassLog::new(report, seen)
+        });
+    }
+}

@@ -1,0 +1,249 @@
+//! A nested start and a window around the contact save work without changing the solution, which equals that of a plain
+//! loop over the whole grid.
+
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use kit::{Random, l2_difference, press, rough, shear, unit_bodies};
+use stickslip::cgm::{Method, Status};
+use stickslip::{
+    Axis, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, TangentialLoad,
+    TangentialProblem, Zone, surface,
+};
+
+const TOLERANCE: f64 = 1e-9;
+
+/// Solves by both methods and compares; the single loop has a plain start and uses the whole grid.
+fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &Friction, f: f64) {
+    let normal = press(bodies, gap, load, TOLERANCE, Method::ActiveSet);
+    let plain = press(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
+    let pressures = [&normal, &plain].map(|solution| solution.pressure().as_slice());
+    let error = l2_difference(pressures[0], pressures[1]);
+    assert!(
+        error < 1e-6,
+        "pressure: {error:e}\n{}\n{}",
+        normal.report(),
+        plain.report()
+    );
+    let depth = normal.approach() - gap.min();
+    assert!(
+        normal.gap().min() >= -2.0 * TOLERANCE * depth,
+        "no cell overlaps"
+    );
+    let problem = TangentialProblem::builder(
+        bodies,
+        &normal,
+        friction.clone(),
+        TangentialLoad::shift([0.0; 2]),
+    );
+    let limit = problem.build().unwrap().friction_capacity();
+    for load in [
+        TangentialLoad::force([f * limit, 0.0]),
+        TangentialLoad::force([0.0, -f * limit]),
+    ] {
+        let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]
+            .map(|method| shear(bodies, &normal, friction, load, TOLERANCE, method));
+        let axis = sets.axis().unwrap().index();
+        let (a, b) = (sets.traction()[axis], plain.traction()[axis]);
+        let error = l2_difference(a.as_slice(), b.as_slice());
+        assert!(
+            error < 1e-6,
+            "traction: {error:e}\n{}\n{}",
+            sets.report(),
+            plain.report()
+        );
+        let by_shift = shear(
+            bodies,
+            &normal,
+            friction,
+            TangentialLoad::shift(sets.shift()),
+            TOLERANCE,
+            Method::ActiveSet,
+        );
+        assert!((by_shift.force()[axis] / sets.force()[axis] - 1.0).abs() < 1e-6);
+    }
+}
+
+/// Returns the gap of a sphere in the middle and a tip of one cell in a corner that coarser cells do not resolve.
+fn sphere_and_tip(grid: Grid) -> Field {
+    let mut gap = Field::from_fn(grid, |x, y| (x * x + y * y) / (2.0 * 30.0));
+    let tip = grid.nx() * (grid.ny() - 4) + 3;
+    gap.as_mut_slice()[tip] = -0.2;
+    gap
+}
+
+#[test]
+fn tip_missed_by_coarse_cells_is_found() {
+    let grid = Grid::new(90, 101, 0.25, 0.25).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = sphere_and_tip(grid);
+    let friction = Friction::coulomb(0.3).unwrap();
+    for load in [
+        NormalControl::Force(2.0),
+        NormalControl::Approach(0.3),
+        NormalControl::Approach(-0.1),
+    ] {
+        assert_same(&bodies, &gap, load, &friction, 0.5);
+        let solution = press(&bodies, &gap, load, TOLERANCE, Method::ActiveSet);
+        let tip = grid.nx() * (grid.ny() - 4) + 3;
+        assert!(solution.pressure().as_slice()[tip] > 0.0);
+    }
+}
+
+/// Far from the contact, a load may be smaller than the round-off of the gap. A solve that stalls there must continue
+/// where the bodies overlap.
+#[test]
+fn tip_is_found_under_tiny_load() {
+    let grid = Grid::new(90, 101, 0.25, 0.25).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = sphere_and_tip(grid);
+    let tip = grid.nx() * (grid.ny() - 4) + 3;
+    for force in [1e-8, 1e-10, 1e-14] {
+        let load = NormalControl::Force(force);
+        let solution = press(&bodies, &gap, load, TOLERANCE, Method::ActiveSet);
+        assert_eq!(solution.contact_cells(), 1);
+        assert!(
+            (solution.pressure().as_slice()[tip] * grid.cell_area() / force - 1.0).abs() < 1e-12
+        );
+    }
+}
+
+#[test]
+fn odd_slender_and_tilted_grids_match_plain_loop() {
+    let mut random = Random(77);
+    for (nx, ny, dx, dy) in [
+        (97, 131, 1.0, 1.0),
+        (257, 9, 0.5, 2.0),
+        (1500, 1, 1.0, 1.0),
+        (3, 700, 1.0, 0.2),
+        (64, 64, 1.0, 3.0),
+        (41, 40, 1.0, 1.0),
+    ] {
+        let grid = Grid::new(nx, ny, dx, dy).unwrap();
+        let bodies = unit_bodies(grid, random.uniform(0.0, 0.5));
+        let size = dx * nx as f64 + dy * ny as f64;
+        let tilt = random.uniform(-0.01, 0.01);
+        let gap = Field::from_fn(grid, |x, y| {
+            0.1 * (x * x + y * y) / size + tilt * x + 1e-3 * dx * random.uniform(0.0, 1.0)
+        });
+        // Part of the surface is frictionless, so that the limits jump between neighbouring cells.
+        let friction = Field::from_fn(grid, |x, _| if x > 0.2 * size { 0.0 } else { 0.5 });
+        let friction = Friction::per_cell(friction).unwrap();
+        for part in [1e-4, 3e-3] {
+            let load = NormalControl::Force(part * grid.area());
+            assert_same(&bodies, &gap, load, &friction, 0.7);
+        }
+    }
+}
+
+#[test]
+fn rough_gaps_and_load_beyond_window_match_plain_loop() {
+    let grid = Grid::square(96, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.25);
+    let friction = Friction::coulomb(0.4).unwrap();
+    for seed in 0..kit::thorough(2, 4) {
+        let gap = rough(grid, 100 + seed);
+        assert_same(&bodies, &gap, NormalControl::Force(10.0), &friction, 0.9);
+    }
+    // The window of the first, light contact is much too small for the last one.
+    let gap = sphere_and_tip(grid);
+    let problem =
+        NormalProblem::builder(&bodies, &gap, NormalControl::Force(1e-3)).tolerance(TOLERANCE);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solution = solver.new_solution();
+    for force in [1e-3, 1.0, 100.0, 1e4, 1e-3] {
+        solver.set_load(NormalControl::Force(force)).unwrap();
+        solver.solve_into(&mut solution).unwrap();
+        let plain = press(
+            &bodies,
+            &gap,
+            NormalControl::Force(force),
+            TOLERANCE,
+            Method::PolonskyKeer,
+        );
+        let error = l2_difference(solution.pressure().as_slice(), plain.pressure().as_slice());
+        assert!(error < 1e-6, "{force}: {error:e}");
+    }
+}
+
+/// If the solve is stopped, during the coarse start or later, the iterate is feasible and has its status.
+#[test]
+fn stopped_nested_start_leaves_feasible_iterate() {
+    let grid = Grid::square(120, 100.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = rough(grid, 9);
+    let normal = press(
+        &bodies,
+        &gap,
+        NormalControl::Force(20.0),
+        TOLERANCE,
+        Method::ActiveSet,
+    );
+    let friction = Friction::coulomb(0.4).unwrap();
+    let load = TangentialLoad::force([4.0, 0.0]);
+    for calls in [0, 1, 5, 12, 30] {
+        let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
+        let mut press = press.build().unwrap().into_solver().unwrap();
+        let mut pressed = press.new_solution();
+        let mut left = calls;
+        let outcome = press.solve_observed(&mut pressed, |_| stop_after(&mut left));
+        let Err(Error::NotConverged(report)) = outcome else {
+            panic!("stopped after {calls} calls: {outcome:?}");
+        };
+        assert_eq!(report.status, Status::Cancelled);
+        assert!((pressed.force() / 20.0 - 1.0).abs() < 1e-11 && pressed.pressure().min() >= 0.0);
+
+        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
+        let mut shear = shear.build().unwrap().into_solver().unwrap();
+        let mut sheared = shear.new_solution();
+        let mut left = calls;
+        let outcome = shear.solve_observed(&mut sheared, |_| stop_after(&mut left));
+        let Err(Error::NotConverged(report)) = outcome else {
+            panic!("stopped after {calls} calls: {outcome:?}");
+        };
+        assert_eq!(report.status, Status::Cancelled);
+        assert!((sheared.force()[0] / 4.0 - 1.0).abs() < 1e-11);
+        let limits = normal.pressure().as_slice().iter().map(|p| 0.4 * p);
+        let tractions = sheared.traction()[0].as_slice().iter();
+        assert!(tractions.zip(limits).all(|(q, limit)| q.abs() <= limit));
+        // Without the observer the same solver continues and converges.
+        shear.solve_into(&mut sheared).unwrap();
+    }
+    let limited = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0))
+        .time_limit(Duration::ZERO);
+    let Err(Error::NotConverged(report)) = limited.build().unwrap().solve() else {
+        panic!("a solve without any time must not converge");
+    };
+    assert_eq!(report.status, Status::TimeLimit);
+}
+
+fn stop_after(left: &mut usize) -> ControlFlow<()> {
+    if *left == 0 {
+        return ControlFlow::Break(());
+    }
+    *left -= 1;
+    ControlFlow::Continue(())
+}
+
+/// Between two loads along y the solver solves a zero load with a different pressure, and it must keep its axis.
+#[test]
+fn solver_under_zero_load_keeps_axis() {
+    let grid = Grid::square(64, 8.0).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let ball = surface::sphere(grid, 10.0).unwrap();
+    let [light, heavy] = [0.05, 0.5].map(|force| {
+        let load = NormalControl::Force(force);
+        press(&bodies, &ball, load, TOLERANCE, Method::ActiveSet)
+    });
+    let friction = Friction::coulomb(0.5).unwrap();
+    let along_y = |force| TangentialLoad::force([0.0, force]);
+    let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut shear = solver.new_solution();
+    solver.solve_into(&mut shear).unwrap();
+    solver.set_load(along_y(0.0)).unwrap();
+    solver.set_pressure(&heavy).unwrap();
+    solver.solve_into(&mut shear).unwrap();
+    assert_eq!(shear.axis(), Some(Axis::Y));
+    assert!(shear.zones().iter().all(|zone| *zone != Zone::Slip));
+}

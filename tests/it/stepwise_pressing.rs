@@ -1,0 +1,92 @@
+//! A sphere of a different material is pressed in steps. The tests compare with Spence's stick zone and with contact
+//! without slip.
+
+use rayon::prelude::*;
+use stickslip::analytical::{HertzSphere, NoSlipSphere};
+use stickslip::{
+    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
+};
+
+const RADIUS: f64 = 10.0;
+
+/// Presses a sphere in steps of equal increments until the Hertzian contact has a radius of one.
+fn pressed(poisson_ratio: f64, coefficient: f64, steps: u32) -> (History, f64) {
+    let grid = Grid::square(65, 2.4).unwrap();
+    let body = Material::new(1.0, poisson_ratio).unwrap();
+    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, RADIUS).unwrap();
+    let whole = 4.0 / (3.0 * RADIUS) * pair.contact_modulus();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(coefficient).unwrap());
+    let mut history = builder.tolerance(1e-6).build().unwrap();
+    for step in 1..=steps {
+        let radius = f64::from(step) / f64::from(steps);
+        let force = NormalControl::Force(whole * radius.powi(3));
+        history.step(&LoadStep::hold().normal(force)).unwrap();
+    }
+    (history, whole)
+}
+
+/// Dundurs' beta, ratio of stick radius to contact radius, and the corresponding friction coefficient. The values come
+/// from ring elements with elliptic integrals for a punch, to 3e-5; a sphere has the same values (Spence, Proc. R. Soc.
+/// A 305 (1968) 55).
+const STICK: [[f64; 3]; 10] = [
+    [0.5, 0.1, 0.15508],
+    [0.5, 0.3, 0.22659],
+    [0.5, 0.5, 0.29872],
+    [0.5, 0.7, 0.40124],
+    [0.5, 0.9, 0.64746],
+    [2.0 / 7.0, 0.1, 0.08072],
+    [2.0 / 7.0, 0.3, 0.11704],
+    [2.0 / 7.0, 0.5, 0.15249],
+    [2.0 / 7.0, 0.7, 0.20053],
+    [2.0 / 7.0, 0.9, 0.30387],
+];
+
+/// With 32 steps the stick radius is accurate to half a step.
+#[test]
+fn stepwise_pressed_sphere_sticks_as_in_spence() {
+    let stick: Vec<_> = STICK.into_iter().step_by(kit::thorough(4, 1)).collect();
+    stick
+        .into_par_iter()
+        .for_each(|[beta, radius, coefficient]| {
+            let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
+            let (history, _) = pressed(poisson_ratio, coefficient, 32);
+            let found = history.last_step().stick_ratio().sqrt();
+            let error = (found - radius).abs();
+            assert!(error < 0.5 / 32.0, "{beta} {radius}: {found}");
+        });
+}
+
+/// Without slip a sphere is stiffer. The test compares the ratio of the load to the Hertzian load at the same approach,
+/// extrapolated from 16 and 32 steps.
+#[test]
+fn sphere_without_slip_is_stiffer() {
+    kit::thorough(&[0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4])
+        .into_par_iter()
+        .for_each(|&poisson_ratio| {
+            let ratios = [16, 32].map(|steps| {
+                let (history, whole) = pressed(poisson_ratio, 20.0, steps);
+                assert!(history.last_step().stick_ratio() > 0.99);
+                let pair = *history.state().pair();
+                let exact = NoSlipSphere::new(&pair, RADIUS, whole).unwrap();
+                let error = (history.approach() / exact.approach() - 1.0).abs();
+                assert!(
+                    error < 0.1 / f64::from(steps),
+                    "{poisson_ratio} {steps}: {error}"
+                );
+                let hertz = HertzSphere::new(&pair, RADIUS, whole).unwrap();
+                (hertz.approach() / history.approach()).powf(1.5)
+            });
+            let body = Material::new(1.0, poisson_ratio).unwrap();
+            let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+            let exact = NoSlipSphere::new(&pair, RADIUS, 1.0).unwrap();
+            let hertz = HertzSphere::new(&pair, RADIUS, 1.0).unwrap();
+            let exact = (hertz.approach() / exact.approach()).powf(1.5);
+            let found = 2.0 * ratios[1] - ratios[0];
+            assert!(
+                (found - exact).abs() < 3e-4,
+                "{poisson_ratio}: {found} for {exact}"
+            );
+        });
+}

@@ -1,0 +1,163 @@
+//! An unchanged problem that is solved again costs one product on the window to verify its solution, and one on the
+//! whole grid.
+
+use kit::{rough, unit_bodies};
+use stickslip::{
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
+    History, LoadStep, Material, NormalControl, NormalProblem, Report, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, surface,
+};
+
+/// Asserts that a solve only verified the solution on the window, and on the grid if it differs from the window.
+fn assert_only_verified(report: &Report, products: usize, what: &str) {
+    assert!(report.is_converged(), "{what}: {report:?}");
+    assert!(
+        report.double_precision_products <= products,
+        "{what}: {report:?}"
+    );
+    assert_eq!(report.single_precision_products, 0, "{what}: {report:?}");
+    assert_eq!(report.iterations, 0, "{what}: {report:?}");
+}
+
+fn scenes() -> Vec<(&'static str, HalfSpace, Field, f64)> {
+    let ball = Grid::square(48, 4.0).unwrap();
+    let rough_grid = Grid::square(40, 1.0).unwrap();
+    let oblong = Grid::new(33, 21, 0.1, 0.17).unwrap();
+    let flat = surface::ellipsoid(oblong, 8.0, 5.0).unwrap();
+    let body = Material::new(1.0, 0.3).unwrap();
+    let pair = ElasticPair::new(body, body).unwrap();
+    let periodic = HalfSpace::with_boundary(rough_grid, pair, Boundary::Periodic).unwrap();
+    vec![
+        (
+            "ball",
+            unit_bodies(ball, 0.3),
+            surface::sphere(ball, 10.0).unwrap(),
+            0.2,
+        ),
+        (
+            "rough",
+            unit_bodies(rough_grid, 0.3),
+            rough(rough_grid, 3),
+            0.02,
+        ),
+        ("oblong", unit_bodies(oblong, 0.2), flat, 0.1),
+        ("periodic", periodic, rough(rough_grid, 5), 0.02),
+    ]
+}
+
+const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
+
+#[test]
+fn unchanged_pressures_and_tractions_are_only_verified() {
+    for (name, bodies, gap, force) in scenes() {
+        for tolerance in TOLERANCES {
+            let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+            let mut press = problem
+                .tolerance(tolerance)
+                .build()
+                .unwrap()
+                .into_solver()
+                .unwrap();
+            let mut normal = press.new_solution();
+            press.solve_into(&mut normal).unwrap();
+            for control in [
+                NormalControl::Force(force),
+                NormalControl::Approach(normal.approach()),
+            ] {
+                press.set_load(control).unwrap();
+                let before = normal.clone();
+                press.solve_into(&mut normal).unwrap();
+                assert_only_verified(
+                    normal.report(),
+                    2,
+                    &format!("{name} {tolerance} {control:?}"),
+                );
+                assert_eq!(normal.pressure(), before.pressure(), "{name}");
+            }
+            for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+                let loads = [
+                    TangentialLoad::force([0.1 * force, 0.0]),
+                    TangentialLoad::shift([0.003, 0.0]),
+                    TangentialLoad::spring([0.05, 0.0], 0.7),
+                ];
+                for load in loads {
+                    let friction = Friction::coulomb(0.3).unwrap();
+                    let problem = TangentialProblem::builder(&bodies, &normal, friction, load);
+                    let problem = problem.model(model).tolerance(tolerance).build().unwrap();
+                    let mut solver = problem.into_solver().unwrap();
+                    let mut shear = solver.new_solution();
+                    solver.solve_into(&mut shear).unwrap();
+                    let before = shear.clone();
+                    solver.solve_into(&mut shear).unwrap();
+                    let what = format!("{name} {tolerance} {model:?} {load:?}");
+                    assert_only_verified(shear.report(), 1, &what);
+                    assert_eq!(shear.traction(), before.traction(), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn unchanged_histories_are_only_verified() {
+    for (name, bodies, gap, force) in scenes() {
+        for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+            let friction = Friction::coulomb(0.3).unwrap();
+            let builder = History::builder(&bodies, &gap, friction).model(model);
+            let mut history = builder.tolerance(1e-6).build().unwrap();
+            let press = LoadStep::hold().normal(NormalControl::Force(force));
+            let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
+            history.step(&press).unwrap();
+            for load in [drag(0.2 * force), drag(-0.1 * force)] {
+                history.step(&load).unwrap();
+                let step = history.step(&load).unwrap();
+                let what = format!("{name} {model:?}");
+                assert_only_verified(step.normal_report().unwrap(), 2, &what);
+                assert_only_verified(step.tangential_report().unwrap(), 1, &what);
+            }
+            let restored = History::from_bytes(&bodies, &history.to_bytes());
+            let mut restored = restored.unwrap();
+            let step = restored.step(&drag(-0.1 * force)).unwrap();
+            assert_only_verified(step.tangential_report().unwrap(), 1, name);
+        }
+    }
+}
+
+#[test]
+fn unchanged_coupled_contacts_are_only_verified() {
+    let grid = Grid::square(40, 4.0).unwrap();
+    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = surface::sphere(grid, 10.0).unwrap();
+    let (press, load) = (
+        NormalControl::Force(0.1),
+        TangentialLoad::force([0.01, 0.0]),
+    );
+    let friction = Friction::coulomb(0.3).unwrap();
+    let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+    let mut solver = problem
+        .tolerance(1e-6)
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap();
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    solver.solve_into(&mut contact).unwrap();
+    assert_only_verified(&contact.report().work, 2, "coupled");
+
+    for coupling in [Coupling::Full, Coupling::OneWay] {
+        let builder = History::builder(&bodies, &gap, friction.clone()).coupling(coupling);
+        let mut history = builder.tolerance(1e-6).build().unwrap();
+        let press = LoadStep::hold().normal(press);
+        let drag = press.tangential(Axis::X, TangentialControl::Force(0.01));
+        for load in [press, drag, drag] {
+            history.step(&load).unwrap();
+        }
+        assert_only_verified(
+            history.last_step().tangential_report().unwrap(),
+            2,
+            "history",
+        );
+    }
+}
