@@ -133,7 +133,7 @@ fn history_saved_copied_or_restored_is_bitwise_identical() {
     });
 }
 
-/// Returns loads that `assert_every` history rejects: not finite, tensile, or beyond the friction capacity.
+/// Returns loads that every history rejects: not finite, tensile, or beyond the friction capacity.
 fn invalid_loads(history: &History) -> Vec<LoadStep> {
     let hold = LoadStep::hold();
     let along = |control| hold.tangential(Axis::X, control);
@@ -307,7 +307,7 @@ fn histories_in_one_call_or_pool_are_bitwise_identical() {
     }
 }
 
-/// Returns the scene in two steps on a grid that is refined by `times` along x and y, so that `assert_every` thread and rank has
+/// Returns the scene in two steps on a grid that is refined by `times` along x and y, so that every thread and rank has
 /// cells.
 fn refined(scene: &Scene, times: usize) -> Scene {
     let mut scene = Scene {
@@ -337,7 +337,7 @@ fn history_on_any_number_of_threads_is_bitwise_identical() {
     });
 }
 
-/// Returns scenes that together cover `assert_every` boundary, model, coupling and memory, or all scenes in the campaign.
+/// Returns scenes that together cover every boundary, model, coupling and memory, or all scenes in the campaign.
 fn some_scenes() -> Vec<Scene> {
     let chosen = [
         "rows",

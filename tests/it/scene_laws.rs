@@ -1,4 +1,4 @@
-//! Every kind of history satisfies the laws of mechanics in `assert_every` step. Its results are invariant under changes of
+//! Every kind of history satisfies the laws of mechanics in every step. Its results are invariant under changes of
 //! units, swapped axes, mirroring and exchange of the bodies.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -115,7 +115,7 @@ fn check(holds: bool, what: impl FnOnce() -> String) -> LawResult {
     if holds { Ok(()) } else { Err(what()) }
 }
 
-/// The work of `assert_every` step is stored or dissipated, and slip never generates energy.
+/// The work of every step is stored or dissipated, and slip never generates energy.
 #[test]
 fn scene_work_is_stored_or_dissipated() {
     assert_every(scenes(), |scene| {

@@ -396,7 +396,7 @@ impl History {
 
     /// Changes the gap before loading, for instance after wear. Everything else is kept, including the pressure until a
     /// step that does not hold it; prescribe the normal load again in the next step. A step that holds the pressure has
-    /// the warning [`Warning::StalePressure`]. The [plastic depth](State::yielded) is added to the gap.
+    /// the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic depth](State::yielded) is added to the gap.
     ///
     /// Before a step that [rolls](crate::history#rolling), pass the gap of that step, in which the texture has moved
     /// with the particles. Copies without allocating.
