@@ -1,5 +1,5 @@
-//! What a contact costs from a cold start on ready operators, pressed and sheared, smooth and rough, and
-//! what a step of a fretting loop costs from the last one.
+//! Time of normal and tangential solves from a cold start with existing operators, for smooth and rough contacts, and
+//! time of a step of a fretting loop that starts from the previous step.
 
 #![allow(
     missing_docs,
@@ -23,7 +23,7 @@ fn scenes(side: u16) -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// A group whose throughput counts cells.
+/// Creates a benchmark group whose throughput counts cells.
 fn group<'a>(criterion: &'a mut Criterion, name: &str, side: u16) -> BenchmarkGroup<'a, WallTime> {
     let mut group = criterion.benchmark_group(name);
     group.sample_size(10);
@@ -72,7 +72,8 @@ fn tangential(criterion: &mut Criterion) {
     }
 }
 
-/// The gap worn a little, the load turned a little, both halves solved from their last answers.
+/// Measures a step with a small change of the gap by wear and a small change of the load. Both subproblems start from
+/// their last solutions.
 fn fretting_step(criterion: &mut Criterion) {
     for side in SIDES {
         let scene = benchmark::ball(side).expect("valid scene");

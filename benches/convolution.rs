@@ -1,4 +1,4 @@
-//! What one product with the normal compliance costs, in either precision, and what setting it up costs.
+//! Time of a product with the normal compliance in either precision, and time of its setup.
 
 #![allow(
     missing_docs,
@@ -22,7 +22,7 @@ fn bodies(cells_along_side: usize) -> Result<HalfSpace> {
     HalfSpace::new(grid, ElasticPair::new(steel, steel)?)
 }
 
-/// A group whose throughput counts cells.
+/// Creates a benchmark group whose throughput counts cells.
 fn group<'a>(
     criterion: &'a mut Criterion,
     name: &str,
@@ -34,8 +34,8 @@ fn group<'a>(
     group
 }
 
-/// Displacements from pressures in either precision, and pressures from displacements by the
-/// preconditioner, with everything set up.
+/// Measures displacements from pressures in either precision, and pressures from displacements by the preconditioner,
+/// without the setup.
 fn product(criterion: &mut Criterion) {
     for side in SIDES {
         let bodies = bodies(side).expect("valid bodies");
@@ -61,7 +61,7 @@ fn product(criterion: &mut Criterion) {
     }
 }
 
-/// Influence coefficients alone, and with their spectrum and the plans of the transforms.
+/// Measures the influence coefficients alone, and together with their spectrum and the plans of the transforms.
 fn set_up(criterion: &mut Criterion) {
     for side in SIDES {
         let mut group = group(criterion, "set-up", side);

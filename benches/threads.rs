@@ -1,4 +1,4 @@
-//! How solves and batches of small contacts scale with the threads of a pool: a table of milliseconds.
+//! Scaling of solves and of batches of small contacts with the number of threads of a pool, as a table of milliseconds.
 
 #![allow(clippy::print_stdout, reason = "a table is printed")]
 
@@ -12,7 +12,7 @@ use stickslip::{
     surface,
 };
 
-/// Cells along the side of one contact; cells along the side and number of contacts of a batch.
+/// Numbers of cells along the side of a single contact; numbers of cells along the side and of contacts of a batch.
 struct Sizes {
     sides: &'static [u16],
     batches: &'static [(usize, usize)],
@@ -78,7 +78,7 @@ fn measure(pool: &ThreadPool, sizes: &Sizes) -> Result<()> {
     Ok(())
 }
 
-/// Milliseconds of a step of many balls to and fro, after a first cycle.
+/// Measures steps of many balls under an oscillating force after a first cycle, in milliseconds.
 fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     let scene = benchmark::ball(64)?;
     let grid = Grid::square(side, scene.bodies.grid().area().sqrt())?;
@@ -111,7 +111,7 @@ fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     })
 }
 
-/// Milliseconds of each repetition, after one that is not counted.
+/// Returns the time of each repetition in milliseconds, after a repetition that is not counted.
 fn timed(repeats: usize, mut work: impl FnMut() -> Result<()>) -> Result<Vec<f64>> {
     work()?;
     let once = |_| {

@@ -1,7 +1,9 @@
-//! Two equal spheres with coatings softer or harder than themselves, pressed and sheared: pressure and contact radius
-//! beside an axisymmetric solution, traction and stick zone, and von Mises stress down to the interface and below it.
+//! Two equal spheres with coatings that are softer or harder than the spheres, pressed and sheared. The example compares pressure
+//! and contact radius with an axisymmetric solution, and computes traction, stick zone, and the von Mises stress above and below
+//! the interface.
 //!
-//! `cargo run --release -p stickslip-examples --example coating` prints both, and writes `target/gallery/coating.csv` and `.svg`.
+//! `cargo run --release -p stickslip-examples --example coating` prints the comparison and writes `target/gallery/coating.csv`
+//! and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -19,18 +21,19 @@ use stickslip::{
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, surface,
 };
 
-/// In mm, N and MPa: steel, the radius of the gap, and the load.
+/// Young's modulus of steel, radius of the gap, and load, in mm, N and MPa.
 const MODULUS: f64 = 210e3;
 const POISSON_RATIO: f64 = 0.3;
 const RADIUS: f64 = 10.0;
 const LOAD: f64 = 100.0;
 const FRICTION: f64 = 0.3;
-/// Force over the one at which the contact slides.
+/// Tangential force divided by the sliding force.
 const LOADING: f64 = 0.5;
 const CELLS: usize = 128;
 
-/// Modulus of the coating over that of the body, and of the axisymmetric solution for a coating half as thick as the contact
-/// radius `a_H` without it: contact radius over `a_H`, pressure in the middle and approach over those without coating.
+/// Ratio of the moduli of coating and body, with the axisymmetric solution for a coating whose thickness is half the contact
+/// radius `a_H` without coating. The solution consists of the contact radius divided by `a_H`, and of the central pressure and
+/// the approach divided by their values without coating.
 const COATINGS: [(f64, [f64; 3]); 5] = [
     (0.25, [1.330897, 0.634832, 1.319233]),
     (0.5, [1.149909, 0.807562, 1.127525]),
@@ -46,14 +49,14 @@ const COLOURS: [RGBColor; 5] = [
     support::ORANGE,
 ];
 
-/// Steps of the depth down to the interface, and as many in three times the distance below it.
+/// Number of depth steps above the interface; the same number of steps spans three times the distance below it.
 const DEPTHS: usize = 20;
 
-/// A contact of coated spheres.
+/// Contact of coated spheres.
 struct Contact {
     normal: NormalSolution,
     sheared: TangentialSolution,
-    /// Depth and von Mises stress in the middle, down to the interface and from there on.
+    /// Depth and von Mises stress on the axis, above and below the interface.
     stress: [Vec<(f64, f64)>; 2],
 }
 
@@ -112,7 +115,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Both bodies have the coating, so that pressure and shear do not disturb each other.
+/// Solves the contact. Both bodies have the coating, so that pressure and shear are uncoupled.
 fn solve(coated: Material, hertz: &HertzSphere) -> stickslip::Result<Contact> {
     let grid = Grid::square(CELLS, 3.2 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, ElasticPair::new(coated, coated)?)?;
@@ -128,7 +131,7 @@ fn solve(coated: Material, hertz: &HertzSphere) -> stickslip::Result<Contact> {
     let thickness = coated.layers()[0].thickness();
     let part = |n: usize| n as f64 / DEPTHS as f64;
     let above: Vec<f64> = (0..=DEPTHS).map(|n| thickness * part(n)).collect();
-    // The first is the other side of the interface.
+    // The first point is just below the interface.
     let next = f64::from_bits(thickness.to_bits() + 1);
     let below: Vec<f64> = (0..=DEPTHS)
         .map(|n| next + 3.0 * thickness * part(n))

@@ -1,8 +1,8 @@
-//! A steel ellipse that rolls: creep curves beside another code and closed forms, and stick and slip under creepage and
-//! spin.
+//! An elliptic contact of steel that rolls: creep curves compared with a different code and closed forms, and stick and slip
+//! zones under creepage and spin.
 //!
 //! `cargo run --release -p stickslip-examples --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
-//! with and without the entry rule, and writes `target/gallery/creep_curves.csv` and `.svg`.
+//! with and without the law for entering cells, and writes `target/gallery/creep_curves.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -19,7 +19,7 @@ use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
 };
 
-/// In mm, N and MPa: the scene of `tractcurv`, which CONTACT solves on 48 x 44 cells.
+/// Normal load in N. The problem is `tractcurv`, which CONTACT solves on 48 x 44 cells, in mm, N and MPa.
 const LOAD: f64 = 106_700.0;
 const FRICTION: f64 = 0.33;
 const CELLS: [usize; 2] = [48, 44];
@@ -27,7 +27,7 @@ const SIDES: [f64; 2] = [0.288_914_873_561_06, 0.630_359_724_763_98];
 /// Radii of curvature along x and y.
 const RADII: [f64; 2] = [625.0, 1_776.720_812_928_627_5];
 
-/// Creepages, and the forces over the friction limit that CONTACT prints.
+/// Creepages, and the forces divided by the friction limit, as printed by CONTACT.
 const CONTACT: [(f64, f64); 6] = [
     (4e-4, 0.2588),
     (8e-4, 0.4742),
@@ -36,7 +36,7 @@ const CONTACT: [(f64, f64); 6] = [
     (20e-4, 0.8816),
     (24e-4, 0.9467),
 ];
-/// Creepages along x and y, and the spin in 1/mm, of the map of zones.
+/// Creepages along x and y and spin (1/mm) for the map of zones.
 const COMBINED: ([f64; 2], f64) = ([6e-4, -4e-4], 1e-4);
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -96,7 +96,7 @@ fn steel() -> stickslip::Result<ElasticPair> {
     ElasticPair::new(steel, steel)
 }
 
-/// Rolling on a grid of so many cells; the same area of any.
+/// Creates the rolling problem on a grid with the given numbers of cells; the area does not depend on them.
 fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<RollingProblem> {
     let [dx, dy] = [0, 1].map(|axis| SIDES[axis] * (CELLS[axis] / cells[axis]) as f64);
     let grid = Grid::new(cells[0], cells[1], dx, dy)?;
@@ -110,7 +110,7 @@ fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Rollin
         .build()
 }
 
-/// The force over the friction limit at each of CONTACT's creepages.
+/// Computes the force divided by the friction limit at each creepage of CONTACT.
 fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Vec<f64>> {
     let mut solver = problem(cells, entry_rule)?.into_solver()?;
     let mut rolling = solver.new_solution();
@@ -122,7 +122,7 @@ fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Ve
     CONTACT.into_iter().map(&mut force).collect()
 }
 
-/// Rolling with both creepages and spin.
+/// Solves rolling with both creepages and spin.
 fn combined() -> stickslip::Result<RollingSolution> {
     let mut solver = problem(CELLS, EntryRule::SinceTouch)?.into_solver()?;
     let mut rolling = solver.new_solution();
@@ -185,7 +185,7 @@ fn draw(
     Ok(())
 }
 
-/// Tractions on body 1, each from a point in the middle of its cell.
+/// Returns arrows for the tractions on body 1; each starts at the centre of its cell.
 fn tractions(
     chart: &mut support::Chart<'_>,
     rolling: &RollingSolution,

@@ -1,4 +1,4 @@
-//! The engine on a custom matrix: a rounded stamp on nine coupled springs.
+//! Use of the solver with a user-defined matrix: a rounded stamp on nine coupled springs.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -10,8 +10,8 @@ use stickslip::{Operator, Scratch, Status};
 
 const SPRINGS: usize = 9;
 
-/// A row of springs: each yields by `own` under a unit force on itself and by `neighbour` under a unit
-/// force on an adjacent spring. The matrix is tridiagonal.
+/// Row of springs. Each spring deflects by `own` under a unit force on itself and by `neighbour` under a unit force on
+/// an adjacent spring, so the matrix is tridiagonal.
 #[derive(Debug, Clone, Copy)]
 struct SpringRow {
     own: f64,
@@ -31,8 +31,8 @@ impl Operator for SpringRow {
         }
     }
 
-    /// Gershgorin: no eigenvalue is farther from the diagonal than the sum of the rest of its row.
-    /// With this bound a small residual gives a small certified error.
+    /// Returns the lower bound of the eigenvalues by Gershgorin's theorem: no eigenvalue is farther from the diagonal
+    /// than the sum of the other entries of its row. The solver uses this bound to certify the error from the residual.
     fn lower_bound(&self) -> f64 {
         self.own - 2.0 * self.neighbour.abs()
     }
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         own: 1.0,
         neighbour: 0.3,
     };
-    // The gap below the stamp before loading: a parabola about the middle spring.
+    // The initial gap below the stamp is a parabola around the middle spring.
     let gap: Vec<f64> = (0..SPRINGS)
         .map(|i| 0.25 * (i as f64 - 4.0).powi(2))
         .collect();
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("  approach of the stamp {:.9}", minimum.multiplier[0]);
         println!("  spring   force        gap under load");
 
-        // Check of the contact conditions: no tension, no overlap, and a closed gap where there is force.
+        // Check the contact conditions: no tension, no overlap, and a closed gap wherever the force is positive.
         let mut yielding = [0.0; SPRINGS];
         springs.apply([&force], [&mut yielding], &mut Scratch::none());
         for i in 0..SPRINGS {
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((force.iter().sum::<f64>() - load).abs() < 1e-12);
     }
 
-    // An observer is called at the start and at every step, and may stop the solve: here at the third step.
+    // An observer is called at the start and at every step, and can stop the solve. Here it stops the solve at the third step.
     let mut force = [load / SPRINGS as f64; SPRINGS];
     let mut workspace = problem.workspace()?;
     let settings = Settings::default().method(Method::PolonskyKeer);

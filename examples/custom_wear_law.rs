@@ -1,5 +1,5 @@
-//! A simulator with its own wear law. It steps the contact through load cycles, wears the gap after
-//! every step, saves the state half way, and continues from it with the same bits.
+//! A simulation with a user-defined wear law. It steps the contact through load cycles, updates the gap by the wear
+//! after every step, saves the state half way, and continues from the saved state with bitwise identical results.
 //!
 //! `cargo run --release -p stickslip-examples --example custom_wear_law [cells]` (default 64, at least 32)
 //! writes `target/gallery/custom_wear_law.csv` and `.svg`.
@@ -22,18 +22,19 @@ use stickslip::{
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Gross sliding begins at 2.99 um.
+/// Amplitude of the shift; gross sliding starts at 2.99 um.
 const SHIFT_AMPLITUDE: f64 = 2.5e-6;
 const STEPS: usize = 40;
 const CYCLES: usize = 20;
 /// Worn volume per energy after running-in (1/Pa).
 const WEAR_COEFFICIENT: f64 = 2e-11;
-/// Additional depth removed by running-in, and the energy per square metre that it requires.
+/// Additional depth worn during running-in.
 const RUNNING_IN_DEPTH: f64 = 0.3e-6;
+/// Energy per square metre that running-in requires.
 const RUNNING_IN_ENERGY: f64 = 5e3;
 
-/// The law: a surface wears faster during running-in. Depth as a function of the energy per area that a
-/// cell has dissipated.
+/// Returns the worn depth as a function of the energy per area that a cell has dissipated. The surface wears faster
+/// during running-in.
 fn worn_depth(energy: f64) -> f64 {
     let run_in = 1.0 - (-energy / RUNNING_IN_ENERGY).exp();
     WEAR_COEFFICIENT * energy + RUNNING_IN_DEPTH * run_in
@@ -47,7 +48,7 @@ struct Leaving {
     worn_volume: f64,
 }
 
-/// The time loop: after every step the gap is that of the ball plus the worn depth.
+/// Runs the time loop. After every step, the gap is set to the gap of the ball plus the worn depth.
 fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving>> {
     let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
     let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(NORMAL_FORCE));

@@ -1,7 +1,7 @@
-//! An aluminium ball on steel: pressed in steps, then sheared to and fro, with pressure and traction found together.
+//! An aluminium ball on steel, pressed in steps and then sheared back and forth, with coupled pressure and traction.
 //!
-//! `cargo run --release -p stickslip-examples --example dissimilar [cells]` (default 96) prints what the coupling of the two
-//! materials changes, and writes `target/gallery/dissimilar.csv` and `.svg`.
+//! `cargo run --release -p stickslip-examples --example dissimilar [cells]` (default 96) prints the effect of the coupling
+//! between the two materials, and writes `target/gallery/dissimilar.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -20,9 +20,9 @@ use stickslip::{
 const RADIUS: f64 = 10e-3;
 const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.3;
-/// Tolerance of the tractions of pressing, which is a history too.
+/// Tolerance of the tractions during pressing, which is also a history.
 const TOLERANCE: f64 = 2e-3;
-/// Tangential force over the sliding force, to and fro.
+/// Turning points of the tangential force, divided by the sliding force.
 const TURNS: [f64; 3] = [0.6, -0.6, 0.6];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -108,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Position along x, pressure of both, and the traction that pressing leaves, on the middle row.
+/// Returns, along the middle row, the position x, the pressures with and without coupling, and the traction after pressing.
 fn profiles(pressed: &History, uncoupled: &History) -> Vec<[f64; 4]> {
     let grid = pressed.grid();
     let row = |field: &stickslip::Field, ix: usize| {
@@ -125,7 +125,7 @@ fn profiles(pressed: &History, uncoupled: &History) -> Vec<[f64; 4]> {
     (0..grid.nx()).map(sample).collect()
 }
 
-/// A quantity of a row of the profiles.
+/// Function that selects a quantity from a row of the profiles.
 type Value = fn(&[f64; 4]) -> f64;
 
 fn draw(
@@ -194,7 +194,7 @@ fn draw(
     Ok(())
 }
 
-/// The tractions of pressing alone, on the surface of the ball.
+/// Returns arrows for the tractions after pressing, on the surface of the ball.
 fn arrows(
     chart: &mut support::Chart<'_>,
     pressed: &History,

@@ -1,9 +1,9 @@
-//! The paper's ball (its Table 2) under a constant normal force, dragged round ellipses of force in the plane:
-//! paths of force and shift, slip and traction of the steady loop, and the energy dissipated per cycle, from a
-//! line to a circle.
+//! The paper's ball (its Table 2) under a constant normal force and a tangential force that follows ellipses, from a
+//! line to a circle. The example computes the paths of force and shift, slip and traction of the steady loop, and the
+//! energy dissipated per cycle.
 //!
-//! Where tractions rotate, the error of a step is proportional to its length. Each loop is therefore also run with
-//! half as many steps, and the energy extrapolated to a step length of zero is printed as well.
+//! If tractions rotate, the error of a step is proportional to its length. Each loop is therefore also run with half as
+//! many steps, and the energy extrapolated to a step length of zero is printed as well.
 //!
 //! `cargo run --release -p stickslip-examples --example elliptical_path [cells]` (default 64, at least 32)
 //! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.
@@ -30,26 +30,26 @@ use support::{Area, Chart, maps};
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Along x; gross sliding begins at 50 N.
+/// Amplitude of the force along x; gross sliding starts at 50 N.
 const AMPLITUDE: f64 = 40.0;
 const STEPS: usize = 64;
-/// Amplitude along y over that along x.
+/// Ratios of the amplitude along y to the amplitude along x.
 const ASPECTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-/// The loops drawn as paths: a line, an ellipse, a circle.
+/// Loops drawn as paths: a line, an ellipse and a circle.
 const SHOWN: [(usize, &str, RGBColor); 3] = [
     (0, "line", support::BLUE),
     (2, "ellipse", support::ORANGE),
     (4, "circle", support::GREEN),
 ];
-/// The loop drawn as a map.
+/// Index of the loop drawn as a map.
 const MAPPED: usize = 2;
-/// A loop is steady when no traction changes by more than this, relative to the largest, in a cycle.
+/// Largest change of a traction in a cycle, relative to the largest traction, in a steady loop.
 const STEADY: f64 = 1e-3;
 const MAX_CYCLES: usize = 20;
 const TOLERANCE: f64 = 1e-6;
 
 const MICRO: f64 = 1e6;
-/// Half the width of the view, in contact radii.
+/// Half-width of the view, in contact radii.
 const VIEW: f64 = 1.2;
 
 fn main() -> std::result::Result<(), Box<dyn Error>> {
@@ -118,13 +118,13 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A steady loop.
+/// Steady loop.
 struct Loop {
     aspect: f64,
     outcome: FrettingResult,
-    /// Traction at its end, where the force is along y.
+    /// Traction at the end of the loop, where the force is along y.
     traction: [Field; 2],
-    /// Energy of a cycle of infinitely many steps, extrapolated from cycles of all steps and of half as many.
+    /// Energy of a cycle with infinitely many steps, extrapolated from cycles with all steps and with half as many.
     extrapolated_energy: f64,
 }
 
@@ -155,7 +155,7 @@ impl Loop {
     }
 }
 
-/// The ball pressed, then dragged until the loop is steady.
+/// Presses the ball and then drags it until the loop is steady.
 fn steady_loop(
     bodies: &HalfSpace,
     ball: &Field,
@@ -228,7 +228,7 @@ fn draw_paths(
     support::legend(chart, SeriesLabelPosition::UpperLeft)
 }
 
-/// Path slipped in a cycle, darker where longer, and traction as arrows.
+/// Draws the slip path of a cycle (darker for a longer path) and the traction as arrows.
 fn draw_map(
     area: &Area<'_>,
     of: &Loop,
@@ -266,7 +266,7 @@ fn draw_map(
     Ok(())
 }
 
-/// An arrow from a tail along a vector, with a head in proportion.
+/// Returns an arrow along a vector, with a head in proportion to its length.
 fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
     let at = |along: f64, across: f64| (x + along * u - across * v, y + along * v + across * u);
     let line = [

@@ -1,5 +1,6 @@
-//! The paper's ball (its Table 2) under a constant normal force and a cyclic tangential force in partial slip: loop
-//! of force and shift, tractions on the way, and energy of a cycle, beside the closed forms.
+//! The paper's ball (its Table 2) under a constant normal force and a cyclic tangential force in partial slip. The
+//! example compares the loop of force and shift, the tractions around the loop, and the energy of a cycle with the
+//! closed forms.
 //!
 //! `cargo run --release -p stickslip-examples --example fretting_loop [cells]` (default 256, at least 32)
 //! writes `target/gallery/fretting_loop.csv` and `.svg`.
@@ -22,14 +23,14 @@ use support::Area;
 // SI units: metres, newtons, pascals.
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
-/// Twice the paper's tangential force, for a wider loop; gross sliding begins at 50 N.
+/// Amplitude of the force: twice the paper's tangential force, for a wider loop. Gross sliding starts at 50 N.
 const AMPLITUDE: f64 = 40.0;
 const FRICTION: f64 = 0.5;
 const STEPS: usize = 40;
-/// The first cycle contains the first loading; the second is a full loop.
+/// Number of cycles. The first cycle contains the first loading; the second is a full loop.
 const CYCLES: usize = 2;
 
-/// Half the width of the view, in contact radii.
+/// Half-width of the view, in contact radii.
 const VIEW: f64 = 1.25;
 const MICRO: f64 = 1e6;
 
@@ -60,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         forces.push(force[0]);
         let exact = MindlinDeresiewicz::new(hertz, FRICTION, &forces)?;
         points.push(Point::of(&history, &exact));
-        // The turning points and both zero crossings of the second cycle.
+        // Keep the turning points and both zero crossings of the second cycle.
         if forces.len() > STEPS && forces.len() % (STEPS / 4) == 0 {
             profiles.push(Profile::of(&history, exact));
         }
@@ -90,7 +91,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The state at the end of a step.
+/// State at the end of a step.
 struct Point {
     force: f64,
     shift: f64,
@@ -134,7 +135,7 @@ impl Point {
     }
 }
 
-/// The traction along the row of cells nearest the x axis.
+/// Traction along the row of cells nearest to the x axis.
 struct Profile {
     exact: MindlinDeresiewicz,
     /// Distance of the row from the axis.
@@ -154,7 +155,7 @@ impl Profile {
         }
     }
 
-    /// Mean of the differences, in absolute values.
+    /// Returns the mean absolute difference.
     fn mean_difference(&self) -> f64 {
         let differences = self
             .samples
@@ -236,7 +237,7 @@ fn draw(path: &Path, points: &[Point], profiles: &[Profile]) -> Result<(), Box<d
     Ok(())
 }
 
-/// Force over the friction force against the shift over that of sliding.
+/// Draws the force divided by the friction limit against the shift divided by the sliding shift.
 fn draw_loop(
     area: &Area<'_>,
     points: &[Point],
@@ -245,7 +246,7 @@ fn draw_loop(
     let (limit, sliding) = (FRICTION * NORMAL_FORCE, exact.sliding_shift());
     let mut chart = support::axes(area, (-0.8..0.8, "δ / δ₀"), (-1.0..1.0, "F / μW"))?;
     let mut line = Vec::new();
-    // First loading and one loop.
+    // The closed form consists of the first loading and a loop.
     for (turns, from, to) in [
         (&[][..], 0.0, AMPLITUDE),
         (&[AMPLITUDE], AMPLITUDE, -AMPLITUDE),
@@ -263,7 +264,7 @@ fn draw_loop(
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
 }
 
-/// Tractions at the turning points and between them; the rest of the reverse half is the opposite.
+/// Draws the tractions at the turning points and between them; the other half of the loop is symmetric.
 fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
     let hertz = profiles[0].exact.hertz();
     let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
@@ -277,7 +278,7 @@ fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn E
         let line = (-500..=500)
             .map(|i| VIEW * f64::from(i) / 500.0)
             .map(|x| (x, profile.exact.traction((x * a).hypot(profile.y)) / scale));
-        // Every fourth cell: more would hide the lines.
+        // Only every fourth cell is drawn, so that the points do not hide the lines.
         let dots = profile.samples.iter().step_by(4);
         let dots = dots.map(|&(x, q)| (x / a, q / scale));
         support::compare(&mut chart, name, colour, line, dots)?;

@@ -1,9 +1,9 @@
-//! A fretting rig: a cylinder of Ti-6Al-4V on a flat specimen of the same, 200 N/mm, sheared to and fro while the bulk
-//! stress of the specimen follows, until the loop repeats; then the stresses below the surface of the specimen.
+//! A fretting rig: a cylinder of Ti-6Al-4V under 200 N/mm on a flat specimen of the same alloy. The tangential load and the bulk
+//! stress of the specimen oscillate in phase until the loop is steady. Finally, the stresses below the surface of the specimen
+//! are computed.
 //!
-//! `cargo run --release -p stickslip-examples --example fretting_rig [cells]` (default 512) prints contact, stick zone, loop
-//! and the tension at the edge beside closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti`
-//! (ParaView).
+//! `cargo run --release -p stickslip-examples --example fretting_rig [cells]` (default 512) compares contact, stick zone, loop
+//! and the tension at the edge with closed forms, and writes `target/gallery/fretting_rig.csv`, `.svg` and `.vti` (ParaView).
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -23,16 +23,17 @@ use stickslip::{
 };
 use support::maps;
 
-/// Radius of the cylinder, normal load, amplitudes of the tangential load and of the bulk stress: mm, N/mm, MPa.
+/// Radius of the cylinder, normal load, and amplitudes of the tangential load and of the bulk stress, in mm, N/mm and MPa.
 const RADIUS: f64 = 50.0;
 const LOAD: f64 = 200.0;
 const FRICTION: f64 = 0.6;
 const SHEAR: f64 = 0.55 * FRICTION * LOAD;
 const BULK: f64 = 150.0;
-/// Distance along the surface that is taken to be at rest, mm.
+/// Distance along the surface of the point that is assumed to be at rest, in mm.
 const DATUM: f64 = 50.0;
-/// Depth of the stresses, in half-widths of the contact, and number of planes.
+/// Largest depth of the stresses, in half-widths of the contact.
 const DEPTH: f64 = 2.0;
+/// Number of planes of the stresses.
 const PLANES: u32 = 81;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -73,8 +74,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Shears to and fro until the loop repeats, and then to the largest force; returns shift in um and force over that of
-/// sliding around the loop.
+/// Shears back and forth until the loop is steady, and then to the largest force. Returns the shift in um and the force divided
+/// by the sliding force around the loop.
 fn fret(
     history: &mut History,
     exact: &CattaneoMindlinLine,
@@ -104,7 +105,7 @@ fn fret(
     Ok(points.collect())
 }
 
-/// Prints the contact and its stick zone beside the closed forms.
+/// Compares the contact and its stick zone with the closed forms.
 fn compare(history: &History, exact: &CattaneoMindlinLine) {
     let (grid, hertz) = (history.grid(), exact.hertz());
     let a = hertz.half_width();
@@ -140,7 +141,8 @@ fn compare(history: &History, exact: &CattaneoMindlinLine) {
     }
 }
 
-/// Pressure and traction along x at the largest force, in a table too: x/a, p/p0, q/(mu p0), and that of the closed form.
+/// Returns pressure and traction along x at the largest force and writes them to a table: x/a, p/p0, q/(mu p0), and the closed
+/// form of the traction.
 fn profile(
     history: &History,
     exact: &CattaneoMindlinLine,
@@ -171,7 +173,8 @@ fn profile(
     Ok(profile)
 }
 
-/// Von Mises stress of contact and bulk over p0 below the surface of the specimen, plane by plane, and its largest value.
+/// Computes the von Mises stress of contact and bulk below the surface of the specimen, divided by p0, plane by plane, and its
+/// largest value.
 fn stresses(
     history: &History,
     bodies: &HalfSpace,
@@ -179,7 +182,7 @@ fn stresses(
 ) -> Result<(Vec<Field>, f64), Box<dyn Error>> {
     let (grid, nu) = (history.grid(), bodies.pair().bodies()[0].poisson_ratio());
     let (a, p0) = (exact.hertz().half_width(), exact.hertz().max_pressure());
-    // In plane strain.
+    // The bulk stress acts in plane strain.
     let bulk = Stress {
         xx: BULK,
         yy: nu * BULK,
@@ -214,8 +217,8 @@ fn stresses(
     Ok((rows, largest[0]))
 }
 
-/// Prints the largest tension, at the edge where a crack would start, beside the closed form: of cells of the surface, which
-/// meet it slowly as they become smaller, and of a plane a fiftieth of a below.
+/// Compares the largest tension, at the edge where a crack would start, with the closed form: for the cells of the surface, which
+/// converge slowly with the cell size, and for a plane at a depth of a fiftieth of a.
 fn compare_tension(
     history: &History,
     bodies: &HalfSpace,
@@ -244,7 +247,7 @@ fn compare_tension(
     Ok(())
 }
 
-/// Von Mises stress over p0, plane by plane from the surface down.
+/// Von Mises stress divided by p0, plane by plane from the surface downwards.
 struct Map<'a> {
     /// Half the length of a row, in half-widths of the contact.
     reach: f64,
@@ -303,7 +306,7 @@ fn draw(
     let mut chart = support::axes(&area, x, (-DEPTH..0.0, "z / a, into the specimen"))?;
     let (columns, planes) = (map.rows[0].len(), map.rows.len() - 1);
     let block = columns.div_ceil(128);
-    // Bands of a twentieth of p0: their edges are the contours.
+    // Values are drawn in bands of a twentieth of p0, whose edges form the contours.
     let band = |value: f64| (value * 20.0).floor() / 20.0 / map.largest;
     let width = 2.0 * map.reach / columns as f64;
     let rectangles = (0..planes).flat_map(|k| {
@@ -312,7 +315,7 @@ fn draw(
             let ends = [first, (first + block).min(columns)];
             let [left, right] = ends.map(|end| width * end as f64 - map.reach);
             let value = map.rows[k][first + (ends[1] - first) / 2];
-            // It reaches into the next blocks, which cover that part again: no seam shows.
+            // Each block overlaps the next blocks, which are drawn over it, so that no seam is visible.
             let right = (right + 0.5 * (right - left)).min(map.reach);
             let corners = [(left, level(k as f64)), (right, level(k as f64 + 1.5))];
             Rectangle::new(corners, maps::heat(band(value)).filled())

@@ -1,8 +1,7 @@
-//! A contact that grows while it is sheared, in few steps and in many: what the entry rule is worth.
+//! A contact that grows while it is sheared, in few and in many steps: effect of the law for entering cells.
 //!
 //! `cargo run --release -p stickslip-examples --example growing_contact [reference]` prints, for a ball and a rough ball, the
-//! error of the traction field in whole steps and with the law, in 1, 4 and 8 steps a leg. The reference takes 64 steps a
-//! leg.
+//! error of the traction field without and with the law, for 1, 4 and 8 steps per leg. The reference uses 64 steps per leg.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -16,7 +15,7 @@ use stickslip::{
 
 const CELLS: usize = 64;
 const FRICTION: f64 = 0.5;
-/// Radius of the contact at an approach of one.
+/// Contact radius at an approach of one.
 const RADIUS: f64 = 24.0;
 
 /// Approach or normal force, and shift or tangential force, at the end of a leg.
@@ -93,7 +92,7 @@ impl Scene {
         let body = Material::new(1.0, poisson_ratio)?;
         let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
         let ball = surface::sphere(grid, RADIUS * RADIUS)?;
-        // Twelve waves of 20 cells and more, in all directions.
+        // The roughness consists of twelve waves of 20 cells or more, in all directions.
         let waves = |x: f64, y: f64| -> f64 {
             let wave = |number: i32| {
                 let (turn, number) = (2.4 * f64::from(number), f64::from(number));
@@ -119,7 +118,7 @@ impl Scene {
         })
     }
 
-    /// Takes legs in equal steps, those that only press in one.
+    /// Follows the legs in equal steps; a leg that only presses is a single step.
     fn follow(
         &self,
         legs: &[Leg],
@@ -155,7 +154,7 @@ impl Scene {
     }
 }
 
-/// Sum of the differences of the tractions over the sum of those of the second.
+/// Returns the sum of the differences of the tractions divided by the sum of the tractions of the second history.
 fn distance(a: &History, b: &History) -> f64 {
     let ([ax, ay], [bx, by]) = (a.traction(), b.traction());
     let (mut difference, mut size) = (0.0, 0.0);

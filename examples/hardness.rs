@@ -1,4 +1,4 @@
-//! Rough steel on steel, elastic and with a hardness: pressed, released and pressed again.
+//! Rough steel on steel, elastic and with a hardness, pressed, released and pressed again.
 //!
 //! `cargo run --release -p stickslip-examples --example hardness [cells]` (default 192) prints area, largest pressure and
 //! approach, and writes `target/gallery/hardness.csv` and `.svg`.
@@ -18,11 +18,11 @@ use stickslip::{
     NormalControl,
 };
 
-/// Side of the surface, rms slope, hardness: SI units.
+/// Side of the surface, rms slope and hardness, in SI units.
 const SIDE: f64 = 100e-6;
 const RMS_SLOPE: f64 = 0.1;
 const HARDNESS: f64 = 6e9;
-/// Largest mean pressure, as a part of the hardness.
+/// Largest mean pressure, as a fraction of the hardness.
 const LARGEST: f64 = 0.15;
 const STEPS: i32 = 12;
 
@@ -160,7 +160,7 @@ fn draw(
     Ok(())
 }
 
-/// The pressures along the row that bears most, cut off at three times the hardness.
+/// Draws the pressures along the row that carries the largest load, cut off at three times the hardness.
 fn draw_profiles(
     area: &support::Area<'_>,
     elastic: &History,

@@ -1,9 +1,11 @@
-//! A surface from a file: levelled, freed of outliers, filtered, its holes filled, pressed on a plane, sheared, and every
-//! field written for other programs. A table tells what each step changes in surface and contact.
+//! A measured surface from a file: levelling, removal of outliers, filtering, filling of holes, contact with a plane,
+//! and shear. All fields are written to files for other programs. A table shows the effect of each step on the surface
+//! and the contact.
 //!
-//! `cargo run --release -p stickslip-examples --example measured_surface [file]` reads SDF, SUR, XYZ, and X3P with
-//! `--features x3p`, lengths in metres. Without a file it generates one, tilted, bent, noisy and with outliers and holes,
-//! as `target/gallery/measured.sur`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv` and `.svg`.
+//! `cargo run --release -p stickslip-examples --example measured_surface [file]` reads SDF, SUR and XYZ, and X3P with
+//! `--features x3p`; lengths are in metres. Without a file it generates a surface with tilt, curvature, noise, outliers
+//! and holes as `target/gallery/measured.sur`. Results: `target/gallery/measured.vti` (ParaView), `.npy`, `.csv` and
+//! `.svg`.
 
 #![allow(
     clippy::print_stdout,
@@ -28,13 +30,13 @@ use support::maps;
 
 // SI units.
 const FRICTION: f64 = 0.3;
-/// Tangential force over the sliding force.
+/// Tangential force divided by the sliding force.
 const LOADING: f64 = 0.5;
-/// Fraction of the surface that should be in contact, by theory.
+/// Theoretical fraction of the surface in contact.
 const AREA: f64 = 0.05;
-/// Nesting index of the S filter, five cells: shorter waves are those of the instrument.
+/// Nesting index of the S filter, five cells; shorter waves are noise of the instrument.
 const S_FILTER: f64 = 2.5e-6;
-/// Heights are outliers that differ so many standard deviations from those around them.
+/// Number of standard deviations from the surrounding heights beyond which a height is an outlier.
 const OUTLYING: f64 = 6.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -45,9 +47,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let measured = io::read(&file)?;
     let levelled = surface::level(&measured, Form::Polynomial(2))?.into_heights();
     let inlying = without_outliers(&levelled)?;
-    // Missing heights have no weight in the filter, and are filled afterwards.
+    // Missing heights have no weight in the filter and are filled afterwards.
     let filtered = GaussianFilter::s(S_FILTER).apply(&inlying)?.into_heights();
-    // Filled before its tilt is taken off, a surface would be filled askew near its edges.
+    // The surface is levelled first; otherwise holes near its edges would be filled incorrectly.
     let filled =
         |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
     let heights = filled(&filtered)?;
@@ -56,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pair = ElasticPair::new(steel, steel)?;
     // The grid is a sample of a larger, nominally flat surface.
     let bodies = HalfSpace::with_boundary(heights.grid(), pair, Boundary::Periodic)?;
-    // A measurement is not periodic: its spectral slope would include the step from edge to edge.
+    // A measurement is not periodic, so its spectral slope would include the step between opposite edges.
     let slope = Statistics::of(&heights)?.finite_difference_rms_slope();
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
     let force = pressure * heights.grid().area();
@@ -87,8 +89,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A typical measurement: 400 x 300 points of a ground surface, tilted, with form, holes, outliers and the noise of the
-/// instrument.
+/// Generates a typical measurement: 400 x 300 points of a ground surface with tilt, form, holes, outliers and noise of
+/// the instrument.
 fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     let grid = Grid::new(400, 300, 0.5e-6, 0.4e-6)?;
     let rough = SelfAffine::with_rms_height(0.25e-6)
@@ -98,7 +100,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
         .kurtosis(3.2)
         .cropped()
         .generate(grid)?;
-    // White as that of a camera: waves of all lengths, each point by itself.
+    // The noise is white, like the noise of a camera: independent values at each point.
     let noise = SelfAffine::with_rms_height(5e-9)
         .hurst(0.0)
         .roll_off_wavelength(1e-6)
@@ -109,7 +111,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
         4e-3 * x - 7e-3 * y + 30.0 * (x * x - 0.3 * x * y)
     });
     let mut measured = surface::sum(&[rough.heights(), noise.heights(), &form])?;
-    // Steep valleys and a speck of dust reflect no light, or too much of it at single points.
+    // Steep valleys and dust reflect no light, or too much light at single points.
     let statistics = Statistics::of(rough.heights())?;
     let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
     let flat = rough.heights().as_slice().iter().zip(dust.as_slice());
@@ -126,7 +128,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
     Ok(path)
 }
 
-/// A SUR file of 32 bits a point, in units of 0.1 nm, as an instrument writes it.
+/// Returns a SUR file with 32 bits per point, in units of 0.1 nm, as an instrument writes it.
 fn sur(heights: &Field) -> Vec<u8> {
     let (grid, unit) = (heights.grid(), 1e-10);
     let counts = heights.iter().map(|z| (z / unit).round() as i32);
@@ -137,7 +139,7 @@ fn sur(heights: &Field) -> Vec<u8> {
     let mut file = vec![0; 512];
     let mut put = |at: usize, bytes: &[u8]| file[at..at + bytes.len()].copy_from_slice(bytes);
     put(0, b"DIGITAL SURF");
-    // One object, version 1, a surface; points may be missing; bits of a point.
+    // Header: number of objects, version, type (surface), flag for missing points, and bits per point.
     for (at, value) in [(14, 1u16), (16, 1), (18, 2), (86, 1), (98, 32)] {
         put(at, &value.to_le_bytes());
     }
@@ -159,7 +161,7 @@ fn sur(heights: &Field) -> Vec<u8> {
     file
 }
 
-/// The surface without the heights that differ too much from the mean around them: NaN in their place.
+/// Replaces heights that differ too much from the surrounding mean by NaN.
 fn without_outliers(heights: &Field) -> Result<Field, Box<dyn Error>> {
     let grid = heights.grid();
     let around = GaussianFilter::s(8.0 * grid.dx().max(grid.dy())).apply(heights)?;
@@ -167,7 +169,7 @@ fn without_outliers(heights: &Field) -> Result<Field, Box<dyn Error>> {
         .filter(|z| !z.is_nan())
         .map(|z| z.abs())
         .collect();
-    // The median is that of the surface, however high a few outliers are.
+    // The median is insensitive to a few outliers.
     differences.sort_by(f64::total_cmp);
     let deviation = 1.4826 * differences[differences.len() / 2];
     let mut inlying = heights.clone();
@@ -191,7 +193,7 @@ fn press(bodies: &HalfSpace, heights: &Field, force: f64) -> stickslip::Result<N
         .solve()
 }
 
-/// A step of the preparation: the surface before it is filled, and the contact after.
+/// Prints a step of the preparation: the surface before filling, and the resulting contact.
 fn print_step(step: &str, heights: &Field, normal: &NormalSolution) -> stickslip::Result<()> {
     let filled = surface::fill_missing(heights)?;
     let statistics = Statistics::of(filled.heights())?;
@@ -275,7 +277,7 @@ fn write_fields(
     Ok(())
 }
 
-/// Heights in grey, pressure in colour, and the zones of stick and slip.
+/// Draws the heights in grey, the pressure in colour, and the stick and slip zones.
 fn draw(
     path: &Path,
     heights: &Field,

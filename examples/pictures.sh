@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes the pictures of examples/README.md and those in the pages of the documentation from target/gallery, which
-# examples/run_all.sh fills. Needs rsvg-convert and pngquant (Debian: librsvg2-bin, pngquant).
+# Creates the pictures of examples/README.md and of the guide from target/gallery, which examples/run_all.sh fills.
+# Requires rsvg-convert and pngquant (Debian: librsvg2-bin, pngquant).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-picture() { # name, width, colours
+picture() { # Arguments: name, width, number of colours.
     rsvg-convert --width "$2" "target/gallery/$1.svg" | pngquant "$3" --speed 1 -
 }
 
@@ -14,8 +14,8 @@ for drawing in target/gallery/*.svg; do
 done
 cp target/gallery/{speed,grid}_against_error.svg examples/gallery/ 2>/dev/null || true
 
-# In the pages, a picture is part of the text: the packaged crate has no other files.
-embed() { # name, description
+# In the guide a picture is embedded in the text, because the packaged crate contains no picture files.
+embed() { # Arguments: name, description.
     printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(picture "$1" 800 32 | base64 --wrap=0)" \
         >"src/pictures/$1.html"
 }

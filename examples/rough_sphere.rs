@@ -1,5 +1,5 @@
-//! The real area of contact of a rough ball on a plane against the reduced pressure, for three rms
-//! heights of one slope, beside Mueser's curve (the paper's Fig 14, its Table 3).
+//! Real area of contact of a rough ball on a plane as a function of the reduced pressure, for three rms heights of
+//! equal slope, compared with Mueser's curve (the paper's Fig 14 and Table 3).
 //!
 //! `cargo run --release -p stickslip-examples --example rough_sphere [cells]` (default 640, at least 200)
 //! writes `target/gallery/rough_sphere.csv` and `.svg`.
@@ -21,23 +21,23 @@ use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalPro
 const SIDE: f64 = 640.0;
 const RADIUS: f64 = 3500.0;
 const SLOPE: f64 = 0.7518;
-/// The shortest wave, over six cells of the default grid: shorter ones would not be resolved.
+/// Shortest wavelength, more than six cells of the default grid; shorter waves would not be resolved.
 const CUT_OFF: f64 = 6.4;
-/// At constant slope the roll-off determines the height.
+/// Roll-off wavelengths, which determine the height at constant slope.
 const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
 const SEEDS: usize = 4;
-/// The paper's four loads, and one between each pair.
+/// The paper's four loads, with an additional load between each pair.
 const LOADS: [f64; 7] = [0.15e3, 0.5e3, 1.5e3, 5e3, 15e3, 50e3, 150e3];
-/// Contact cells from which the corrected area is within 10 % of the law.
+/// Number of contact cells above which the corrected area is within 10 % of the law.
 const RESOLVED: usize = 600;
-/// The discretisation error is far larger.
+/// Tolerance, far below the discretisation error.
 const TOLERANCE: f64 = 1e-5;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let cells = std::env::args()
         .nth(1)
         .map_or(Ok(640), |cells| cells.parse())?;
-    // E / (1 - nu^2) = 25 MPa on a rigid plane.
+    // The contact modulus is E / (1 - nu^2) = 25 MPa, on a rigid plane.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let bodies = HalfSpace::new(Grid::square(cells, SIDE)?, pair)?;
     let kinds = 0..ROLL_OFFS.len();
@@ -76,18 +76,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// One rough ball under all loads.
+/// Rough ball under all loads.
 struct Ball {
-    /// Index of its roll-off.
+    /// Index of the roll-off of the surface.
     kind: usize,
     rms_height: f64,
     contacts: Vec<Contact>,
 }
 
-/// One of the areas of a contact.
+/// Function that selects an area of a contact.
 type AreaOf = fn(&Contact) -> f64;
 
-/// Areas are fractions of the contact area of the smooth ball.
+/// Results of a contact; areas are fractions of the contact area of the smooth ball.
 struct Contact {
     hertz: RoughSphere,
     cells: usize,
@@ -149,7 +149,7 @@ fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> stickslip::Result<Ball> 
     })
 }
 
-/// Means over the seeds.
+/// Prints the means over the seeds.
 fn print_table(balls: &[Ball]) {
     println!(
         "area over Mueser's, mean of {SEEDS} surfaces: counted / with the perimeter corrected"

@@ -1,6 +1,6 @@
-//! Dependence of area and stick of a nominally flat rough contact on rms height, rms slope, skewness and
-//! kurtosis, each varied alone (the paper's Figs 16 to 19): on surfaces whose shortest wave spans eight
-//! cells, and on surfaces like the paper's with waves down to the limit of the grid.
+//! Dependence of the area and the stick ratio of a nominally flat rough contact on rms height, rms slope, skewness and
+//! kurtosis, each varied separately (the paper's Figs 16 to 19). The shortest wave of the surfaces spans eight cells,
+//! or two cells, the limit of the grid, as in the paper.
 //!
 //! `cargo run --release -p stickslip-examples --example roughness_study [cells]` (default 512, at least 500)
 //! writes `target/gallery/roughness_study.csv` and `.svg`.
@@ -24,17 +24,17 @@ use stickslip::{
 // Micrometres, megapascals, micronewtons.
 const SIDE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Tangential force over the sliding force.
+/// Tangential force divided by the sliding force.
 const LOADING: f64 = 0.5;
 const SEEDS: usize = 3;
 const TOLERANCE: f64 = 1e-5;
 
-/// The four parameters varied, and the quantities held constant.
+/// Parameter that is varied.
 #[derive(Clone, Copy, PartialEq)]
 enum Question {
-    /// At constant slope, the roll-off determines the height.
+    /// Rms height at constant slope, varied by the roll-off.
     Height,
-    /// At constant height, the roll-off determines the slope.
+    /// Rms slope at constant height, varied by the roll-off.
     Slope,
     Skewness,
     Kurtosis,
@@ -51,7 +51,7 @@ const HEIGHT: f64 = 0.1;
 const ROLL_OFF: f64 = SIDE / 8.0;
 
 impl Question {
-    /// The values tried: roll-off wavelengths, skewness or kurtosis.
+    /// Returns the values: roll-off wavelengths, skewness or kurtosis.
     fn values(self) -> &'static [f64] {
         match self {
             Self::Height => &[50.0, 25.0, 12.5, 6.25, 3.125, 1.75],
@@ -71,7 +71,7 @@ impl Question {
         }
     }
 
-    /// The value reached by the varied parameter.
+    /// Returns the actual value of the varied parameter.
     fn varied(self, surface: &RoughSurface) -> f64 {
         match self {
             Self::Height => surface.rms_height(),
@@ -93,7 +93,7 @@ impl Question {
 
 /// Shortest waves, in cells.
 const CUT_OFFS: [(f64, &str); 2] = [(8.0, "waves ≥ 8 cells"), (2.0, "waves ≥ 2 cells")];
-/// Mean pressure over the contact modulus.
+/// Mean pressure divided by the contact modulus.
 const PRESSURE: f64 = 5e-3;
 
 struct Job {
@@ -108,13 +108,13 @@ struct Answer {
     varied: f64,
     rms_slope: f64,
     cells: usize,
-    /// Contact area over nominal area, by counting and with the perimeter corrected.
+    /// Contact area divided by the nominal area: by counting cells, and with the correction by the perimeter.
     areas: [f64; 2],
     stick_ratio: f64,
 }
 
 impl Answer {
-    /// `(A/A0) E* g / p`: theories give a constant, 1.6 to 2.5; simulations give about 2.
+    /// Returns `(A/A0) E* g / p`. Theories predict a constant between 1.6 and 2.5; simulations give about 2.
     fn coefficient(&self, area: usize) -> f64 {
         self.areas[area] * self.rms_slope / PRESSURE
     }
@@ -124,7 +124,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: usize = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. Periodic, since free edges would sag.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, since the pressure would vary
+    // near free edges.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let bodies = HalfSpace::with_boundary(Grid::square(cells, SIDE)?, pair, Boundary::Periodic)?;
     let mut jobs = Vec::new();
@@ -223,7 +224,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
     })
 }
 
-/// The results for one parameter on one kind of surface.
+/// Returns the results for one parameter and one kind of surface.
 fn of<'a>(
     (question, kind): (Question, usize),
     jobs: &'a [Job],
@@ -276,7 +277,7 @@ fn print_table(jobs: &[Job], answers: &[Answer]) {
     }
 }
 
-/// Slope of the least-squares line through points.
+/// Returns the slope of the least-squares line through points.
 fn incline(points: &[[f64; 2]]) -> f64 {
     let count = points.len() as f64;
     let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;

@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# Runs every example of the gallery; pictures and tables end up in target/gallery.
+# Runs every example of the gallery and writes pictures and tables to target/gallery.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cargo build --release -p stickslip-examples --examples
 for source in examples/*.rs examples/*/main.rs; do
-    # A file, or the folder of a larger one.
+    # An example is a file, or a folder with main.rs.
     example=${source#examples/}
     example=${example%/main.rs}
     example=${example%.rs}
     printf '\n== %s\n' "$example"
     cargo run --quiet --release -p stickslip-examples --example "$example"
 done
-# Those that judge and time the library; a campaign over random scenes lasts as long as one likes.
+# Examples that test and time the library. The campaign over random problems is omitted, because its duration is
+# arbitrary.
 for example in hard_cases speed_against_error grid_against_error; do
     printf '\n== %s\n' "$example"
     cargo run --quiet --release -p stickslip-testkit --example "$example"

@@ -1,4 +1,4 @@
-//! The ball under prescribed approach and shift: the resulting forces, up to gross sliding.
+//! Ball under prescribed approach and shift: resulting forces up to gross sliding.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let friction_capacity = FRICTION * NORMAL_FORCE;
     let sliding_shift = CattaneoMindlin::new(hertz, FRICTION, friction_capacity)?.sliding_shift();
 
-    // Press to the approach that Hertz gives for 100 N.
+    // Press to the approach of Hertz's solution for 100 N.
     let grid = Grid::square(256, 3.0 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         normal.force(),
     );
 
-    // The solver keeps its buffers and its last solution, from which the next solve starts.
+    // The solver keeps its buffers and its last solution, which is the initial guess of the next solve.
     let friction = Friction::coulomb(FRICTION)?;
     let load = TangentialLoad::shift([0.0, 0.0]);
     let mut solver = TangentialProblem::builder(&bodies, &normal, friction, load)
@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         stick_ratios.push((fraction, tangential.stick_ratio()));
     }
 
-    // Back to the shift that Cattaneo and Mindlin give for 20 N; each solve is a first loading.
+    // Return to the shift of the Cattaneo-Mindlin solution for 20 N. Each solve is a first loading.
     let exact = CattaneoMindlin::new(hertz, FRICTION, TANGENTIAL_FORCE)?;
     solver.set_load(TangentialLoad::shift([exact.shift(), 0.0]))?;
     solver.solve_into(&mut tangential)?;

@@ -1,4 +1,5 @@
-//! A steel ball on steel under a normal and then a tangential load (Table 2 of the paper), beside the closed forms.
+//! A steel ball on steel under a normal and then a tangential load (Table 2 of the paper), compared with the closed
+//! forms.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -23,7 +24,7 @@ const TANGENTIAL_FORCE: f64 = 20.0;
 const FRICTION: f64 = 0.5;
 const CELLS: usize = 512;
 
-/// Half the width of the view, in contact radii.
+/// Half-width of the view, in contact radii.
 const VIEW: f64 = 1.25;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -110,7 +111,7 @@ fn print_table(normal: &NormalSolution, tangential: &TangentialSolution, exact: 
     }
 }
 
-/// Pressure and traction traction along the row of cells nearest the x axis.
+/// Draws pressure and traction along the row of cells nearest to the x axis.
 fn draw_profiles(
     area: &Area<'_>,
     normal: &NormalSolution,
@@ -127,7 +128,7 @@ fn draw_profiles(
             .map(|x| (x, f((x * a).hypot(grid.y(row)))))
             .collect()
     };
-    // Every sixth cell: more would hide the lines.
+    // Only every sixth cell is drawn, so that the points do not hide the lines.
     let points = |field: &stickslip::Field, scale: f64| -> Vec<(f64, f64)> {
         (0..grid.nx())
             .step_by(6)
@@ -160,7 +161,7 @@ fn draw_profiles(
     support::legend(&mut chart, SeriesLabelPosition::MiddleMiddle)
 }
 
-/// The map of stick and slip, and the circles of the closed form that bound the two zones.
+/// Draws the map of stick and slip, and the circles that bound the two zones in the closed form.
 fn draw_zones(
     area: &Area<'_>,
     tangential: &TangentialSolution,

@@ -1,6 +1,6 @@
-//! The fraction of a rough contact that sticks, against the tangential load: four surfaces from no load to
-//! sliding, beside the straight line 1 - F / mu W and the curve of a smooth ball; and the zones of
-//! stick and slip on magnified spots (the paper's Figs 24 to 26).
+//! Stick ratio of a rough contact as a function of the tangential load, for four surfaces from zero load to sliding,
+//! compared with the straight line 1 - F / mu W and the curve of a smooth ball. Maps show the stick and slip zones of
+//! magnified spots (the paper's Figs 24 to 26).
 //!
 //! `cargo run --release -p stickslip-examples --example stick_ratio [cells]` (default 512, at least 128)
 //! writes `target/gallery/stick_ratio.csv` and `.svg`.
@@ -23,7 +23,7 @@ use support::Area;
 
 // Micrometres, megapascals, micronewtons.
 const SIDE: f64 = 100.0;
-/// The shortest wave, eight cells of the default grid.
+/// Shortest wavelength, eight cells of the default grid.
 const CUT_OFF: f64 = 8.0 * SIDE / 512.0;
 const FRICTION: f64 = 0.5;
 const STEPS: u32 = 10;
@@ -31,11 +31,11 @@ const TOLERANCE: f64 = 1e-6;
 /// Width of the magnified part, in cells.
 const MAGNIFIED: usize = 72;
 
-/// A surface, and the load on it.
+/// Surface with the load on it.
 struct Scene {
     rms_slope: f64,
     roll_off: f64,
-    /// Over the contact modulus.
+    /// Mean pressure divided by the contact modulus.
     mean_pressure: f64,
 }
 
@@ -62,12 +62,12 @@ const SCENES: [Scene; 4] = [
     },
 ];
 
-/// A surface along its load path.
+/// Results for a surface along its load path.
 struct Sheared {
     normal: NormalSolution,
-    /// Half way to sliding.
+    /// Solution half way to sliding.
     half: TangentialSolution,
-    /// F / mu W and the stick ratio.
+    /// Pairs of F / mu W and the stick ratio.
     ratios: Vec<[f64; 2]>,
 }
 
@@ -75,7 +75,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. Periodic, since free edges would sag.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, since the pressure would vary
+    // near free edges.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let grid = Grid::square(cells, SIDE)?;
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
@@ -110,7 +111,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Presses a surface and shears it in steps, each started from the last solution.
+/// Presses a surface and shears it in steps; each step starts from the last solution.
 fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Sheared> {
     let grid = bodies.grid();
     let rough = SelfAffine::with_rms_slope(scene.rms_slope)
@@ -150,7 +151,7 @@ fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Shea
     })
 }
 
-/// The stick ratio of a smooth ball (eq 28).
+/// Returns the stick ratio of a smooth ball (eq 28).
 fn ball(f: f64) -> f64 {
     (1.0 - f).powf(2.0 / 3.0)
 }
@@ -216,7 +217,7 @@ fn draw_ratios(area: &Area<'_>, contacts: &[Sheared]) -> Result<(), Box<dyn Erro
     support::legend(&mut chart, SeriesLabelPosition::UpperRight)
 }
 
-/// The square of [`MAGNIFIED`] cells with most cells in contact, without a margin.
+/// Draws the square of [`MAGNIFIED`] x [`MAGNIFIED`] cells with the largest number of contact cells.
 fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> {
     let [column, row] = most_crowded(contact.normal.pressure());
     let grid = contact.normal.grid();
@@ -235,7 +236,8 @@ fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> 
     )
 }
 
-/// First column and row of the square of [`MAGNIFIED`] cells with most cells in contact.
+/// Returns the first column and row of the square of [`MAGNIFIED`] x [`MAGNIFIED`] cells with the largest number of
+/// contact cells.
 fn most_crowded(pressure: &Field) -> [usize; 2] {
     let grid = pressure.grid();
     let touching = |column: usize, row: usize| {

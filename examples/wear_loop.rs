@@ -1,12 +1,12 @@
-//! A ball worn by small oscillations at a constant approach, by Archard's law and in jumps of many cycles,
-//! towards Popov's limiting shape.
+//! A ball worn by small oscillations at a constant approach, with Archard's law and jumps over many cycles, towards Popov's
+//! limiting shape.
 //!
 //! `cargo run --release -p stickslip-examples --example wear_loop [cells] [Poisson's ratio]` (default 128, at least 48; and 0)
 //! writes `target/gallery/wear_loop.csv`, `wear_loop_profiles.csv` and `wear_loop.svg`.
 //!
-//! The limiting shape assumes the same wear in all directions, as is the slip where Poisson's ratio is
-//! zero. At 0.29 slip is larger across the motion than along it; there wear reaches into the stick
-//! disc, and the remaining load is 1.6 % less than that of the closed form.
+//! The limiting shape assumes equal wear in all directions, which is true for the slip if Poisson's ratio is zero. At 0.29 slip
+//! is larger across the motion than along it. Wear then extends into the stick disc, and the remaining load is 1.6 % below the
+//! closed form.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -27,21 +27,21 @@ use stickslip::{
 
 // SI units: metres, newtons, pascals.
 const BALL_RADIUS: f64 = 3.5e-3;
-/// The force that would press the unworn ball to the approach.
+/// Normal force that presses the unworn ball to the prescribed approach.
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Radius of the stick disc over the contact radius.
+/// Radius of the stick disc divided by the contact radius.
 const STICK_RADIUS: f64 = 0.6;
-/// Volume removed per work of the normal force, of both bodies together (1/Pa).
+/// Worn volume of both bodies per normal force and slip distance (1/Pa).
 const WEAR_COEFFICIENT: f64 = 1e-13;
 const CYCLES: f64 = 2e4;
-/// Largest fraction of the approach that is worn off at once.
+/// Largest fraction of the approach that is worn in one jump.
 const APPROACH_FRACTION: f64 = 0.01;
-/// Profiles are drawn after these cycles, or the first that follow.
+/// Cycles after which profiles are drawn, or after the first simulated cycle that follows.
 const SHOWN: [f64; 4] = [0.0, 1000.0, 3000.0, CYCLES];
-/// Largest pressure drawn, over that of the unworn ball.
+/// Largest pressure in the drawing, divided by the maximum pressure of the unworn ball.
 const HIGHEST: f64 = 5.0;
-/// The discretisation error is far larger.
+/// Tolerance, far below the discretisation error.
 const TOLERANCE: f64 = 1e-6;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let load = |shift| LoadStep::shift(shift).normal(NormalControl::Approach(approach));
     let path = LoadPath::table(vec![[amplitude, 0.0], [-amplitude, 0.0]])?;
     let fretting = FrettingLoop::new(path, load);
-    // Only a steady cycle stands for those that are jumped over.
+    // Only a steady cycle can represent the skipped cycles.
     fretting.clone().until_steady(1e-3).run(&mut history, 10)?;
     let mut cycle = Cycle::new(&history);
 
@@ -82,7 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "  cycles    jump | load, N  largest p, GPa | worn volume / limit | largest off edge   mean"
     );
     loop {
-        // One cycle, with the pressure of the worn gap.
+        // Simulate a cycle with the pressure of the worn gap.
         fretting.cycle(&mut history, &mut cycle)?;
         let mut depth = Field::zeros(grid);
         let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_distance());
@@ -114,24 +114,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     write(&stages, &limit)
 }
 
-/// A simulated cycle.
+/// Simulated cycle.
 struct Stage {
-    /// Number of cycles before it, and the number that its wear represents.
+    /// Number of cycles before the simulated cycle.
     cycles: f64,
+    /// Number of cycles that the wear of this cycle represents.
     jump: f64,
     load: f64,
     max_pressure: f64,
-    /// Energy dissipated so far.
+    /// Energy dissipated before the cycle.
     energy: f64,
-    /// Volume worn so far.
+    /// Volume worn before the cycle.
     volume: f64,
-    /// Differences of the gap from the limiting shape over the approach: the largest anywhere, the largest
-    /// farther than a cell from the edge of the stick disc, where the shape is vertical, and the mean
-    /// over the wearing region.
+    /// Largest difference between the gap and the limiting shape, divided by the approach.
     largest: f64,
+    /// Largest difference more than a cell away from the edge of the stick disc, where the shape is vertical.
     largest_off_edge: f64,
+    /// Mean of the difference over the worn region.
     mean: f64,
-    /// Whether the gap and the pressure along the row of cells nearest the x axis are to be drawn.
+    /// Whether the gap and the pressure along the row of cells nearest to the x axis are drawn.
     is_shown: bool,
     profile: Vec<[f64; 3]>,
 }

@@ -1,4 +1,4 @@
-//! A wheel on a rail in the time loop of a vehicle code: load, creepages and spin change in every step.
+//! A wheel on a rail in the time loop of a vehicle simulation: load, creepages and spin change in every step.
 //!
 //! `cargo run --release -p stickslip-examples --example wheel [STEPS]` runs 20 000 steps of 1 ms on 24 x 24 cells. It prints
 //! the time of a step and the error of the forces, next to FASTSIM with the same number of cells.
@@ -15,17 +15,18 @@ use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
 };
 
-/// In m, N and Pa: radii of curvature of wheel and rail along x and y, the mean wheel load, friction.
+/// Radii of curvature of wheel and rail, mean wheel load and friction, in m, N and Pa.
 const RADII: [f64; 2] = [0.46, 0.30];
 const LOAD: f64 = 80e3;
 const FRICTION: f64 = 0.35;
 const CELLS: usize = 24;
-/// Cells of the reference, and the number of steps that are compared with it.
+/// Number of cells along each side of the grid of the reference.
 const FINE: usize = 96;
+/// Number of steps compared with the reference.
 const SAMPLES: usize = 25;
 const TIME_STEP: f64 = 1e-3;
 
-/// The state of a wheel in a time step.
+/// State of a wheel in a time step.
 #[derive(Debug, Clone, Copy)]
 struct Wheel {
     load: f64,
@@ -34,7 +35,8 @@ struct Wheel {
 }
 
 impl Wheel {
-    /// Traction and braking at 0.4 Hz, hunting at 1.7 Hz, bouncing at 3 Hz, rails at 23 Hz.
+    /// Returns the state at a time, with traction and braking at 0.4 Hz, hunting at 1.7 Hz, bouncing at 3 Hz and rail excitation
+    /// at 23 Hz.
     fn at(time: f64) -> Self {
         let wave = |frequency: f64, phase: f64| (TAU * frequency * time + phase).sin();
         Self {
@@ -48,7 +50,7 @@ impl Wheel {
     }
 }
 
-/// Sorted values, for the least, the median and the mean.
+/// Sorted times, for the minimum, the median and the mean.
 struct Times(Vec<f64>);
 
 impl Times {
@@ -98,7 +100,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Prints the error of forces over the friction limit.
+/// Prints the error of the forces divided by the friction limit.
 fn show_error<'a>(found: impl Iterator<Item = &'a [f64; 2]>, exact: &[[f64; 2]], wheels: &[Wheel]) {
     let errors = found.zip(exact).zip(wheels).map(|((found, exact), wheel)| {
         let missed = (found[0] - exact[0]).hypot(found[1] - exact[1]);
@@ -117,12 +119,12 @@ fn steel() -> stickslip::Result<ElasticPair> {
     ElasticPair::new(steel, steel)
 }
 
-/// A rolling solver on `cells` x `cells` cells, which takes new loads.
+/// Creates a rolling solver on `cells` x `cells` cells for varying loads.
 fn solver(cells: usize, tolerance: f64) -> stickslip::Result<RollingSolver> {
     let pair = steel()?;
     let largest = HertzEllipse::new(&pair, RADII[0], RADII[1], 1.35 * LOAD)?;
     let [a, b] = largest.semi_axes();
-    // Room for the largest contact, and for the gap ahead of it.
+    // The grid must contain the largest contact and the gap ahead of it.
     let sides = [a, b].map(|radius| 2.3 * radius / cells as f64);
     let grid = Grid::new(cells, cells, sides[0], sides[1])?;
     let bodies = HalfSpace::new(grid, pair)?;
@@ -139,7 +141,7 @@ fn solver(cells: usize, tolerance: f64) -> stickslip::Result<RollingSolver> {
     Ok(solver)
 }
 
-/// The forces of all steps, and the cost of each in ms.
+/// Forces of all steps, and the time of each step in ms.
 struct Run {
     forces: Vec<[f64; 2]>,
     times: Times,
@@ -172,7 +174,7 @@ fn forces(solver: &mut RollingSolver, wheels: &[Wheel]) -> stickslip::Result<Run
     Ok(run)
 }
 
-/// Kalker's simplified theory: each cell is a spring. Strips of cells are swept from the leading edge. J. J. Kalker,
+/// Kalker's simplified theory, in which each cell is a spring. Strips of cells are swept from the leading edge. J. J. Kalker,
 /// Vehicle System Dynamics 11 (1982) 1, <https://doi.org/10.1080/00423118208968684>.
 struct Fastsim {
     cells: usize,
@@ -197,13 +199,13 @@ impl Fastsim {
     fn force(&self, wheel: &Wheel) -> [f64; 2] {
         let (g, kalker) = (self.shear_modulus, &self.coefficients);
         let [a, b] = self.axes.map(|axis| axis * (wheel.load / LOAD).cbrt());
-        // Flexibilities of the springs for each creepage and for spin.
+        // Flexibilities of the springs for both creepages and for spin.
         let along = 8.0 * a / (3.0 * g * kalker.c11());
         let across = 8.0 * a / (3.0 * g * kalker.c22());
         let turning = PI * a * a / (4.0 * g * (a * b).sqrt() * kalker.c23());
         let strips = self.cells;
         let width = 2.0 * b / strips as f64;
-        // The limit of the simplified theory is a paraboloid.
+        // The friction limit of the simplified theory is a paraboloid.
         let largest = FRICTION * 2.0 * wheel.load / (PI * a * b);
         let mut force = [0.0; 2];
         for strip in 0..strips {

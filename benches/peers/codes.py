@@ -1,6 +1,6 @@
-"""Who takes part: what is installed, and which settings and tolerances of each code are tried."""
+"""Compared codes: installed packages, and the settings and tolerances of each code."""
 
-# Every version that a number in the report depends on.
+# Versions of all packages on which the numbers in the report depend.
 PACKAGES = {
     "aspher": ["aspher==0.1.3.post1", "rfgen==0.2.3"],
     "tamaas": ["tamaas==2.9.0"],
@@ -12,12 +12,13 @@ PACKAGES = {
     ],
 }
 COMMON = ["numpy==2.4.6", "scipy==1.17.1"]
-# ASPHER is built here, and for this processor, as its authors build it for themselves; the other codes
-# come as their authors' wheels.
+# ASPHER is compiled locally and for the local processor, as its authors build it for themselves. The other codes are
+# installed from the wheels of their authors.
 OPTIONS = {"aspher": ["--no-cache-dir", "--config-settings=cmake.define.ASPHER_NATIVE=ON"]}
 
-# Spinning threads are the default of OpenMP here: fastest on a quiet machine, many times slower on a shared one.
-# ASPHER is therefore timed both ways; settings are looked for in the way that noise does not upset.
+# Spinning threads are the default of this OpenMP runtime. They are fastest on a quiet machine and many times slower on
+# a shared machine. ASPHER is therefore timed in both modes; the search for settings uses the mode that is less
+# sensitive to noise.
 CALM = "aspher, waits passive"
 VARIANTS = {
     "aspher": ["aspher", CALM],
@@ -25,15 +26,16 @@ VARIANTS = {
     "ContactMechanics": ["ContactMechanics"],
 }
 ENVIRONMENT = {CALM: {"OMP_WAIT_POLICY": "passive"}}
-# The wheels of these were built without threads.
+# The wheels of these codes are built without threads.
 SINGLE_THREADED = ("tamaas", "ContactMechanics")
 
 ASPHER_TOLERANCES = [1e-4, 1e-5, 2e-6, 1e-6, 1e-7, 1e-8, 1e-9]
 DECADES = [10.0**-k for k in range(2, 11)]
 HALF_DECADES = [x for k in range(2, 10) for x in (10.0**-k, 3.16 * 10.0 ** -(k + 1))] + [1e-10]
 
-# (name, options) of each setting; the first ones are expected to be the fastest. A setting is dropped once it
-# takes 1.3 times as long as the best one took to reach the same error, on larger grids too if it takes twice as long.
+# (name, options) of each setting; the first settings are expected to be the fastest. A setting is dropped when it takes
+# 1.3 times as long as the best setting for the same error. If it takes twice as long, it is also dropped for larger
+# grids.
 SETTINGS = {
     ("aspher", "press"): [
         ("nested fft, fft preconditioner", {"backend": "fft", "precond_engine": "fft"}),
@@ -60,26 +62,27 @@ SETTINGS = {
 }
 TOLERANCES = {
     ("aspher", "press"): ASPHER_TOLERANCES,
-    # At 1e-4 it has never come below an energy error of 1e-4.
+    # At a tolerance of 1e-4 it has never reached an energy error of 1e-4.
     ("aspher", "shear"): [1e-5, 3e-7, 1e-7],
     ("tamaas", "press"): DECADES[2:],
     ("ContactMechanics", "press"): DECADES,
 }
 
-# Relative errors in the energy norm to be reached.
+# Target values of the relative error in the energy norm.
 TARGETS = [1e-4, 1e-6]
-# How close all codes come on a small grid: other influence coefficients would show as an error that stays.
+# Size and tolerance for the smallest error of each code on a small grid. Different influence coefficients would show as
+# an error that does not vanish.
 FLOOR_SIZE, FLOOR_TOLERANCE = 128, 1e-12
 SHEAR_SIZES = [256, 512]
-# Beyond these sizes the slow ones would take the day.
+# Largest grids of the slow codes, which would take a day on larger grids.
 LARGEST = {
     ("aspher", "shear", 1e-6): 256,
     ("tamaas", "press", 1e-6): 512,
     ("ContactMechanics", "press", 1e-6): 512,
 }
-# Of the scenes on the largest grid the slow peers see these.
+# Problems that the slow peers solve on the largest grid.
 SLOW_SCENES, ALL_SCENES_TO = ("sphere", "rough-10%"), 512
-# With fewer threads nothing is timed on larger grids than this.
+# Largest grid that is timed with fewer threads.
 SECOND_PASS_TO = 512
 
 
@@ -91,7 +94,7 @@ def is_tried(code, problem, scene, target):
     return scene["cells"] <= LARGEST.get((code, problem, target), scene["cells"])
 
 
-# (problem, code, scene) of each aim, with the ratio aimed at.
+# (problem, code, scene) of each aim, with the intended ratio.
 AIMS = [
     ("press", "aspher", "sphere", 3),
     ("press", "aspher", "rough", 4),

@@ -1,4 +1,4 @@
-"""The tables of a run, as plain text."""
+"""Formats the tables of a run as plain text."""
 
 import itertools
 import json
@@ -25,7 +25,7 @@ def report(record):
 
 
 def machine():
-    """What the numbers depend on beside the peers."""
+    """Returns the conditions, other than the peers, on which the numbers depend."""
     return {
         "processor": processor(),
         "stickslip": commit(),
@@ -76,7 +76,7 @@ def table(rows):
     widths = [max(len(line[k]) for line in full) for k in range(len(lines[1]))]
     return [
         " ".join(
-            # The names stand left, numbers right, and the headings of groups over their first column.
+            # Names are aligned left, numbers right, and group headings above their first column.
             cell.ljust(width) if k < 3 or line is lines[0] or len(line) < len(widths) else cell.rjust(width)
             for k, (cell, width) in enumerate(zip(line, widths))
         ).rstrip()
@@ -90,7 +90,7 @@ def run_cells(tolerance, answer, whole, solve):
 
 
 def letter(code, problem, setting):
-    """The letter of a setting, or nothing where there is but one."""
+    """Returns the letter of a setting, or nothing if there is only one setting."""
     names = [listed for listed, _ in codes.SETTINGS[code, problem]]
     return f" {chr(ord('A') + names.index(setting))}" if len(names) > 1 else ""
 
@@ -111,7 +111,7 @@ def legend():
 
 
 def span(times):
-    """Least and median, in milliseconds."""
+    """Returns minimum and median, in milliseconds."""
     if times is None:
         return "-"
     milliseconds = [1e3 * times[key] for key in ("least", "median")]
@@ -119,7 +119,7 @@ def span(times):
 
 
 def quotients(row, part):
-    """The peer's time over this library's: of the least times, and of the medians."""
+    """Returns the ratios of the time of the peer to the time of this library: of the minima and of the medians."""
     peer, own = row.get(f"peer_{part}"), row.get(f"own_{part}")
     if peer is None or own is None:
         return None
@@ -132,8 +132,8 @@ def ratio(row, part):
 
 
 def verdicts(results):
-    """Every aim beside the ratios of the least times: for a code that was timed in two ways, those to
-    the faster way."""
+    """Compares every aim with the ratios of the minimum times. For a code that was timed in two modes, the
+    ratios refer to the faster mode."""
     lines = ["Aims beside the ratios of the least times (least and largest over scenes and errors):"]
     sizes = sorted({row["scene"]["cells"] for row in results})
     threads = sorted({row["threads"] for row in results}, reverse=True)
@@ -167,7 +167,7 @@ def verdict(ratios, aim):
 
 
 def main():
-    """Writes the report anew from the numbers of a run."""
+    """Prints the report again from the stored numbers of a run."""
     print(report(json.loads(pathlib.Path(sys.argv[1]).read_text())), end="")
 
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Times stickslip beside its peers, on the same gaps, to the same measured error, in one run.
+"""Compares the times of stickslip and its peers in one run, for the same gaps and the same measured error.
 
-    python3 benches/peers/run.py            all of it
+    python3 benches/peers/run.py            the whole comparison
     python3 benches/peers/run.py --quick    256 x 256 cells only
 
-Installs the peers in a virtual environment of its own (in target/peers), builds the small crate here and
-writes target/peers/report.md. benches/README.md says what is measured.
+Installs the peers in a separate virtual environment (in target/peers), builds the small crate in this folder and
+writes target/peers/report.md. benches/README.md describes the measured quantities.
 """
 
 import argparse
@@ -19,7 +19,7 @@ import sys
 import time
 import venv
 
-sys.dont_write_bytecode = True  # nothing is left in the source tree
+sys.dont_write_bytecode = True  # Avoid cache files in the source tree.
 
 import codes
 import report
@@ -50,7 +50,7 @@ def arguments():
 
 
 def install(folder, skip):
-    """The Python of the environment, and the versions of the peers that could be installed."""
+    """Returns the Python of the environment and the versions of the peers that could be installed."""
     home = folder / "venv"
     python = home / "bin" / "python"
     if not python.exists():
@@ -87,19 +87,19 @@ def reached(answer, target):
 
 
 class Scan:
-    """Looks for the fastest way of every code to every error."""
+    """Search for the fastest setting and tolerance of every code for every error."""
 
     def __init__(self, ours, peers):
         self.ours, self.peers = ours, peers
         self.known = {}
-        # Where the last smaller grid found its tolerance: the search starts there.
+        # Index of the tolerance found on the previous, smaller grid, where the search starts.
         self.first = {}
-        # Settings that were too slow there, which the larger grid is spared.
+        # Settings that were too slow on a smaller grid and are not tried on larger grids.
         self.lost = set()
 
     def look(self, code, problem, scene, target):
-        """Tries settings and tolerances, the loosest first, until each setting reaches the target or has
-        lost. Returns a line that says why one did not."""
+        """Tries settings and tolerances, the loosest first, until each setting reaches the target or is too
+        slow. Returns the reason why a setting did not reach the target."""
         best, trouble = None, "no tolerance reached it"
         tolerances = codes.TOLERANCES[code, problem]
         for name, options in codes.SETTINGS[code, problem]:
@@ -111,7 +111,7 @@ class Scan:
                 if "whole" not in answer:
                     trouble = answer["status"]
                     break
-                # One that is a little slower may be so by noise.
+                # A setting that is slightly slower may be slower only by noise.
                 if best and answer["whole"] > 1.3 * best:
                     if answer["whole"] > 2 * best:
                         self.lost.add(key)
@@ -126,7 +126,7 @@ class Scan:
         return trouble
 
     def peer(self, code, problem, scene, target):
-        """The fastest `(name, options, tolerance, answer)` of all that were tried, or nothing."""
+        """Returns the fastest `(name, options, tolerance, answer)` that reached the target, or None."""
         options = dict(codes.SETTINGS[code, problem])
         place = (code, problem, scene["scene"], scene["cells"])
         found = [
@@ -142,7 +142,7 @@ class Scan:
             worker = self.peers[codes.VARIANTS[code][-1]]
             answer = worker.measured(problem, scene, options, tolerance, self.ours)
             if answer.get("whole", 1) < 1:
-                # The first call may have paid for loading the library.
+                # The first call may include the time for loading the library.
                 again = worker.solve(problem, scene, options, tolerance)
                 answer["whole"] = min(answer["whole"], again.get("whole", answer["whole"]))
             show("scan", scene, problem, code, name, tolerance, answer)
@@ -150,7 +150,7 @@ class Scan:
         return self.known[key]
 
     def floors(self, scenes, available):
-        """Energy errors at the tightest tolerance, on a small grid."""
+        """Returns the energy errors at the tightest tolerance on a small grid."""
         found = {}
         for code in available:
             name, options = codes.SETTINGS[code, "press"][0]
@@ -160,7 +160,7 @@ class Scan:
         return found
 
     def own(self, problem, scene, error):
-        """The largest tolerance at which this library's own error is not above the peer's."""
+        """Returns the largest tolerance at which the error of this library does not exceed the error of the peer."""
         for tolerance in codes.HALF_DECADES:
             key = ("stickslip", problem, scene["scene"], scene["cells"], "", tolerance)
             if key not in self.known:
@@ -180,7 +180,7 @@ def show(*words):
 
 
 def races(scan, problem, scene, available):
-    """Every peer's best way to every target, with this library's match."""
+    """Returns the fastest setting of every peer for every target, with the corresponding tolerance of this library."""
     tried = [
         (target, code)
         for target in codes.TARGETS
@@ -214,8 +214,9 @@ def races(scan, problem, scene, available):
 
 
 def run_rounds(found, ours, peers, repeats, budget):
-    """A, B, C, .. then A, B, C, .. again; this library after every peer, at the tolerance of that race.
-    A race is over when its peer has used up its budget; of a peer that did so in the scan, that counts."""
+    """Runs all races in turn, in several rounds. In each race this library runs after the peer, at the tolerance of
+    the race. A race ends when its peer has used up its budget. If a peer used it up in the scan, the time of the scan
+    is used."""
     parts = [f"{who}_{part}" for who in ("peer", "own") for part in ("whole", "solve")]
     times = [{part: [] for part in parts} for _ in found]
     for race, kept in zip(found, times):
@@ -242,8 +243,9 @@ def run_rounds(found, ours, peers, repeats, budget):
 
 
 def is_timed_again(race, budget):
-    """With another number of threads: the same setting, but nothing large or slow twice (the times of a
-    peer without threads hold for any number), and one way of waiting."""
+    """Returns whether a race is repeated with a different number of threads. Races on large grids and slow races
+    are excluded. A slow peer without threads is included, because its known times are valid for any number of threads.
+    Only one of the waiting modes is repeated."""
     return (
         "peer" in race
         and (race["peer"]["whole"] < budget or race["code"] in codes.SINGLE_THREADED)
@@ -264,7 +266,7 @@ def main():
     python, versions = install(chosen.folder, chosen.skip)
     binary = build(chosen.folder)
     fields = chosen.folder / "fields"
-    # References are made anew: they are this library's.
+    # References are recomputed, because they are solutions of this library.
     for path in fields.glob("*.f64"):
         path.unlink()
     start = time.monotonic()

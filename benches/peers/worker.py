@@ -1,8 +1,8 @@
-"""One peer in a process of its own: answers each request, a line of JSON, with a line of JSON.
+"""Runs a peer in a separate process: reads requests and writes answers, each as a line of JSON.
 
 Lengths are in units of the side of the grid, pressures in units of the contact modulus, as in the files
-that all codes read. Every answer times the whole of what a user pays (operators, memory, solve) and, where
-the peer lets the two be told apart, the solve alone.
+that all codes read. Every answer contains the total time for the user (operators, memory, solve) and the
+time of the solve alone, if the peer permits this distinction.
 """
 
 import json
@@ -14,7 +14,7 @@ import numpy
 
 
 def aspher_press(request, gap):
-    """The nested solve makes its operators itself and says how long that took."""
+    """Presses with ASPHER. The nested solve creates its operators and reports the time for this."""
     import aspher
 
     start = time.perf_counter()
@@ -37,7 +37,7 @@ def aspher_press(request, gap):
 
 
 def aspher_shear(request, gap):
-    """Poisson's ratio is zero: above it the tangential solver does not always converge."""
+    """Shears with ASPHER. Poisson's ratio is zero, because above zero the tangential solver does not always converge."""
     import aspher
 
     friction, pressure = request["friction"], request["pressure"]
@@ -64,8 +64,8 @@ def aspher_shear(request, gap):
 
 
 def tamaas_press(request, gap):
-    """The modulus comes before the operator that depends on it, and the solver is told to use the
-    operator: it would take the periodic one."""
+    """Presses with Tamaas. The modulus must be set before the operator that depends on it, and the operator must be
+    selected explicitly, because the solver would use the periodic operator by default."""
     import tamaas
 
     tamaas.set_log_level(tamaas.LogLevel.error)
@@ -89,8 +89,8 @@ def tamaas_press(request, gap):
 
 
 def contactmechanics_press(request, gap):
-    """Its tolerances are absolute: they are given as parts of the mean pressure, of the displacement that
-    this pressure causes over the side of the grid, and of the force on a cell."""
+    """Presses with ContactMechanics. Its tolerances are absolute. They are given as fractions of the mean pressure, of
+    the displacement that this pressure causes over the side of the grid, and of the force on a cell."""
     from ContactMechanics.Factory import make_system
     from SurfaceTopography import Topography
 
@@ -124,7 +124,7 @@ SOLVERS = {
 
 
 def main():
-    # What the libraries print must not reach whoever reads the answers.
+    # The output of the libraries must not mix with the answers.
     answers = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)
     print(json.dumps({"ready": True}), file=answers)
@@ -136,7 +136,7 @@ def main():
             solver = SOLVERS[request["code"], request["problem"]]
             answer, field = solver(request, gap)
             numpy.ascontiguousarray(field, dtype=float).tofile(request["output"])
-        except Exception as error:  # a peer that fails is a line in the report
+        except Exception as error:  # A failure of a peer becomes a line in the report.
             answer = {"status": f"failed: {error}"}
         print(json.dumps(answer), file=answers)
 

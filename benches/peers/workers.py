@@ -1,4 +1,4 @@
-"""Processes that solve: one for each code and setting of the environment, asked one at a time."""
+"""Solver processes, one for each code and environment; requests are sequential."""
 
 import json
 import os
@@ -14,12 +14,13 @@ THREAD_VARIABLES = (
     "OPENBLAS_NUM_THREADS",
     "MKL_NUM_THREADS",
 )
-# Threads that have just worked may spin for a moment: the next code is not to pay for them.
+# Pause before each request: the threads of the previous code may still spin for a moment, which must not slow down the
+# next code.
 PAUSE = 0.05
 
 
 class Worker:
-    """A process that answers lines with lines; one that does not answer in time is replaced."""
+    """Process that answers each line with a line. A process that does not answer in time is replaced."""
 
     def __init__(self, command, threads, patience, environment=None):
         self.command, self.patience = command, patience
@@ -62,7 +63,7 @@ class Worker:
 
 
 class Ours:
-    """The library under test, which is the judge of all answers too."""
+    """The library under test, which also computes the errors of all solutions."""
 
     def __init__(self, binary, threads, patience, folder):
         self.worker = Worker([binary, "serve"], threads, patience)
@@ -76,7 +77,7 @@ class Ours:
         return self.worker.ask(" ".join(str(word) for word in [*words, tolerance, output]))
 
     def truth(self, problem, scene):
-        """The best answer to a scene, made once."""
+        """Returns the file of the reference solution of a scene, which is computed once."""
         path = self.folder / f"{problem}-{scene['scene'].replace('%', '')}-{scene['cells']}.f64"
         if not path.exists():
             answer = self.solve(problem, scene, 1e-11, path)
@@ -98,7 +99,7 @@ class Ours:
 
 
 class Peer:
-    """Another code, in the virtual environment."""
+    """A peer in the virtual environment."""
 
     def __init__(self, code, python, threads, patience, folder, environment):
         command = [python, str(HERE / "worker.py")]

@@ -1,4 +1,4 @@
-//! Twenty steps of a contact that wears, saved by all ranks after ten.
+//! Twenty steps of a contact with wear; all ranks save the history after ten steps.
 
 use std::path::PathBuf;
 
@@ -10,22 +10,23 @@ use stickslip::{
 
 use crate::{FRICTION, Outcome, hash_of_all};
 
-/// Steps, and after how many of them the history is saved.
+/// Number of steps.
 const STEPS: u64 = 20;
+/// Number of steps after which the history is saved.
 const SAVED: u64 = 10;
-/// Depth worn over pressure and slip (one over a pressure).
+/// Worn depth divided by pressure and slip (one over a pressure).
 const WEAR: f64 = 0.05;
 
-/// What is done with a file.
+/// Use of a file by the history.
 pub(crate) enum Saved {
-    /// The history is saved in it on the way.
+    /// The history is saved to this file after half of its steps.
     To(PathBuf),
-    /// The history begins from it, whatever number of ranks saved it.
+    /// The history starts from this file, which may have been saved by any number of ranks.
     From(PathBuf),
 }
 
-/// Presses surfaces to and fro and slides them under a force that grows to this, and shifts across it; returns a hash
-/// of the bits of the end.
+/// Presses the surfaces with an oscillating normal force of at most `force` and shears them along x with an oscillating
+/// force of at most half of the friction limit. Returns a hash of the bits of the final state.
 pub(crate) fn fret(
     bodies: &HalfSpace,
     gap: &Field,

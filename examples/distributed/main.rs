@@ -1,11 +1,11 @@
-//! One rough surface pressed and sheared by several ranks: the report, and a hash of the bits of pressure and traction,
-//! which are the same on any number of ranks.
+//! A rough surface that several ranks press and shear together. The example prints the report and a hash of the bits of pressure
+//! and traction, which does not depend on the number of ranks.
 //!
 //! `cargo run --release -p stickslip-examples --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
-//! cells along a side, pressed and sheared, two ranks that are threads). Built with the feature `mpi` the ranks are
-//! processes: `mpirun -n 4 target/release/examples/distributed 1024`. Pressing alone takes a fifth of the memory. With
-//! `--history FILE` twenty steps with wear follow instead, and all ranks save the history in the file after ten; `--from
-//! FILE` continues from it on any number of ranks, to the same hash.
+//! cells along a side, pressed and sheared, two ranks as threads). With the feature `mpi` the ranks are processes:
+//! `mpirun -n 4 target/release/examples/distributed 1024`. With `--press` the surface is not sheared, which needs a fifth of the
+//! memory. With `--history FILE` the example computes twenty steps with wear instead, and all ranks save the history to the file
+//! after ten steps. `--from FILE` continues from this file on any number of ranks and yields the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -25,25 +25,25 @@ use stickslip::{
 
 use history::{Saved, fret};
 
-/// Side of the grid, in units of the longest wave.
+/// Side of the grid, in units of the longest wavelength.
 const SIDE: f64 = 1.0;
-/// Mean pressure over contact modulus and rms slope: about a tenth of the surface touches.
+/// Mean pressure divided by the contact modulus and the rms slope; about a tenth of the surface is in contact.
 const REDUCED_PRESSURE: f64 = 0.05;
 const FRICTION: f64 = 0.4;
-/// Part of what friction holds.
+/// Tangential force as a fraction of the friction limit.
 const SHEAR: f64 = 0.6;
-/// How long a rank waits for another.
+/// Time for which a rank waits for the others.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
 
 struct Arguments {
     cells: usize,
-    /// Whether that is all.
+    /// Whether the surface is pressed only.
     is_pressed_alone: bool,
-    /// Of a history instead, if there is to be one.
+    /// File of the history that is computed instead, if requested.
     saved: Option<Saved>,
-    /// How many threads, if ranks are threads.
+    /// Number of threads, if ranks are threads.
     threads: Option<usize>,
 }
 
@@ -97,7 +97,7 @@ fn main() -> Outcome<()> {
     outcomes.into_iter().collect()
 }
 
-/// What every rank does; the first tells of it.
+/// Solves the problem on every rank; the first rank prints the results.
 fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let start = Instant::now();
     let grid = Grid::square(arguments.cells, SIDE)?;
@@ -159,7 +159,7 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     Ok(())
 }
 
-/// The shear traction under a pressure.
+/// Computes the shear traction under the given pressure.
 fn sheared(bodies: &HalfSpace, normal: &NormalSolution) -> Outcome<TangentialSolution> {
     let force = SHEAR * FRICTION * normal.force();
     let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
@@ -181,7 +181,7 @@ fn print_report(what: &str, report: &Report) {
     );
 }
 
-/// A hash of the fields of all ranks that does not depend on how the rows are dealt out.
+/// Computes a hash of the fields of all ranks that does not depend on the distribution of the rows.
 fn hash_of_all(ranks: &dyn Ranks, fields: &[&Field]) -> Outcome<u64> {
     let mut own = 0_u64;
     for (field, number) in fields.iter().zip(1_u64..) {
@@ -199,7 +199,7 @@ fn hash_of_all(ranks: &dyn Ranks, fields: &[&Field]) -> Outcome<u64> {
     Ok(all)
 }
 
-/// The finaliser of splitmix64 (Steele, Lea & Flood 2014).
+/// Applies the finaliser of splitmix64 (Steele, Lea & Flood 2014).
 fn mixed(bits: u64) -> u64 {
     let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

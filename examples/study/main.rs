@@ -1,9 +1,9 @@
-//! A parameter study of rough contacts, in parts on any number of machines: a table of one row per case, which a
-//! program that was killed continues.
+//! A parameter study of rough contacts that can be divided between any number of machines. The result is a table with one row per
+//! case; a restarted program continues the table.
 //!
-//! `cargo run --release -p stickslip-examples --example study -- --help` lists the options; without any, 24 small cases are
-//! solved and written to standard output. The guide page `studies` has the columns, a script for Slurm and a line for
-//! GNU parallel.
+//! `cargo run --release -p stickslip-examples --example study -- --help` lists the options; without options, 24 small cases are
+//! solved and written to standard output. The guide page `studies` describes the columns and contains a script for Slurm and a
+//! command for GNU parallel.
 
 mod command;
 

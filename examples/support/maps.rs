@@ -1,4 +1,4 @@
-//! Maps of heights, of other fields in colour, and of stick and slip.
+//! Maps of heights, of other fields in colour, and of stick and slip zones.
 
 use std::error::Error;
 use std::ops::Range;
@@ -10,7 +10,7 @@ use super::{Area, BLUE, Chart, ORANGE, labelled_axes, ticks};
 
 const GREY: RGBColor = RGBColor(225, 225, 225);
 
-/// Stick, slip and gap of every cell in sight, in lengths of the unit `scale`.
+/// Draws stick, slip and separation of every visible cell, with lengths in units of `scale`.
 pub(crate) fn zones(
     chart: &mut Chart<'_>,
     grid: Grid,
@@ -19,8 +19,8 @@ pub(crate) fn zones(
     [x, y]: [Range<f64>; 2],
 ) -> Result<(), Box<dyn Error>> {
     let in_sight = |value: f64, range: &Range<f64>| value.clamp(range.start, range.end);
-    // Neighbours in one zone make one rectangle. It reaches into the next row, which covers that part
-    // again: no seam shows between rows.
+    // Adjacent cells of the same zone form one rectangle. It overlaps the next row, which is drawn over it, so that no
+    // seam is visible between rows.
     let mut rectangles = Vec::new();
     for (iy, row) in zones.chunks_exact(grid.nx()).enumerate() {
         let edges = [-0.5, 1.5].map(|cells| (grid.y(iy) + cells * grid.dy()) / scale);
@@ -52,23 +52,23 @@ pub(crate) fn zones(
     Ok(())
 }
 
-/// Blocks along the longer side of a map of a field: more would make a heavy drawing.
+/// Maximum number of blocks along the longer side of a map of a field, which limits the size of the file.
 const BLOCKS: usize = 120;
 
-/// Colours of a map, from the least value at zero to the largest at one.
+/// Colours of a map; the arguments 0 and 1 correspond to the smallest and the largest value.
 pub(crate) type Colours = fn(f64) -> RGBColor;
 
-/// From black to white.
+/// Colour scale from black to white.
 pub(crate) fn grey(value: f64) -> RGBColor {
     mix([(0, 0, 0), (255, 255, 255)], value)
 }
 
-/// From white to black.
+/// Colour scale from white to black.
 pub(crate) fn dark(value: f64) -> RGBColor {
     grey(1.0 - value)
 }
 
-/// From pale grey through orange to dark red: what is not pressed is pale.
+/// Colour scale from pale grey through orange to dark red. Unloaded cells are pale.
 pub(crate) fn heat(value: f64) -> RGBColor {
     if value < 0.5 {
         mix([(235, 235, 235), (240, 150, 40)], 2.0 * value)
@@ -88,7 +88,7 @@ fn mix([a, b]: [(u8, u8, u8); 2], part: f64) -> RGBColor {
     RGBColor(between(a.0, b.0), between(a.1, b.1), between(a.2, b.2))
 }
 
-/// A bar of the colours in an area, with the values from `low` to `high` and what they are.
+/// Draws a colour bar in an area, with the values from `low` to `high` and the name of the quantity.
 pub(crate) fn bar(
     area: &Area<'_>,
     colours: Colours,
@@ -109,7 +109,7 @@ pub(crate) fn bar(
     Ok(())
 }
 
-/// A field in colours, in lengths of the unit `scale`.
+/// Draws a field in colours, with lengths in units of `scale`.
 pub(crate) fn field(
     chart: &mut Chart<'_>,
     heights: &Field,
@@ -121,7 +121,7 @@ pub(crate) fn field(
     let block = grid.nx().max(grid.ny()).div_ceil(BLOCKS);
     let starts = |cells: usize| (0..cells).step_by(block);
     let corners = starts(grid.ny()).flat_map(|iy| starts(grid.nx()).map(move |ix| [ix, iy]));
-    // As above, a block reaches into those drawn later.
+    // As above, a block overlaps the blocks drawn later.
     let rectangles = corners.map(|[ix, iy]| {
         let (columns, rows) = (
             ix..(ix + block).min(grid.nx()),

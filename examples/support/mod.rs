@@ -1,4 +1,4 @@
-//! What the examples share: one style of axes, lines, points and legend.
+//! Common style of axes, lines, points and legends for the examples.
 
 #![allow(dead_code, reason = "no example needs all of it")]
 
@@ -12,9 +12,9 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-/// The part of a figure that one chart fills.
+/// Part of a figure that contains one chart.
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// A chart with two linear axes.
+/// Chart with two linear axes.
 pub(crate) type Chart<'a> =
     ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
@@ -23,17 +23,17 @@ pub(crate) const ORANGE: RGBColor = RGBColor(230, 120, 20);
 pub(crate) const GREEN: RGBColor = RGBColor(20, 140, 90);
 pub(crate) const PURPLE: RGBColor = RGBColor(130, 60, 150);
 
-/// Height of the letters, in the units of the drawing.
+/// Height of the letters, in units of the drawing.
 pub(crate) const LETTERS: u32 = 30;
 
-/// The file `name` in `target/gallery`, a folder made if need be.
+/// Returns the path of the file `name` in `target/gallery`, and creates the folder if necessary.
 pub(crate) fn gallery(name: &str) -> Result<PathBuf, std::io::Error> {
     let folder = Path::new("target").join("gallery");
     std::fs::create_dir_all(&folder)?;
     Ok(folder.join(name))
 }
 
-/// An empty figure with a title, and the area below the title.
+/// Creates an empty figure with a title, and returns the area below the title.
 pub(crate) fn figure<'a>(
     path: &'a Path,
     size: (u32, u32),
@@ -45,7 +45,7 @@ pub(crate) fn figure<'a>(
     Ok(area.titled(title, ("sans-serif", LETTERS + 6))?)
 }
 
-/// Axes with labels in an area; `x` and `y` are the ranges shown.
+/// Draws axes with labels in an area; `x` and `y` are the ranges and labels.
 pub(crate) fn axes<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -61,7 +61,7 @@ pub(crate) fn axes<'a>(
     )
 }
 
-/// Axes of one scale, as far as the area allows: the rest of it stays empty.
+/// Draws axes of equal scale, as large as the area permits; the rest of the area remains empty.
 pub(crate) fn map_axes<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -77,14 +77,15 @@ pub(crate) fn map_axes<'a>(
     axes(&area.margin(above, 0, 0, right), x, y)
 }
 
-/// What a chart takes beside and below what it shows.
+/// Width of the margins and labels of a chart.
 const BESIDE: u32 = 20 + 40 + 120;
+/// Height of the margins and labels of a chart.
 const BELOW: u32 = 20 + 20 + 80;
 
-/// How the value of a tick is written.
+/// Format of the value of a tick.
 type Format<'f> = &'f dyn Fn(&f64) -> String;
 
-/// With as many decimals as seven ticks over the range need.
+/// Returns a format with the number of decimals required for seven ticks over the range.
 fn ticks(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
     let digits = (0.8 - (range.end - range.start).log10()).ceil();
     #[expect(
@@ -104,8 +105,8 @@ fn ticks(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
     }
 }
 
-/// Axes for decimal logarithms, with labels at powers of ten, or at a few numbers where there are less than two of them;
-/// the ranges are of exponents.
+/// Draws axes for decimal logarithms; the ranges are ranges of exponents. Labels are at powers of ten, or at a few
+/// other numbers if fewer than two powers are in the range.
 pub(crate) fn decades<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -113,7 +114,7 @@ pub(crate) fn decades<'a>(
 ) -> Result<Chart<'a>, Box<dyn Error>> {
     let (width, height) = (x.0.clone(), y.0.clone());
     let integers = || (-30..=30).map(f64::from);
-    // More labels than whole exponents would stand between them; more than eight would touch.
+    // More labels than integer exponents would fall between them, and more than eight labels would touch.
     let labels = [&width, &height].map(|range| {
         let inside = integers().filter(|exponent| range.contains(exponent));
         let count = inside.count();
@@ -131,7 +132,7 @@ pub(crate) fn decades<'a>(
     Ok(chart)
 }
 
-/// A number with two digits that count.
+/// Formats a number with two significant digits.
 fn two_digits(value: f64) -> String {
     #[expect(
         clippy::cast_possible_truncation,
@@ -142,7 +143,7 @@ fn two_digits(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// `10⁻⁶` for -6.
+/// Formats a power of ten: `10⁻⁶` for -6.
 fn power_of_ten(exponent: f64) -> String {
     let superscript = |digit| match digit {
         '-' => '⁻',
@@ -190,7 +191,7 @@ fn labelled_axes<'a>(
     Ok(chart)
 }
 
-/// One quantity twice: the closed form as a line, what was computed as points.
+/// Draws the closed form of a quantity as a line and its computed values as points.
 pub(crate) fn compare(
     chart: &mut Chart<'_>,
     name: &str,
@@ -211,7 +212,7 @@ pub(crate) fn compare(
     Ok(())
 }
 
-/// Full points on a line, or hollow points on a dashed line.
+/// Draws full points on a line, or hollow points on a dashed line.
 pub(crate) fn curve(
     chart: &mut Chart<'_>,
     name: &str,
@@ -241,7 +242,7 @@ pub(crate) fn curve(
     Ok(())
 }
 
-/// Points alone, full or hollow.
+/// Draws points without a line, full or hollow.
 pub(crate) fn dots(
     chart: &mut Chart<'_>,
     name: &str,
@@ -265,7 +266,7 @@ pub(crate) fn dots(
     Ok(())
 }
 
-/// A thin black line: a law.
+/// Draws a law as a thin black line.
 pub(crate) fn law(
     chart: &mut Chart<'_>,
     name: &str,
@@ -293,7 +294,7 @@ pub(crate) fn law(
     Ok(())
 }
 
-/// A wide grey line behind or across the others.
+/// Draws a wide grey line as a marker.
 pub(crate) fn mark(
     chart: &mut Chart<'_>,
     name: &str,
@@ -307,7 +308,7 @@ pub(crate) fn mark(
     Ok(())
 }
 
-/// The names of everything drawn so far.
+/// Draws the legend of all series drawn so far.
 pub(crate) fn legend(
     chart: &mut Chart<'_>,
     position: SeriesLabelPosition,

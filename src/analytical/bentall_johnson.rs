@@ -3,22 +3,22 @@
 use super::line::HertzLine;
 use crate::error::{Result, finite, non_negative};
 
-/// Half-width of the middle strip that carries half the load of a [`HertzLine`], over that of the contact: the root of
-/// $`\arcsin t + t\sqrt{1-t^2} = \pi/4`$.
+/// Half-width of the middle strip that carries half the load of a [`HertzLine`], divided by the half-width of the
+/// contact: the root of $`\arcsin t + t\sqrt{1-t^2} = \pi/4`$.
 const MIDDLE: f64 = 0.403_972_753_299_517_2;
 
 /// Cylinders of different materials that roll freely, without a tangential force, and with little friction: the limit
 /// $`\mu \ll |\beta|`$ of Bentall and Johnson's solution.
 ///
-/// The pressure stretches the surfaces in the contact by different amounts, so that they slip. Where friction is too weak
-/// to hinder that, the slip of body 1 over body 2 for each length rolled is, with
+/// The pressure stretches the surfaces in the contact by different amounts, so that they slip. If friction is too weak
+/// to prevent this slip, the slip of body 1 over body 2 per rolled length is, with
 /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) $`\beta`$ and the creepage $`\xi`$,
 ///
 /// ```math
 /// s = \frac{2\beta}{E^*}\,p - \xi, \qquad q = -\mu p\,\operatorname{sign} s .
 /// ```
 ///
-/// There is no force if the slip reverses where the middle carries half the load, at $`\pm ta`$:
+/// The tangential force is zero if the slip reverses at the ends $`\pm ta`$ of the strip that carries half the load:
 ///
 /// ```math
 /// \arcsin t + t\sqrt{1-t^2} = \frac\pi4, \qquad t = 0.4040, \qquad
@@ -26,11 +26,11 @@ const MIDDLE: f64 = 0.403_972_753_299_517_2;
 /// D = \frac{8t(1 - t^2/3) - 8/3}{\pi}\,\frac{\mu|\beta| P a}{R} = 0.1239\,\frac{\mu|\beta| P a}{R} .
 /// ```
 ///
-/// The leading edge is at +x; with that at -x creepage and slip change their signs. A positive creepage moves body 2
-/// along +x over body 1, as in [`rolling`](crate::rolling). The action of the traction on the pressure is neglected
-/// (Goodman's assumption), and so are the strips about the reversals that stick:
-/// [solved](crate::rolling::RollingProblem), the creepage is 0.3 % less at $`\mu = 0.009\,|\beta|`$, 5 % at
-/// $`0.085\,|\beta|`$, and 28 % at $`0.86\,|\beta|`$.
+/// The leading edge is at +x; if it is at -x, creepage and slip change their signs. A positive creepage moves body 2
+/// along +x over body 1, as in [`rolling`](crate::rolling). The influence of the traction on the pressure is neglected
+/// (Goodman's assumption), and so are the narrow stick strips around the reversals of slip. The creepage of the
+/// [numerical solution](crate::rolling::RollingProblem) is smaller by 0.3 % at $`\mu = 0.009\,|\beta|`$, by 5 % at
+/// $`0.085\,|\beta|`$, and by 28 % at $`0.86\,|\beta|`$.
 ///
 /// R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404,
 /// <https://doi.org/10.1016/0020-7403(67)90043-4>; Johnson (1985), section 8.2.
@@ -57,12 +57,13 @@ pub struct BentallJohnson {
 }
 
 impl BentallJohnson {
-    /// The contact `hertz` with the coefficient of friction `friction`. Between bodies of
-    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero nothing slips.
+    /// Creates the contact `hertz` with the coefficient of friction `friction`. The bodies do not slip if their
+    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is zero.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the friction limit, the creepage or the dissipation.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the friction limit, the creepage or the dissipation is not
+    ///   finite.
     pub fn new(hertz: HertzLine, friction: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
         finite("friction limit", friction * hertz.max_pressure())?;
@@ -76,19 +77,19 @@ impl BentallJohnson {
         Ok(free)
     }
 
-    /// Creepage $`\xi`$ (dimensionless), of the sign of $`\beta`$.
+    /// Returns the creepage $`\xi`$ (dimensionless), with the sign of $`\beta`$.
     #[must_use]
     pub fn creepage(&self) -> f64 {
         self.creepage
     }
 
-    /// Half-width of the middle strip (a length), at whose ends the slip reverses: $`0.4040\,a`$.
+    /// Returns the half-width of the middle strip (a length), at whose ends the slip reverses: $`0.4040\,a`$.
     #[must_use]
     pub fn reversal(&self) -> f64 {
         MIDDLE * self.hertz.half_width()
     }
 
-    /// Slip s of body 1 over body 2 at `x` in the contact, for each length rolled (dimensionless); zero outside.
+    /// Returns the slip s of body 1 over body 2 at `x` in the contact, per rolled length (dimensionless); zero outside.
     #[must_use]
     pub fn slip(&self, x: f64) -> f64 {
         if x.abs() < self.hertz.half_width() {
@@ -98,7 +99,8 @@ impl BentallJohnson {
         }
     }
 
-    /// Traction q on body 1 along x (a pressure) at `x`: $`\mu p`$ against the slip; zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`: of magnitude $`\mu p`$ and opposite to the slip;
+    /// zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let slip = self.slip(x);
@@ -109,16 +111,17 @@ impl BentallJohnson {
         }
     }
 
-    /// Energy D that slip dissipates for each length rolled (a force per length): what keeps the cylinders rolling.
+    /// Returns the energy D that slip dissipates per rolled length (a force per length): the work needed to keep the
+    /// cylinders rolling.
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         let sum = MIDDLE * (1.0 - MIDDLE * MIDDLE / 3.0) - 1.0 / 3.0;
-        // The stretch of the middle is that of the largest pressure.
+        // The stretch at the middle is the stretch under the largest pressure.
         let limit = self.friction * self.hertz.max_pressure() * self.hertz.half_width();
         4.0 * sum * limit * self.stretch(0.0).abs()
     }
 
-    /// $`2\beta p/E^*`$: how much more the pressure shortens body 1 than body 2.
+    /// Returns $`2\beta p/E^*`$, the strain by which the pressure shortens body 1 more than body 2.
     fn stretch(&self, x: f64) -> f64 {
         let pair = self.hertz.pair();
         2.0 * pair.dundurs_beta() * (self.hertz.pressure(x) / pair.contact_modulus())

@@ -6,7 +6,8 @@ use crate::error::{Error, Result, finite, non_negative};
 
 /// A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
 ///
-/// The leading edge is at x = a. A strip of half-width c that ends there sticks, the rest slips, against the traction:
+/// The leading edge is at x = a. A strip of half-width c that ends there sticks; the rest slips, opposite to the
+/// traction:
 ///
 /// ```math
 /// \frac ca = 1 - \frac{|\xi|}{\xi_s}, \qquad \xi_s = \frac{2\mu p_0}{E^*} = \frac{\mu a}{R}, \qquad
@@ -14,8 +15,8 @@ use crate::error::{Error, Result, finite, non_negative};
 /// Q = \pm\mu P\left(1 - \frac{c^2}{a^2}\right)
 /// ```
 ///
-/// with the sign of the creepage $`\xi`$; from $`\xi_s`$ on all slips. Equal bodies, or bodies of
-/// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero. F. W. Carter, Proc. R. Soc. A 112 (1926) 151,
+/// with the sign of the creepage $`\xi`$. The whole contact slips if $`|\xi| \ge \xi_s`$. The bodies must be equal or
+/// have a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero. F. W. Carter, Proc. R. Soc. A 112 (1926) 151,
 /// <https://doi.org/10.1098/rspa.1926.0100>; Johnson (1985), section 8.3.
 ///
 /// ```
@@ -37,12 +38,14 @@ pub struct Carter {
 }
 
 impl Carter {
-    /// The contact `hertz`, with the coefficient of friction `friction` and the creepage `creepage` (dimensionless, of
-    /// either sign).
+    /// Creates the contact `hertz` with the coefficient of friction `friction` and the creepage `creepage`
+    /// (dimensionless, of either sign).
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`] for the friction, [`Error::NotFinite`] for the creepage or that at which all slips, [`Error::CoupledMaterials`] for bodies
-    /// whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
+    /// - [`Error::NegativeOrNotFinite`] if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`] if the creepage or the sliding creepage is not finite.
+    /// - [`Error::CoupledMaterials`] if the [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of the bodies is not
+    ///   zero.
     pub fn new(hertz: HertzLine, friction: f64, creepage: f64) -> Result<Self> {
         non_negative("coefficient of friction", friction)?;
         finite("creepage", creepage)?;
@@ -59,13 +62,13 @@ impl Carter {
         Ok(carter)
     }
 
-    /// The creepage from which on the whole contact slips (dimensionless).
+    /// Returns the smallest magnitude of the creepage at which the whole contact slips (dimensionless).
     #[must_use]
     pub fn sliding_creepage(&self) -> f64 {
         2.0 * self.friction * self.hertz.max_pressure() / self.hertz.pair().contact_modulus()
     }
 
-    /// Half-width c of the strip that sticks, at the leading edge (a length).
+    /// Returns the half-width c of the stick strip at the leading edge (a length).
     #[must_use]
     pub fn stick_half_width(&self) -> f64 {
         let (creepage, limit) = (self.creepage.abs(), self.sliding_creepage());
@@ -76,7 +79,7 @@ impl Carter {
         }
     }
 
-    /// Tangential force Q on body 1 (a force per length), of the sign of the creepage.
+    /// Returns the tangential force Q on body 1 (a force per length), with the sign of the creepage.
     #[must_use]
     pub fn force(&self) -> f64 {
         let ratio = self.stick_half_width() / self.hertz.half_width();
@@ -84,7 +87,7 @@ impl Carter {
         self.direction() * self.friction * self.hertz.load() * part
     }
 
-    /// Traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());

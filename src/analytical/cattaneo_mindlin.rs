@@ -11,8 +11,7 @@ use crate::error::{Result, finite};
 /// A sphere in partial slip: a constant normal load, then a tangential force along x that increases
 /// monotonically.
 ///
-/// With $`f = |F|/\mu W`$, a disc of radius $`c`$ sticks. The ring around it slips, opposite to
-/// the traction:
+/// With $`f = |F|/\mu W`$, a disc of radius $`c`$ sticks. The ring around the disc slips, opposite to the traction:
 ///
 /// ```math
 /// \frac ca = (1-f)^{1/3}, \qquad
@@ -49,17 +48,17 @@ pub struct CattaneoMindlin {
 }
 
 impl CattaneoMindlin {
-    /// The contact `hertz`, with the coefficient of friction `friction`, under
-    /// the tangential force `force` on body 1 along x (a force, of either sign).
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
+    /// body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
     /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
-    /// exceeds $`\mu W`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, force: f64) -> Result<Self> {
         let slip = PartialSlip::new(hertz.load(), friction, force)?;
         let (pair, poisson_ratio) = (hertz.pair(), hertz.pair().equivalent_poisson_ratio());
@@ -73,32 +72,31 @@ impl CattaneoMindlin {
         })
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn hertz(&self) -> HertzSphere {
         self.hertz
     }
 
-    /// Tangential force $`F`$ on body 1, positive along +x.
+    /// Returns the tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.slip.held.force
     }
 
-    /// Radius of the stick disc $`c = a(1-f)^{1/3}`$ (a length). The paper's equation 27.
+    /// Returns the radius of the stick disc $`c = a(1-f)^{1/3}`$ (a length). The paper's equation 27.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.slip.stick * self.hertz.contact_radius()
     }
 
-    /// Fraction of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. The paper's equation 28.
+    /// Returns the fraction of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. The paper's equation 28.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
     }
 
-    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
-    /// of the force.
+    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the force.
     ///
     /// ```math
     /// \delta_x = \frac{3\mu W}{8a}\left[\frac{(2-\nu_1)(1+\nu_1)}{E_1} +
@@ -111,29 +109,28 @@ impl CattaneoMindlin {
         self.gross_shift * self.slip.shift_fraction()
     }
 
-    /// Shift at which the whole contact begins to slide, $`\delta_0`$ (a length, positive): the
-    /// [`shift`](Self::shift) under $`\mu W`$.
+    /// Returns the shift $`\delta_0`$ at which the whole contact starts to slide (a length, positive): the [`shift`](Self::shift)
+    /// under $`\mu W`$.
     #[must_use]
     pub fn sliding_shift(&self) -> f64 {
         self.gross_shift
     }
 
-    /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force) at the distance
-    /// $`r`$ from the centre; zero outside the contact. The paper's equation 31.
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from the
+    /// centre; zero outside the contact. The paper's equation 31.
     ///
-    /// In the stick disc it is evaluated as
-    /// $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$, which avoids cancellation.
+    /// In the stick disc the traction is evaluated as $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$,
+    /// which avoids cancellation.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         let rho = r.abs() / self.hertz.contact_radius();
         self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
-    /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, of the sign of the force),
-    /// anywhere in the plane.
+    /// Returns the tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, with the sign of the force), anywhere in the plane.
     ///
-    /// Inside the contact it is [`shift`](Self::shift) + [`slip`](Self::slip). Outside, the
-    /// traction $`q_0\sqrt{1-r^2/a^2}`$ displaces the surface by
+    /// Inside the contact the displacement is [`shift`](Self::shift) + [`slip`](Self::slip). Outside, the traction
+    /// $`q_0\sqrt{1-r^2/a^2}`$ displaces the surface by
     ///
     /// ```math
     /// u_x = \frac{q_0}{8Ga}\left\{(2-\nu)\left[(2a^2-r^2)\sigma + r^2 w\right] +
@@ -155,8 +152,7 @@ impl CattaneoMindlin {
         }
     }
 
-    /// Slip $`s_x = u_x - \delta_x`$ (a length, opposite to the force) in the ring
-    /// $`c < r \le a`$; zero elsewhere.
+    /// Returns the slip $`s_x = u_x - \delta_x`$ (a length, opposite to the force) in the ring $`c < r \le a`$; zero elsewhere.
     ///
     /// With $`\cos\varphi = c/r`$,
     ///
@@ -178,38 +174,38 @@ impl CattaneoMindlin {
         }
     }
 
-    /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
-    /// or positive: the first quarter of a cycle.
+    /// Returns the energy dissipated in the first quarter of a cycle, while the force grows from zero to $`F`$ (a force times a
+    /// length, not negative).
     ///
     /// ```math
     /// -\int q\,s_x\,dA = \frac{\mu W\delta_0}{5}\left(1-\frac ca\right)^3
     /// \left(1+3\frac ca+\frac{c^2}{a^2}\right)
     /// ```
     ///
-    /// with $`\delta_0`$ the shift at gross sliding; $`\mu W\delta_0 f^3/27`$ for small forces.
+    /// where $`\delta_0`$ is the shift at gross sliding. For small forces the energy is $`\mu W\delta_0 f^3/27`$.
     /// Johnson (1985), 7.55-7.57.
     #[must_use]
     pub fn energy_of_first_quarter(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 
-    /// Energy that one full cycle of the force between $`\pm F`$ dissipates (a force times a length), after the first
-    /// loading: four times [that](Self::energy_of_first_quarter). Johnson (1985), 7.57.
+    /// Returns the energy that one full cycle of the force between $`\pm F`$ dissipates after the first loading (a force times a
+    /// length): four times the [energy of the first quarter](Self::energy_of_first_quarter). Johnson (1985), 7.57.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         4.0 * self.energy_of_first_quarter()
     }
 
-    /// The point and its distance from the centre, in contact radii.
+    /// Returns the coordinates of the point and its distance from the centre, in contact radii.
     fn relative(&self, x: f64, y: f64) -> (f64, f64, f64) {
         let a = self.hertz.contact_radius();
         let (xi, eta) = (x / a, y / a);
         (xi, eta, xi.hypot(eta))
     }
 
-    /// The expression in braces in the displacement outside a loaded circle, over $`2-\nu`$, at an angle
-    /// $`\alpha`$ in place of $`\sigma`$: $`\tfrac12\rho^2(\sin 2\alpha - 2\alpha\cos 2\alpha)
-    /// \pm \frac{\nu}{8(2-\nu)}(4\alpha-\sin 4\alpha)\,\rho^2\cos 2\theta`$.
+    /// Returns the expression in braces in the displacement outside a loaded circle, divided by $`2-\nu`$, for an angle
+    /// $`\alpha`$ instead of $`\sigma`$:
+    /// $`\tfrac12\rho^2(\sin 2\alpha - 2\alpha\cos 2\alpha) \pm \frac{\nu}{8(2-\nu)}(4\alpha-\sin 4\alpha)\,\rho^2\cos 2\theta`$.
     fn bracket(&self, xi: f64, eta: f64, angle: f64, sign: f64) -> f64 {
         let mean = 0.5 * (xi * xi + eta * eta) * sine_minus_arc_cosine(2.0 * angle);
         let lobes = (xi - eta) * (xi + eta) * arc_minus_sine(4.0 * angle);
@@ -220,18 +216,18 @@ impl CattaneoMindlin {
 /// An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x
 /// that increases monotonically.
 ///
-/// The stick ellipse is the contact ellipse scaled by $`(1-f)^{1/3}`$. With
-/// $`\rho^2 = x^2/a_x^2 + y^2/a_y^2`$ and $`\lambda = (1-f)^{1/3}`$
+/// The stick ellipse is the contact ellipse scaled by $`(1-f)^{1/3}`$. With $`\rho^2 = x^2/a_x^2 + y^2/a_y^2`$ and
+/// $`\lambda = (1-f)^{1/3}`$
 ///
 /// ```math
 /// q = \mu p_0\left[\sqrt{1-\rho^2} - \sqrt{\lambda^2-\rho^2}\,H(\lambda-\rho)\right], \qquad
 /// \delta_x = \frac{3\mu W}{2}\,\frac{(1-\nu)K+\nu N}{2\pi Ga}\left[1-\lambda^2\right]
 /// ```
 ///
-/// where $`a`$ is the longer semi-axis, $`K`$ and $`D = (K-E)/m`$ are complete elliptic
-/// integrals of $`m = 1-b^2/a^2`$, and $`N = D`$ if the force is along the longer axis,
-/// $`N = K-D`$ if along the shorter. This is the solution of the scalar model, with traction along x
-/// only, for every $`\nu`$. Mindlin (1949); Vermeulen and Johnson (1964).
+/// where $`a`$ is the longer semi-axis, and $`K`$ and $`D = (K-E)/m`$ are complete elliptic integrals of
+/// $`m = 1-b^2/a^2`$. $`N = D`$ if the force is along the longer axis, and $`N = K-D`$ if it is along the shorter. This
+/// is the solution of the scalar model, with traction along x only, for every $`\nu`$. Mindlin (1949); Vermeulen and
+/// Johnson (1964).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinEllipse, HertzEllipse}};
@@ -253,17 +249,17 @@ pub struct CattaneoMindlinEllipse {
 }
 
 impl CattaneoMindlinEllipse {
-    /// The contact `hertz`, with the coefficient of friction `friction`, under
-    /// the tangential force `force` on body 1 along x (a force, of either sign).
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
+    /// body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick ellipse
     /// vanishes. It also vanishes without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
-    /// exceeds $`\mu W`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(hertz: HertzEllipse, friction: f64, force: f64) -> Result<Self> {
         let slip = PartialSlip::new(hertz.load(), friction, force)?;
         let [along, across] = hertz.semi_axes();
@@ -280,63 +276,62 @@ impl CattaneoMindlinEllipse {
         })
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn hertz(&self) -> HertzEllipse {
         self.hertz
     }
 
-    /// Tangential force $`F`$ on body 1, positive along +x.
+    /// Returns the tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.slip.held.force
     }
 
-    /// Semi-axes of the stick ellipse (lengths), along x and along y: $`(1-f)^{1/3}`$ of those of
-    /// the contact. Vermeulen and Johnson (1964).
+    /// Returns the semi-axes of the stick ellipse along x and along y (lengths): $`(1-f)^{1/3}`$ times the semi-axes of the
+    /// contact. Vermeulen and Johnson (1964).
     #[must_use]
     pub fn stick_semi_axes(&self) -> [f64; 2] {
         self.hertz.semi_axes().map(|axis| self.slip.stick * axis)
     }
 
-    /// Fraction of the contact area that sticks, $`(1-f)^{2/3}`$. The paper's equation 28.
+    /// Returns the fraction of the contact area that sticks, $`(1-f)^{2/3}`$. The paper's equation 28.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
     }
 
-    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
-    /// of the force.
+    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the force.
     /// Formula on the [type](Self); Mindlin (1949).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.slip.shift_fraction()
     }
 
-    /// Shift at which the whole contact begins to slide, $`\delta_0`$ (a length, positive): the
-    /// [`shift`](Self::shift) under $`\mu W`$.
+    /// Returns the shift $`\delta_0`$ at which the whole contact starts to slide (a length, positive): the [`shift`](Self::shift)
+    /// under $`\mu W`$.
     #[must_use]
     pub fn sliding_shift(&self) -> f64 {
         self.gross_shift
     }
 
-    /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force); zero outside the
-    /// contact. Formula on the [type](Self); Vermeulen and Johnson (1964).
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force); zero outside the contact. Formula
+    /// on the [type](Self); Vermeulen and Johnson (1964).
     #[must_use]
     pub fn traction(&self, x: f64, y: f64) -> f64 {
         let rho = self.hertz.relative_radius(x, y);
         self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
-    /// Energy dissipated while the force grows from zero to $`F`$ (a force times a length), zero
-    /// or positive: the first quarter of a cycle; as [`CattaneoMindlin::energy_of_first_quarter`].
+    /// Returns the energy dissipated in the first quarter of a cycle, while the force grows from zero to $`F`$ (a force times a
+    /// length, not negative). Its formula is given at [`CattaneoMindlin::energy_of_first_quarter`].
     #[must_use]
     pub fn energy_of_first_quarter(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 
-    /// Energy that one full cycle of the force between $`\pm F`$ dissipates (a force times a length), after the first
-    /// loading: four times [that](Self::energy_of_first_quarter).
+    /// Returns the energy that one full cycle of the force between $`\pm F`$ dissipates after the first loading (a force times a
+    /// length): four times the [energy of the first quarter](Self::energy_of_first_quarter).
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         4.0 * self.energy_of_first_quarter()

@@ -1,4 +1,4 @@
-//! A cone pressed on a half-space, and in partial slip.
+//! Normal contact and partial slip of a cone on a half-space.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
@@ -10,7 +10,7 @@ use crate::error::{Result, finite, positive};
 
 /// A blunt cone pressed on a half-space.
 ///
-/// The initial gap is $`r\tan\beta`$, with $`\beta`$ the small angle between flank and surface:
+/// The initial gap is $`r\tan\beta`$, where $`\beta`$ is the small angle between the flank and the surface:
 ///
 /// ```math
 /// W = \frac\pi2 E^* a^2\tan\beta, \qquad \delta = \frac\pi2\,a\tan\beta, \qquad
@@ -42,13 +42,13 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// The contact of a cone of slope `slope` ($`\tan\beta`$, a number) under the normal load `load`
-    /// (a force).
+    /// Creates the contact of a cone of slope `slope` ($`\tan\beta`$, dimensionless) under the normal load `load` (a
+    /// force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is
-    /// not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the slope, the load or a result is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, slope: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("slope", slope)?;
@@ -64,59 +64,58 @@ impl Cone {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Slope of the flank $`\tan\beta`$.
+    /// Returns the slope of the flank $`\tan\beta`$.
     #[must_use]
     pub fn slope(&self) -> f64 {
         self.slope
     }
 
-    /// Normal load $`W`$ (a force), positive in compression.
+    /// Returns the normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Radius of the contact circle $`a = (2W/\pi E^*\tan\beta)^{1/2}`$ (a length). Sneddon (1965).
+    /// Returns the radius of the contact circle $`a = (2W/\pi E^*\tan\beta)^{1/2}`$ (a length). Sneddon (1965).
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
 
-    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    /// Returns the area of the contact circle $`\pi a^2`$ (a length squared).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         PI * self.contact_radius * self.contact_radius
     }
 
-    /// Mean pressure over the contact circle $`\frac12 E^*\tan\beta`$, independent of the load.
+    /// Returns the mean pressure over the contact circle $`\frac12 E^*\tan\beta`$, independent of the load.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
     }
 
-    /// Approach of the bodies $`\delta = \frac\pi2 a\tan\beta`$ (a length), positive.
-    /// Sneddon (1965).
+    /// Returns the approach of the bodies $`\delta = \frac\pi2 a\tan\beta`$ (a length), positive. Sneddon (1965).
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Pressure $`p = \frac12 E^*\tan\beta\,\operatorname{arcosh}(a/r)`$ at the distance $`r`$ from
-    /// the centre; infinite at the apex, zero outside the contact. Sneddon (1965).
+    /// Returns the pressure $`p = \frac12 E^*\tan\beta\,\operatorname{arcosh}(a/r)`$ at the distance $`r`$ from the
+    /// centre; infinite at the apex, zero outside the contact. Sneddon (1965).
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
         self.mean_pressure * (dome(rho) / rho).asinh()
     }
 
-    /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
-    /// at the distance $`r`$ from the centre, inside and outside the contact.
+    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
+    /// the distance $`r`$ from the centre, inside and outside the contact.
     ///
     /// ```math
     /// u_z = \delta - r\tan\beta \quad (r \le a), \qquad
@@ -135,11 +134,11 @@ impl Cone {
         self.slope * self.contact_radius * shape
     }
 
-    /// Gap $`g = u_z + r\tan\beta - \delta`$ between the surfaces (a length) at the distance $`r`$
-    /// from the centre; zero in the contact, positive outside.
+    /// Returns the gap $`g = u_z + r\tan\beta - \delta`$ between the surfaces (a length) at the distance $`r`$ from the
+    /// centre; zero in the contact, positive outside.
     ///
-    /// Evaluated as $`(\sin\varphi - \varphi\cos\varphi)\,r\tan\beta`$ with $`\cos\varphi = a/r`$,
-    /// which avoids cancellation.
+    /// The gap is evaluated as $`(\sin\varphi - \varphi\cos\varphi)\,r\tan\beta`$ with $`\cos\varphi = a/r`$, which
+    /// avoids cancellation.
     #[must_use]
     pub fn gap(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
@@ -165,8 +164,8 @@ impl Cone {
 /// \delta_x = \frac{2-\nu}{2(1-\nu)}\,\mu\delta\left[1-\sqrt{1-f}\right]
 /// ```
 ///
-/// The stick ratio falls linearly with the force, for a single cone as for many asperities. This is
-/// the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// The stick ratio decreases linearly with the force, as it does for many asperities. This is the solution of the
+/// scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};
@@ -189,17 +188,17 @@ pub struct ConePartialSlip {
 }
 
 impl ConePartialSlip {
-    /// The contact `cone`, with the coefficient of friction `friction`, under the tangential force
-    /// `force` on body 1 along x (a force, of either sign).
+    /// Creates the contact `cone` with the coefficient of friction `friction`, under the tangential force `force` on
+    /// body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
     /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
     /// bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
-    /// exceeds $`\mu W`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {
         let held = HeldForce::new(cone.load, friction, force)?;
         let nu = cone.pair.equivalent_poisson_ratio();
@@ -212,49 +211,49 @@ impl ConePartialSlip {
         })
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn cone(&self) -> Cone {
         self.cone
     }
 
-    /// Tangential force $`F`$ on body 1, positive along +x.
+    /// Returns the tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.held.force
     }
 
-    /// Radius of the stick disc $`c = a(1-f)^{1/2}`$ (a length).
+    /// Returns the radius of the stick disc $`c = a(1-f)^{1/2}`$ (a length).
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick * self.cone.contact_radius
     }
 
-    /// Fraction of the contact area that sticks, $`c^2/a^2 = 1-f`$.
+    /// Returns the fraction of the contact area that sticks, $`c^2/a^2 = 1-f`$.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.held.reserve
     }
 
-    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, of the sign
-    /// of the force. Formula on the [type](Self).
+    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the
+    /// force. Formula on the [type](Self).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.held.direction * self.ring()
     }
 
-    /// Shift at which the whole contact begins to slide (a length, positive): the
-    /// [`shift`](Self::shift) under $`\mu W`$.
+    /// Returns the shift at which the whole contact starts to slide (a length, positive): the [`shift`](Self::shift)
+    /// under $`\mu W`$.
     #[must_use]
     pub fn sliding_shift(&self) -> f64 {
         self.gross_shift
     }
 
-    /// Traction $`q`$ on body 1 along x (a pressure, of the sign of the force) at the distance
-    /// $`r`$ from the centre; zero outside the contact. Formula on the [type](Self).
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from
+    /// the centre; zero outside the contact. Formula on the [type](Self).
     ///
-    /// In the stick disc it is evaluated as a single logarithm, which avoids cancellation; at the apex it
-    /// is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.
+    /// In the stick disc the traction is evaluated as a single logarithm, which avoids cancellation. At the apex the
+    /// traction is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         let rho = r.abs() / self.cone.contact_radius;
@@ -271,7 +270,7 @@ impl ConePartialSlip {
         }
     }
 
-    /// $`1-c/a`$, accurate to all digits for small forces.
+    /// Returns $`1-c/a`$ without cancellation at small forces.
     fn ring(&self) -> f64 {
         self.held.fraction / (1.0 + self.stick)
     }

@@ -16,8 +16,8 @@ use crate::error::{Result, positive};
 /// p = \frac{W}{2\pi a\sqrt{a^2-r^2}}, \qquad \delta = \frac{W}{2aE^*}
 /// ```
 ///
-/// A real punch needs a rigid body 2; for two elastic bodies this is the half-space solution for that gap.
-/// Johnson (1985), section 3.4 and 3.36-3.37.
+/// The solution describes a real punch only if body 2 is rigid. For two elastic bodies it is the half-space solution
+/// for this gap. Johnson (1985), section 3.4 and 3.36-3.37.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::FlatPunch};
@@ -39,12 +39,12 @@ pub struct FlatPunch {
 }
 
 impl FlatPunch {
-    /// The contact of a flat end of radius `radius` (a length) under the normal load `load` (a force).
+    /// Creates the contact of a flat end of radius `radius` (a length) under the normal load `load` (a force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
-    /// not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -58,52 +58,52 @@ impl FlatPunch {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radius of the flat end, and of the contact circle, $`a`$ (a length).
+    /// Returns the radius $`a`$ of the flat end and of the contact circle (a length).
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.radius
     }
 
-    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    /// Returns the area of the contact circle $`\pi a^2`$ (a length squared).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         PI * self.radius * self.radius
     }
 
-    /// Normal load $`W`$ (a force), positive in compression.
+    /// Returns the normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Mean pressure over the contact circle $`W/\pi a^2`$, twice the pressure at the centre.
+    /// Returns the mean pressure over the contact circle $`W/\pi a^2`$, twice the pressure at the centre.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
     }
 
-    /// Approach of the bodies $`\delta = W/2aE^*`$ (a length), positive. Johnson (1985), 3.36.
+    /// Returns the approach of the bodies $`\delta = W/2aE^*`$ (a length), positive. Johnson (1985), 3.36.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. It grows
-    /// without bound towards the edge; at the edge and outside zero is returned. Johnson (1985), section 3.4.
+    /// Returns the pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. The pressure grows
+    /// without bound towards the edge; at the edge and outside the function returns zero. Johnson (1985), section 3.4.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         edge_pole(self.load, self.radius, r)
     }
 
-    /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
-    /// at the distance $`r`$ from the centre: the approach inside the contact, and outside it
-    /// $`u_z = \frac{2\delta}{\pi}\arcsin\frac ar`$. Johnson (1985), 3.37.
+    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
+    /// the distance $`r`$ from the centre. The displacement is the approach inside the contact, and
+    /// $`u_z = \frac{2\delta}{\pi}\arcsin\frac ar`$ outside. Johnson (1985), 3.37.
     #[must_use]
     pub fn displacement(&self, r: f64) -> f64 {
         let rho = r.abs() / self.radius;
@@ -114,16 +114,16 @@ impl FlatPunch {
         }
     }
 
-    /// The punch in full stick under the tangential force `force` on body 1 along x (a force, of either sign),
+    /// Creates the punch in full stick under the tangential force `force` on body 1 along x (a force, of either sign),
     /// with the coefficient of friction `friction`.
     ///
-    /// Traction and pressure have the same distribution, $`q/p = F/W`$: the whole contact sticks until
-    /// $`|F| = \mu W`$, and then slides at once.
+    /// Traction and pressure have the same distribution, $`q/p = F/W`$. The whole contact therefore sticks until
+    /// $`|F| = \mu W`$, and then slides everywhere simultaneously.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force
-    /// exceeds $`\mu W`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn full_stick(&self, friction: f64, force: f64) -> Result<MindlinFullStick> {
         HeldForce::new(self.load, friction, force)?;
         MindlinFullStick::new(&self.pair, self.radius, force)

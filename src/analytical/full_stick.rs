@@ -8,17 +8,17 @@ use crate::error::{Result, finite, positive};
 
 /// A contact circle in full stick under a tangential force along x.
 ///
-/// On the circle of radius $`a`$
+/// The traction on the circle of radius $`a`$ and the shift are
 ///
 /// ```math
 /// q = \frac{F}{2\pi a\sqrt{a^2-r^2}}, \qquad \delta_x = \frac{2-\nu}{8Ga}\,F
 /// ```
 ///
-/// No finite coefficient of friction supports this traction at the edge of a smooth contact. For a
-/// sphere the solution is the limit $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin),
-/// and its compliance is the compliance under small forces. Under a [`FlatPunch`](super::FlatPunch) it
-/// holds up to sliding. For every $`\nu`$ the circle moves along x only, so no lateral traction is
-/// neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+/// No finite coefficient of friction supports this traction at the edge of a smooth contact. For a sphere the solution
+/// is the limit $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin), and its compliance is the compliance
+/// under small forces. Under a [`FlatPunch`](super::FlatPunch) the solution is valid up to sliding. For every $`\nu`$
+/// the circle moves along x only, so no lateral traction is neglected. Mindlin (1949); Johnson (1985), 3.82 and section
+/// 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material};
@@ -42,14 +42,13 @@ pub struct MindlinFullStick {
 }
 
 impl MindlinFullStick {
-    /// The contact circle of radius `contact_radius` (a length) under the tangential force `force`
-    /// on body 1 along x (a force, of either sign). The coupling between pressure and traction of
-    /// dissimilar bodies is neglected.
+    /// Creates the contact circle of radius `contact_radius` (a length) under the tangential force `force` on body 1
+    /// along x (a force, of either sign). The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius,
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for the force or the shift.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius is not positive and finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or the shift is not finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, contact_radius: f64, force: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("contact radius", contact_radius)?;
@@ -64,41 +63,41 @@ impl MindlinFullStick {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radius of the contact circle $`a`$ (a length).
+    /// Returns the radius of the contact circle $`a`$ (a length).
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
 
-    /// Tangential force $`F`$ on body 1, positive along +x.
+    /// Returns the tangential force $`F`$ on body 1, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force
     }
 
-    /// Shift $`\delta_x = F(2-\nu)/8Ga`$ (a length): the rigid motion of body 2 relative to
-    /// body 1, of the sign of the force. Mindlin (1949).
+    /// Returns the shift $`\delta_x = F(2-\nu)/8Ga`$ (a length): the rigid motion of body 2 relative to body 1, with
+    /// the sign of the force. Mindlin (1949).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.shift
     }
 
-    /// Traction $`q = F/(2\pi a\sqrt{a^2-r^2})`$ on body 1 along x (a pressure, of the sign of the
-    /// force) at the distance $`r`$ from the centre. It grows without bound towards the edge; at the edge
-    /// and outside zero is returned. Johnson (1985), 3.82.
+    /// Returns the traction $`q = F/(2\pi a\sqrt{a^2-r^2})`$ on body 1 along x (a pressure, with the sign of the force)
+    /// at the distance $`r`$ from the centre. The traction grows without bound towards the edge; at the edge and
+    /// outside the function returns zero. Johnson (1985), 3.82.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         edge_pole(self.force, self.contact_radius, r)
     }
 
-    /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, of the sign of the force),
-    /// anywhere in the plane: the [`shift`](Self::shift) inside the contact, and outside it
+    /// Returns the tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length, with the sign of the force), anywhere in
+    /// the plane: the [`shift`](Self::shift) inside the contact, and outside
     ///
     /// ```math
     /// u_x = \frac{F}{4\pi Ga}\left[(2-\nu)\,\sigma + \nu\sin\sigma\cos\sigma\cos 2\theta\right],
@@ -121,8 +120,8 @@ impl MindlinFullStick {
     }
 }
 
-/// $`P/(2\pi a\sqrt{a^2-r^2})`$ within the circle of radius $`a`$, otherwise zero: the stress that
-/// displaces the circle uniformly under the force $`P`$.
+/// Returns $`P/(2\pi a\sqrt{a^2-r^2})`$ within the circle of radius $`a`$ and zero outside: the stress that displaces
+/// the circle uniformly under the force $`P`$.
 pub(super) fn edge_pole(force: f64, a: f64, r: f64) -> f64 {
     let rho = r.abs() / a;
     if rho < 1.0 {

@@ -12,13 +12,13 @@ pub(super) struct HeldForce {
     pub(super) limit: f64,
     /// Sign of the force.
     pub(super) direction: f64,
-    /// $`f = |F|/\mu W`$; one at sliding and without friction.
+    /// $`f = |F|/\mu W`$; one at sliding and if there is no friction.
     pub(super) fraction: f64,
-    /// $`1-f`$, accurate to all digits near sliding.
+    /// $`1-f`$, computed without cancellation near sliding.
     pub(super) reserve: f64,
 }
 
-/// Relative excess over the limit that counts as sliding, as in the solvers.
+/// Relative excess over the friction limit that still counts as sliding; the solvers use the same value.
 const ROUNDED: f64 = 1e-12;
 
 impl HeldForce {
@@ -27,7 +27,7 @@ impl HeldForce {
         finite("tangential force", force)?;
         let limit = finite("friction limit", friction * load)?;
         let magnitude = force.abs();
-        // A force that was meant to equal it, or was computed, may exceed it by some rounding errors.
+        // A force that was intended to equal the limit can exceed it by a few rounding errors.
         if magnitude > limit * (1.0 + ROUNDED) {
             return Err(Error::BeyondFrictionCapacity {
                 force: magnitude,

@@ -15,8 +15,8 @@ use crate::error::{Result, positive};
 /// a^3 = \frac{3WR}{4E^*}, \qquad p_0 = \frac{3W}{2\pi a^2}, \qquad \delta = \frac{a^2}{R}
 /// ```
 ///
-/// Exact for a paraboloid and elastic half-spaces; for a sphere it holds while $`a \ll R`$. The
-/// paper's equation 29; Johnson (1985), 4.22-4.24.
+/// The solution is exact for a paraboloid and elastic half-spaces. For a sphere it is valid if $`a \ll R`$. The paper's
+/// equation 29; Johnson (1985), 4.22-4.24.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::HertzSphere};
@@ -40,12 +40,12 @@ pub struct HertzSphere {
 }
 
 impl HertzSphere {
-    /// The contact of a sphere of radius `radius` (a length) under the normal load `load` (a force).
+    /// Creates the contact of a sphere of radius `radius` (a length) under the normal load `load` (a force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is
-    /// not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -61,63 +61,63 @@ impl HertzSphere {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radius of the sphere $`R`$ (a length).
+    /// Returns the radius of the sphere $`R`$ (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Normal load $`W`$ (a force), positive in compression.
+    /// Returns the normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Radius of the contact circle $`a = (3WR/4E^*)^{1/3}`$ (a length). Johnson (1985), 4.22.
+    /// Returns the radius of the contact circle $`a = (3WR/4E^*)^{1/3}`$ (a length). Johnson (1985), 4.22.
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
 
-    /// Area of the contact circle $`\pi a^2`$ (a length squared).
+    /// Returns the area of the contact circle $`\pi a^2`$ (a length squared).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         PI * self.contact_radius * self.contact_radius
     }
 
-    /// Pressure at the centre $`p_0 = 3W/2\pi a^2`$. Johnson (1985), 4.24.
+    /// Returns the pressure at the centre $`p_0 = 3W/2\pi a^2`$. Johnson (1985), 4.24.
     #[must_use]
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure
     }
 
-    /// Mean pressure over the contact circle $`W/\pi a^2 = \tfrac23 p_0`$.
+    /// Returns the mean pressure over the contact circle $`W/\pi a^2 = \tfrac23 p_0`$.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.max_pressure * (2.0 / 3.0)
     }
 
-    /// Approach of the bodies $`\delta = a^2/R`$ (a length), positive. Johnson (1985), 4.23.
+    /// Returns the approach of the bodies $`\delta = a^2/R`$ (a length), positive. Johnson (1985), 4.23.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Pressure $`p = p_0\sqrt{1-r^2/a^2}`$ at the distance $`r`$ from the centre; zero outside
-    /// the contact. Johnson (1985), 3.39.
+    /// Returns the pressure $`p = p_0\sqrt{1-r^2/a^2}`$ at the distance $`r`$ from the centre; zero outside the
+    /// contact. Johnson (1985), 3.39.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         self.max_pressure * dome(r.abs() / self.contact_radius)
     }
 
-    /// Normal displacement of the surfaces (a length), summed over the bodies and positive into each,
-    /// at the distance $`r`$ from the centre, inside and outside the contact.
+    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
+    /// the distance $`r`$ from the centre, inside and outside the contact.
     ///
     /// ```math
     /// u_z = \frac{\pi p_0}{4aE^*}(2a^2-r^2) \quad (r \le a), \qquad
@@ -135,11 +135,11 @@ impl HertzSphere {
         }
     }
 
-    /// Gap $`g = u_z + r^2/2R - \delta`$ between the surfaces (a length) at the distance $`r`$
-    /// from the centre; zero in the contact, positive outside.
+    /// Returns the gap $`g = u_z + r^2/2R - \delta`$ between the surfaces (a length) at the distance $`r`$ from the
+    /// centre; zero in the contact, positive outside.
     ///
-    /// Evaluated as $`\frac{\delta}{2\pi}\frac{r^2}{a^2}(\sin 2\varphi - 2\varphi\cos 2\varphi)`$
-    /// with $`\cos\varphi = a/r`$, which avoids cancellation. Johnson (1985), 3.42a.
+    /// The gap is evaluated as $`\frac{\delta}{2\pi}\frac{r^2}{a^2}(\sin 2\varphi - 2\varphi\cos 2\varphi)`$ with
+    /// $`\cos\varphi = a/r`$, which avoids cancellation. Johnson (1985), 3.42a.
     #[must_use]
     pub fn gap(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
@@ -162,8 +162,8 @@ impl HertzSphere {
 /// p_0 = \frac{3W}{2\pi ab}, \qquad \delta = \frac{p_0 b K}{E^*}
 /// ```
 ///
-/// In this form, with $`D`$, they also hold for the circle, where $`K = \pi/2`$ and $`D = \pi/4`$.
-/// Johnson (1985), 4.26-4.32.
+/// These formulas, written with $`D`$, are also valid for the circle, where $`K = \pi/2`$ and $`D = \pi/4`$. Johnson
+/// (1985), 4.26-4.32.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzEllipse, HertzSphere}};
@@ -192,13 +192,13 @@ pub struct HertzEllipse {
 }
 
 impl HertzEllipse {
-    /// The contact of a paraboloid of radii of curvature `radius_x` and `radius_y` (lengths) under
-    /// the normal load `load` (a force).
+    /// Creates the contact of a paraboloid of radii of curvature `radius_x` and `radius_y` (lengths) under the normal
+    /// load `load` (a force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if a radius, the load or a result is not
-    /// positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if a radius, the load or a result is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius_x: f64, radius_y: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius along x", radius_x)?;
@@ -222,25 +222,25 @@ impl HertzEllipse {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radii of curvature $`[R_x, R_y]`$ (lengths).
+    /// Returns the radii of curvature $`[R_x, R_y]`$ (lengths).
     #[must_use]
     pub fn radii(&self) -> [f64; 2] {
         self.radii
     }
 
-    /// Normal load $`W`$ (a force), positive in compression.
+    /// Returns the normal load $`W`$ (a force), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Semi-axes of the contact ellipse (lengths), along x and along y. Johnson (1985), 4.28-4.31.
+    /// Returns the semi-axes of the contact ellipse (lengths), along x and along y. Johnson (1985), 4.28-4.31.
     #[doc(alias = "eccentricity")]
     #[doc(alias = "ellipticity")]
     #[must_use]
@@ -248,47 +248,45 @@ impl HertzEllipse {
         self.semi_axes
     }
 
-    /// Area of the contact ellipse $`\pi ab`$ (a length squared).
+    /// Returns the area of the contact ellipse $`\pi ab`$ (a length squared).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         PI * self.semi_axes[0] * self.semi_axes[1]
     }
 
-    /// Pressure at the centre $`p_0 = 3W/2\pi ab`$. Johnson (1985), 4.27.
+    /// Returns the pressure at the centre $`p_0 = 3W/2\pi ab`$. Johnson (1985), 4.27.
     #[must_use]
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure
     }
 
-    /// Approach of the bodies $`\delta = p_0 b K/E^*`$ (a length), positive. Johnson (1985), 4.26c.
+    /// Returns the approach of the bodies $`\delta = p_0 b K/E^*`$ (a length), positive. Johnson (1985), 4.26c.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Pressure $`p = p_0\sqrt{1-x^2/a_x^2-y^2/a_y^2}`$; zero outside the contact.
-    /// Johnson (1985), 3.58.
+    /// Returns the pressure $`p = p_0\sqrt{1-x^2/a_x^2-y^2/a_y^2}`$; zero outside the contact. Johnson (1985), 3.58.
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {
         self.max_pressure * dome(self.relative_radius(x, y))
     }
 
-    /// Relative distance from the centre, 1 on the edge of the contact.
+    /// Returns the relative distance from the centre, which is 1 on the edge of the contact.
     pub(super) fn relative_radius(&self, x: f64, y: f64) -> f64 {
         (x / self.semi_axes[0]).hypot(y / self.semi_axes[1])
     }
 }
 
-/// The axis ratio $`b/a`$ of the contact of a body with the ratio of radii $`R''/R' \le 1`$, and its
+/// Computes the axis ratio $`b/a`$ of the contact of a body with the ratio of radii $`R''/R' \le 1`$, and its
 /// integrals.
 fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
-    // R''/R' = kappa^s with a local exponent s that grows from 3/2 at the circle to 2 for a line:
-    // a step with the exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reach
-    // round-off.
+    // R''/R' = kappa^s with a local exponent s that grows from 3/2 at the circle to 2 for a line: a step with the
+    // exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reduce it to round-off.
     let mut kappa = radius_ratio.powf(4.0 / 7.0);
     let mut integrals = Integrals::of_axis_ratio(kappa);
     for _ in 0..24 {
-        // The ratio R''/R' wanted over the one reached; kappa^2 alone could underflow.
+        // Divide the prescribed ratio R''/R' by the ratio of the iterate. The square of kappa alone could underflow.
         let miss = radius_ratio / kappa / kappa * (integrals.k - integrals.d) / integrals.d;
         kappa = (kappa * miss.powf(4.0 / 7.0)).min(1.0);
         integrals = Integrals::of_axis_ratio(kappa);
@@ -296,7 +294,7 @@ fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
     (kappa, integrals)
 }
 
-/// $`\sqrt{1-\rho^2}`$ for $`\rho < 1`$, otherwise zero.
+/// Returns $`\sqrt{1-\rho^2}`$ for $`\rho < 1`$, otherwise zero.
 pub(super) fn dome(rho: f64) -> f64 {
     if rho < 1.0 {
         ((1.0 - rho) * (1.0 + rho)).sqrt()
@@ -305,18 +303,18 @@ pub(super) fn dome(rho: f64) -> f64 {
     }
 }
 
-/// $`\arcsin(b/r)`$ for $`r \ge b > 0`$, accurate to all digits near $`r = b`$.
+/// Returns $`\arcsin(b/r)`$ for $`r \ge b > 0`$, accurate to round-off near $`r = b`$.
 pub(super) fn arc_sine(b: f64, r: f64) -> f64 {
     b.atan2(((r - b) * (r + b)).sqrt())
 }
 
-/// $`\arccos(b/r)`$ for $`r \ge b`$, $`r > 0`$, accurate to all digits near $`r = b`$.
+/// Returns $`\arccos(b/r)`$ for $`r \ge b`$, $`r > 0`$, accurate to round-off near $`r = b`$.
 pub(super) fn arc_cosine(b: f64, r: f64) -> f64 {
     ((r - b) * (r + b)).sqrt().atan2(b)
 }
 
-/// $`\frac{\rho^2}{2\pi}(\sin 2\alpha - 2\alpha\cos 2\alpha)`$: the displacement outside the
-/// contact for $`\alpha = \arcsin(1/\rho)`$, the gap for $`\alpha = \arccos(1/\rho)`$.
+/// Returns $`\frac{\rho^2}{2\pi}(\sin 2\alpha - 2\alpha\cos 2\alpha)`$, in units of the approach: the displacement
+/// outside the contact for $`\alpha = \arcsin(1/\rho)`$, the gap for $`\alpha = \arccos(1/\rho)`$.
 fn outer_sag(rho: f64, angle: f64) -> f64 {
     rho * rho * sine_minus_arc_cosine(2.0 * angle) / (2.0 * PI)
 }

@@ -3,32 +3,37 @@
 use super::kalker_table::TABLE;
 use crate::error::{Error, Result, at_least, positive};
 
-/// Kalker's creepage and spin coefficients: the forces of an elliptic contact that rolls with creepages so small that it
-/// sticks but at its trailing edge.
+/// Kalker's creepage and spin coefficients: the forces of an elliptic contact that rolls with creepages so small that it slips
+/// only at its trailing edge.
 ///
-/// The contact of two equal bodies rolls along x; it has the semi-axes a along x and b along y, $`c = \sqrt{ab}`$. The
-/// creepages $`\xi`$ along x and $`\eta`$ along y and the spin $`\varphi`$ (one over a length) cause, on body 1,
+/// The contact of two equal bodies rolls along x. It has the semi-axes a along x and b along y, and $`c = \sqrt{ab}`$. The
+/// creepages $`\xi`$ along x and $`\eta`$ along y and the spin $`\varphi`$ (one over a length) cause the forces and the moment on
+/// body 1
 ///
 /// ```math
 /// F_x = G c^2\,C_{11}\,\xi, \qquad F_y = G c^2\,(C_{22}\,\eta + c\,C_{23}\,\varphi), \qquad
 /// M = G c^3\,(C_{32}\,\eta + c\,C_{33}\,\varphi), \qquad C_{32} = -C_{23} ,
 /// ```
 ///
-/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge at
-/// +x. The pressure and the friction do not matter.
+/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge at +x.
+/// They depend neither on the pressure nor on the friction.
 ///
-/// The values are those of this crate: solves of [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128
-/// cells across each axis, extrapolated to cells of no size and to reciprocity, for $`a/b`$ from 1/16 to 16, right to about
-/// 0.1 % ($`C_{33}`$ to 0.3 %). Between them logarithms are interpolated in $`\ln(a/b)`$, and compliances,
-/// $`1/C_{11}, 1/C_{22}, 1/C_{23}`$ and the turn by a moment alone, as parabolas in $`\nu`$, which adds at most 0.1 % for
-/// $`a/b`$ from 0.09 to 2.8 and up to 0.4 % beyond ($`C_{33}`$ up to 1 % near 16, where it is a small difference).
+/// The values were computed with this crate, by [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128 cells
+/// across each axis, for $`a/b`$ from 1/16 to 16. They are extrapolated to zero cell size and to reciprocity, and are accurate to
+/// about 0.1 % ($`C_{33}`$ to 0.3 %).
 ///
-/// Kalker's own $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$, of three digits, differ by less than 0.6 % for $`0.2 \le a/b \le 2`$
-/// but at $`a/b = 0.5`$, $`\nu = 0.5`$ (4.83 for $`C_{11}`$; 4.87 would go with its neighbours), and by up to 1.2 % at 10.
+/// Between the tabulated values, logarithms are interpolated in $`\ln(a/b)`$. The compliances $`1/C_{11}, 1/C_{22}, 1/C_{23}`$
+/// and the spin per moment without lateral force are interpolated as parabolas in $`\nu`$. The interpolation adds an error of at
+/// most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range ($`C_{33}`$ up to 1 % near 16, where it is a small
+/// difference).
+///
+/// Kalker's three-digit values of $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$ differ by less than 0.6 % for $`0.2 \le a/b \le 2`$ and
+/// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`\nu = 0.5`$, where 4.87 would be consistent with
+/// the neighbouring values.
 ///
 /// J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990), section 4.2 and table E.3,
-/// <https://doi.org/10.1007/978-94-015-7889-9>. A copy of the table in circulation has 1.15 in place of 1.25 for
-/// $`C_{23}`$ at $`a/b = 0.8`$, $`\nu = 0.25`$.
+/// <https://doi.org/10.1007/978-94-015-7889-9>. A copy of the table in circulation has 1.15 instead of 1.25 for $`C_{23}`$ at
+/// $`a/b = 0.8`$, $`\nu = 0.25`$.
 ///
 /// ```
 /// use stickslip::analytical::KalkerCoefficients;
@@ -50,15 +55,16 @@ pub struct KalkerCoefficients {
 }
 
 impl KalkerCoefficients {
-    /// The coefficients of an ellipse of the ratio $`a/b`$ `ratio` of its semi-axes, along the rolling direction and
-    /// across it, from 1/16 to 16, and of bodies of Poisson's ratio `poisson_ratio`, from 0 to 1/2. For bodies that
-    /// differ with [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero, it is [that of one as
-    /// compliant](crate::ElasticPair::equivalent_poisson_ratio), and G is twice [its
+    /// Returns the coefficients of an ellipse with the ratio `ratio` $`= a/b`$ (1/16 to 16) of its semi-axes along and across the
+    /// rolling direction, for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). For different bodies with a
+    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
+    /// ratio](crate::ElasticPair::equivalent_poisson_ratio), and for G twice the [equivalent shear
     /// modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the ratio, [`Error::BelowMinimum`] for one beyond the table or a negative Poisson's ratio,
-    /// [`Error::PoissonRatio`] for one above 1/2.
+    /// - [`Error::NotPositive`] if the ratio is not positive and finite.
+    /// - [`Error::BelowMinimum`] for a ratio outside the table or a negative Poisson's ratio.
+    /// - [`Error::PoissonRatio`] for a Poisson's ratio above 1/2.
     pub fn new(ratio: f64, poisson_ratio: f64) -> Result<Self> {
         positive("ratio of the semi-axes", ratio)?;
         let shorter = ratio.min(1.0 / ratio);
@@ -84,7 +90,7 @@ impl KalkerCoefficients {
         let of = |compliance: fn([f64; 4]) -> f64| parabola(nodes.map(compliance), poisson_ratio);
         let c22 = 1.0 / of(|[_, c22, _, _]| 1.0 / c22);
         let c23 = 1.0 / of(|[_, _, c23, _]| 1.0 / c23);
-        // The turn by a moment without a lateral force.
+        // The spin per moment without a lateral force.
         let turn = of(|[_, c22, c23, c33]| 1.0 / (c33 + c23 * c23 / c22));
         Ok(Self {
             c11: 1.0 / of(|[c11, ..]| 1.0 / c11),
@@ -94,48 +100,48 @@ impl KalkerCoefficients {
         })
     }
 
-    /// $`C_{11}`$: force along x by the creepage along x.
+    /// Returns $`C_{11}`$, the force along x due to the creepage along x.
     #[must_use]
     pub fn c11(&self) -> f64 {
         self.c11
     }
 
-    /// $`C_{22}`$: force along y by the creepage along y.
+    /// Returns $`C_{22}`$, the force along y due to the creepage along y.
     #[must_use]
     pub fn c22(&self) -> f64 {
         self.c22
     }
 
-    /// $`C_{23}`$: force along y by the spin.
+    /// Returns $`C_{23}`$, the force along y due to the spin.
     #[must_use]
     pub fn c23(&self) -> f64 {
         self.c23
     }
 
-    /// $`C_{32} = -C_{23}`$: moment by the creepage along y.
+    /// Returns $`C_{32} = -C_{23}`$, the moment due to the creepage along y.
     #[must_use]
     pub fn c32(&self) -> f64 {
         -self.c23
     }
 
-    /// $`C_{33}`$: moment by the spin.
+    /// Returns $`C_{33}`$, the moment due to the spin.
     #[must_use]
     pub fn c33(&self) -> f64 {
         self.c33
     }
 }
 
-/// The table ends at the ratios $`2^{\pm 4}`$.
+/// Base-2 logarithm of the largest tabulated ratio; the smallest is its reciprocal.
 const OCTAVES: i32 = 4;
 
-/// The parabola through values at the Poisson's ratios 0, 0.25 and 0.5.
+/// Evaluates the parabola through the values at the Poisson's ratios 0, 0.25 and 0.5.
 fn parabola([none, quarter, half]: [f64; 3], poisson_ratio: f64) -> f64 {
     let t = 4.0 * poisson_ratio;
     0.5 * (t - 1.0) * (t - 2.0) * none - t * (t - 2.0) * quarter + 0.5 * t * (t - 1.0) * half
 }
 
-/// The value at a place between the rows: its logarithm is the cubic that has the values and slopes of both rows, slopes by
-/// differences of the rows beside them.
+/// Interpolates a value between two rows of the table. Its logarithm is the cubic Hermite interpolant of the two rows; the slopes
+/// are differences of the neighbouring rows.
 fn between_rows(at: f64, value: impl Fn(usize) -> f64) -> f64 {
     let last = TABLE.len() - 1;
     #[expect(
@@ -146,7 +152,7 @@ fn between_rows(at: f64, value: impl Fn(usize) -> f64) -> f64 {
     let row = (at.max(0.0) as usize).min(last - 1);
     let logarithm = |row: usize| value(row).ln();
     let slope = |row: usize| {
-        // At the ends, of the parabola through three rows.
+        // In the first and last row, the slope is taken from the parabola through the nearest three rows.
         let middle = row.clamp(1, last - 1);
         let [before, here, after] = [middle - 1, middle, middle + 1].map(logarithm);
         let bend = before - 2.0 * here + after;

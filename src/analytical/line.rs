@@ -9,13 +9,13 @@ use crate::error::{Result, positive};
 
 /// A cylinder pressed on a half-space along a line, in plane strain.
 ///
-/// For two cylinders $`1/R = 1/R_1 + 1/R_2`$. The initial gap is $`x^2/2R`$, and under the load P per unit length
+/// For two cylinders $`1/R = 1/R_1 + 1/R_2`$. The initial gap is $`x^2/2R`$. Under the load P per unit length,
 ///
 /// ```math
 /// a^2 = \frac{4PR}{\pi E^*}, \qquad p_0 = \frac{2P}{\pi a}, \qquad p = p_0\sqrt{1-\frac{x^2}{a^2}} .
 /// ```
 ///
-/// Exact for a parabola and elastic half-spaces. Johnson (1985), 4.43-4.45.
+/// The solution is exact for a parabola and elastic half-spaces. Johnson (1985), 4.43-4.45.
 ///
 /// ```
 /// use stickslip::analytical::HertzLine;
@@ -47,11 +47,13 @@ pub struct HertzLine {
 }
 
 impl HertzLine {
-    /// The contact of a cylinder of radius `radius` (a length) under the normal load `load` (a force per length).
+    /// Creates the contact of a cylinder of radius `radius` (a length) under the normal load `load` (a force per
+    /// length).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -68,66 +70,67 @@ impl HertzLine {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radius of the cylinder R (a length).
+    /// Returns the radius of the cylinder R (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Normal load P (a force per length), positive in compression.
+    /// Returns the normal load P (a force per length), positive in compression.
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Half-width of the contact $`a = (4PR/\pi E^*)^{1/2}`$ (a length). Johnson (1985), 4.43.
+    /// Returns the half-width of the contact $`a = (4PR/\pi E^*)^{1/2}`$ (a length). Johnson (1985), 4.43.
     #[must_use]
     pub fn half_width(&self) -> f64 {
         self.half_width
     }
 
-    /// Pressure at the middle $`p_0 = 2P/\pi a`$. Johnson (1985), 4.45.
+    /// Returns the pressure at the middle $`p_0 = 2P/\pi a`$. Johnson (1985), 4.45.
     #[must_use]
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure
     }
 
-    /// Pressure at the distance `x` from the middle; zero outside the contact. Johnson (1985), 4.44.
+    /// Returns the pressure at the distance `x` from the middle; zero outside the contact. Johnson (1985), 4.44.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         self.max_pressure * dome(x.abs() / self.half_width)
     }
 
-    /// Approach of the bodies (a length) relative to the [datum](crate::Boundary::PeriodicAlongY) d, a length:
+    /// Returns the approach of the bodies (a length) relative to the [datum](crate::Boundary::PeriodicAlongY) d, a
+    /// length:
     ///
     /// ```math
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .
     /// ```
     ///
-    /// Positive for a datum d > 0 that is large beside a, as it must be. By integration of Johnson (1985), 2.24, over the
-    /// pressure.
+    /// The datum d > 0 must be large compared with a; the approach is then positive. The formula follows from
+    /// integrating Johnson (1985), 2.24, over the pressure.
     #[must_use]
     pub fn approach(&self, datum: f64) -> f64 {
         self.displacement * (2.0 * (2.0 * datum / self.half_width).ln() + 1.0)
     }
 
     /// Stress $`\sigma_{xx}`$ of the surface of either body at `x` (a pressure, positive in tension): $`-p`$ in the
-    /// contact, zero outside. That along y, in plane strain, is $`\nu (\sigma_{xx} + \sigma_{zz}) = -2 \nu p`$.
+    /// contact, zero outside. The stress along y, in plane strain, is $`\nu (\sigma_{xx} + \sigma_{zz}) = -2 \nu p`$.
     /// Johnson (1985), section 4.2.
     #[must_use]
     pub fn surface_stress(&self, x: f64) -> f64 {
         -self.pressure(x)
     }
 
-    /// Stresses `[xx, zz, xz]` of body 1 at `x` and at the depth `depth` below its surface, a length of zero or more
-    /// (pressures, positive in tension); those of body 2 at the same depth differ by the sign of `xz`. With
-    /// $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
+    /// Returns the stresses `[xx, zz, xz]` of body 1 at `x` and at the depth `depth` below its surface, a length of
+    /// zero or more (pressures, positive in tension). The stresses of body 2 at the same depth differ by the sign of
+    /// `xz`. With $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
     ///
     /// ```math
     /// \sigma_{xx} = -\frac{p_0}{a}\left[m\left(1 + \frac{z^2+n^2}{m^2+n^2}\right) - 2z\right], \quad

@@ -9,7 +9,7 @@ use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 /// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that increases
 /// monotonically, with a bulk strain that increases in proportion to it.
 ///
-/// With $`f = |Q|/\mu P`$, a strip of half-width c sticks; the rest slips, opposite to the traction:
+/// With $`f = |Q|/\mu P`$, a strip of half-width c around x = e sticks; the rest slips, opposite to the traction:
 ///
 /// ```math
 /// \frac ca = (1-f)^{1/2}, \qquad
@@ -17,8 +17,8 @@ use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 /// e = \pm\frac{a E^*}{2 \mu p_0}\,\varepsilon
 /// ```
 ///
-/// with the sign of Q, and the strain $`\varepsilon`$ of body 1 less that of body 2 (zero by default). Equal bodies, or
-/// bodies of [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero. Johnson (1985), section 7.2; with bulk strain
+/// with the sign of Q and the strain $`\varepsilon`$ of body 1 minus the strain of body 2 (default zero). The bodies must be
+/// equal or have a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero. Johnson (1985), section 7.2; with bulk strain
 /// Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
@@ -41,20 +41,21 @@ use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 pub struct CattaneoMindlinLine {
     hertz: HertzLine,
     held: HeldForce,
-    /// Middle of the strip that sticks.
+    /// Centre of the stick strip.
     centre: f64,
-    /// Bulk stress along x of bodies 1 and 2.
+    /// Bulk stresses along x of bodies 1 and 2.
     bulk: [f64; 2],
 }
 
 impl CattaneoMindlinLine {
-    /// The contact `hertz`, with the coefficient of friction `friction`, under the tangential force `force` on body 1
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on body 1
     /// along x (a force per length, of either sign), without bulk strain.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`] for the friction, [`Error::NotFinite`] for the force,
-    /// [`Error::BeyondFrictionCapacity`] if the force exceeds $`\mu P`$,
-    /// [`Error::CoupledMaterials`] for bodies whose [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero.
+    /// - [`Error::NegativeOrNotFinite`] if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`] if the force is not finite.
+    /// - [`Error::BeyondFrictionCapacity`] if the force exceeds $`\mu P`$.
+    /// - [`Error::CoupledMaterials`] if the [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of the bodies is not zero.
     pub fn new(hertz: HertzLine, friction: f64, force: f64) -> Result<Self> {
         let held = HeldForce::new(hertz.load(), friction, force)?;
         if hertz.pair().is_coupled() {
@@ -69,12 +70,13 @@ impl CattaneoMindlinLine {
         })
     }
 
-    /// With these bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to
-    /// the force. In plane strain they strain body 1 by $`\sigma_1 (1 - \nu_1^2)/E_1 - \sigma_2 (1 - \nu_2^2)/E_2`$ more
-    /// than body 2.
+    /// Sets the bulk stresses along x in bodies 1 and 2 (pressures, positive in tension; default zero), which grow in proportion
+    /// to the force. In plane strain they stretch body 1 by $`\sigma_1 (1 - \nu_1^2)/E_1 - \sigma_2 (1 - \nu_2^2)/E_2`$ more than
+    /// body 2.
     ///
     /// # Errors
-    /// [`Error::Sample`] if a stress is not finite; as [`with_strain`](Self::with_strain).
+    /// - [`Error::Sample`] if a stress is not finite.
+    /// - The errors of [`with_strain`](Self::with_strain).
     pub fn with_bulk_stress(self, stress: [f64; 2]) -> Result<Self> {
         all_finite("bulk stress", &stress)?;
         let [one, two] = self.hertz.pair().bodies();
@@ -84,15 +86,18 @@ impl CattaneoMindlinLine {
         Ok(strained)
     }
 
-    /// With this strain of body 1 along x less that of body 2, positive where it is stretched, which grows in proportion
-    /// to the force and is not caused by a stress along x, as thermal expansion; where it is, take
-    /// [`with_bulk_stress`](Self::with_bulk_stress).
+    /// Sets the strain of body 1 along x minus the strain of body 2 (positive in tension; default zero), which grows in
+    /// proportion to the force. The strain is not caused by a stress along x, for example thermal expansion. If a stress causes
+    /// it, use [`with_bulk_stress`](Self::with_bulk_stress).
+    ///
+    /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. The growing load then slips back over this region;
+    /// the remaining effect is less than 1e-4 of the energy.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NotPositive`] without friction, if there is strain; [`Error::BelowMinimum`] if the strip that
-    /// sticks would leave the contact, $`|e| + c > a`$: slip then reverses at one end, and the formulas do not hold. Where
-    /// $`|e| > fa/2`$ slip is reversed there only under the first small loads; the growing load slips back over it, and what
-    /// is left of that is less than 1e-4 of the energy.
+    /// - [`Error::NotFinite`] if the strain is not finite.
+    /// - [`Error::NotPositive`] if the strain is not zero and the coefficient of friction is zero.
+    /// - [`Error::BelowMinimum`] if the stick strip would leave the contact, $`|e| + c > a`$. Slip then reverses at one end, and the
+    ///   formulas are not valid.
     pub fn with_strain(mut self, strain: f64) -> Result<Self> {
         finite("bulk strain", strain)?;
         (self.centre, self.bulk) = (0.0, [0.0; 2]);
@@ -109,31 +114,31 @@ impl CattaneoMindlinLine {
         Ok(self)
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn hertz(&self) -> HertzLine {
         self.hertz
     }
 
-    /// Tangential force Q on body 1 (a force per length), positive along +x.
+    /// Returns the tangential force Q on body 1 (a force per length), positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.held.force
     }
 
-    /// Half-width c of the strip that sticks (a length).
+    /// Returns the half-width c of the stick strip (a length).
     #[must_use]
     pub fn stick_half_width(&self) -> f64 {
         self.hertz.half_width() * self.held.reserve.sqrt()
     }
 
-    /// Middle e of the strip that sticks (a length along x).
+    /// Returns the centre e of the stick strip (a length along x).
     #[must_use]
     pub fn stick_centre(&self) -> f64 {
         self.centre
     }
 
-    /// Traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());
@@ -146,16 +151,16 @@ impl CattaneoMindlinLine {
         self.held.direction * limit * (dome(x.abs() / a) - inner)
     }
 
-    /// Shift (a length): the rigid motion of body 2 relative to body 1 along x, relative to the
-    /// [datum](crate::Boundary::PeriodicAlongY) d, a length; the strain displaces nothing at x = 0:
+    /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, relative to the
+    /// [datum](crate::Boundary::PeriodicAlongY) d, a length. The displacement due to the strain is zero at x = 0:
     ///
     /// ```math
     /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)
     ///   + \frac{2e^2}{a^2}\right] .
     /// ```
     ///
-    /// By superposition of the [approaches](HertzLine::approach) of two pressures, of which one is moved by e, which
-    /// tractions along x in plane strain repeat.
+    /// The formula superposes the [approaches](HertzLine::approach) of two pressures, one of them moved by e. Tractions along x
+    /// in plane strain cause the same displacements along x as pressures cause along z.
     #[must_use]
     pub fn shift(&self, datum: f64) -> f64 {
         let HeldForce {
@@ -176,22 +181,22 @@ impl CattaneoMindlinLine {
         direction * (approach + unit * (stick + 2.0 * moved * moved))
     }
 
-    /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of
-    /// [that of a cycle](Self::energy_per_cycle).
+    /// Returns the energy dissipated per length while the force and the strain grow from zero: a quarter of the [energy of a
+    /// cycle](Self::energy_per_cycle).
     #[must_use]
     pub fn energy_of_first_quarter(&self) -> f64 {
         0.25 * self.energy_per_cycle()
     }
 
-    /// Energy dissipated per length and cycle of a force between Q and -Q, with the strain in proportion to it:
+    /// Returns the energy dissipated per length and cycle of a force between Q and -Q, with a strain proportional to the force:
     ///
     /// ```math
     /// \Delta E = \frac{(\mu P)^2}{\pi E^*}\left[4(1-f)\ln(1-f) + 4f - 2f^2 + 8f\,\frac{e^2}{a^2}\right] .
     /// ```
     ///
-    /// Each half of a cycle slips twice as far as the first loading, whose energy is $`-\mu\int p\,s\,dx`$; by Betti's
-    /// theorem $`\int p\,u = \int q\,w`$ with the displacement w of the pressure, a parabola where q acts. Without strain
-    /// it is the area of the loop of force and [shift](Self::shift); with strain part of it is work of the bulk stress.
+    /// Each half of a cycle slips twice as far as the first loading, whose energy is $`-\mu\int p\,s\,dx`$; by Betti's theorem
+    /// $`\int p\,u = \int q\,w`$ with the displacement w of the pressure, a parabola where q acts. Without strain the energy is
+    /// the area of the loop of force and [shift](Self::shift); with strain the bulk stress does part of the work.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         let HeldForce {
@@ -200,7 +205,7 @@ impl CattaneoMindlinLine {
             reserve,
             ..
         } = self.held;
-        // The bracket over the square of f, in terms that do not cancel.
+        // The bracket divided by the square of f, in terms that do not cancel.
         let bracket = if f > 0.5 {
             let logarithm = if reserve > 0.0 {
                 reserve * reserve.ln()
@@ -230,17 +235,17 @@ impl CattaneoMindlinLine {
     /// \varphi(t) = t - \operatorname{sgn}(t)\,\sqrt{t^2-1}\;H(|t|-1)
     /// ```
     ///
-    /// for body 1 under a positive force, and with the other sign of the bracket for body 2. In body 1 its largest value
-    /// is that at the edge of the contact that the traction pulls away from, x = -a under a positive force, where it
-    /// rises as a square root: a row of cells meets it slowly. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
+    /// for body 1 under a positive force, and with the opposite sign of the bracket for body 2. The stress of body 1 is largest
+    /// at the edge that the traction pulls away from, x = -a under a positive force. There it rises as a square root, so the
+    /// stress on a grid converges slowly with the cell size. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
     #[must_use]
     pub fn surface_stress(&self, x: f64) -> [f64; 2] {
         self.stress(x, 0.0).map(|[along, ..]| along)
     }
 
-    /// Stresses `[xx, zz, xz]` of body 1 and of body 2 at `x` and at the depth `depth` below the surface of each, a length
-    /// of zero or more (pressures, positive in tension), the [bulk stress](Self::with_bulk_stress) included. With m and n
-    /// of [`HertzLine::stress`], the traction $`q_0 \sqrt{1 - x^2/a^2}`$ on body 1 adds
+    /// Returns the stresses `[xx, zz, xz]` of body 1 and of body 2 at `x` and at the depth `depth` below their surfaces, a length
+    /// of zero or more (pressures, positive in tension), the [bulk stress](Self::with_bulk_stress) included. With m and n of
+    /// [`HertzLine::stress`], the traction $`q_0 \sqrt{1 - x^2/a^2}`$ on body 1 adds
     ///
     /// ```math
     /// \sigma_{xx} = \frac{q_0}{a}\left[n\left(2 - \frac{z^2-m^2}{m^2+n^2}\right) - 2x\right], \quad
@@ -248,7 +253,7 @@ impl CattaneoMindlinLine {
     /// \tau_{xz} = -\frac{q_0}{a}\left[m\left(1 + \frac{z^2+n^2}{m^2+n^2}\right) - 2z\right]
     /// ```
     ///
-    /// and the strip that sticks the same of its own half-width and middle. Johnson (1985), 7.2.
+    /// and the stick strip adds the same terms with its own amplitude, half-width and centre. Johnson (1985), 7.2.
     #[must_use]
     pub fn stress(&self, x: f64, depth: f64) -> [[f64; 3]; 2] {
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());

@@ -20,9 +20,9 @@ use crate::error::{Result, finite, positive};
 /// q = \frac2\pi\mu p_0\,r\int_c^a \frac{E(s)\,ds}{s\sqrt{s^2-r^2}} \quad (r < c)
 /// ```
 ///
-/// The traction is circumferential and equals $`\mu p`$ in the ring. At any twist the centre sticks;
-/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of it
-/// is neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
+/// The traction is circumferential and equals $`\mu p`$ in the ring. The centre sticks at any twist; the moment tends
+/// to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of slip is neglected for any
+/// $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};
@@ -51,21 +51,21 @@ pub struct LubkinTorsion {
 }
 
 impl LubkinTorsion {
-    /// The contact `hertz`, with the coefficient of friction `friction`, twisted by the angle `twist`
-    /// (radians, of either sign): the rotation of body 2 relative to body 1 about the normal, far from
-    /// the contact, positive from x to y. The coupling between pressure and traction of dissimilar bodies is
-    /// neglected.
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, twisted by the angle `twist` (radians,
+    /// of either sign): the rotation of body 2 relative to body 1 about the normal, far from the contact, positive from
+    /// x to y. The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the friction, or for the stick radius if the
-    /// twist reduces it to zero; [`Error::NotFinite`](crate::Error::NotFinite) for the twist or a result.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient of friction is not positive and finite,
+    ///   or if the twist reduces the stick radius to zero.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the twist or a result is not finite.
     pub fn new(hertz: HertzSphere, friction: f64, twist: f64) -> Result<Self> {
         positive("coefficient of friction", friction)?;
         finite("twist", twist)?;
         let limit = positive("friction limit", friction * hertz.max_pressure())?;
         let strain = 2.0 * hertz.pair().equivalent_shear_modulus() / limit * twist.abs();
         let a = hertz.contact_radius();
-        // E is at least one, so the stick radius is at least this.
+        // Since E is at least one, this is a lower bound of the stick radius.
         positive("stick radius", a * (-strain).exp())?;
         let log_stick = log_stick_ratio(strain);
         let sum = integral(-log_stick, |x| {
@@ -82,48 +82,47 @@ impl LubkinTorsion {
         })
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn hertz(&self) -> HertzSphere {
         self.hertz
     }
 
-    /// Twist $`\beta`$ (an angle): the rigid rotation of body 2 relative to body 1, positive from x
-    /// to y.
+    /// Returns the twist $`\beta`$ (an angle): the rigid rotation of body 2 relative to body 1, positive from x to y.
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
     }
 
-    /// Radius of the stick disc $`c`$ (a length), positive. Formula on the [type](Self); Lubkin (1951).
+    /// Returns the radius of the stick disc $`c`$ (a length), positive. Formula on the [type](Self); Lubkin (1951).
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.hertz.contact_radius() * self.log_stick.exp()
     }
 
-    /// Fraction of the contact area that sticks, $`c^2/a^2`$.
+    /// Returns the fraction of the contact area that sticks, $`c^2/a^2`$.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         (2.0 * self.log_stick).exp()
     }
 
-    /// Moment $`M`$ about the normal on body 1 (a force times a length), of the sign of the twist.
-    /// Formula on the [type](Self); $`\frac{16}{3}Ga^3\beta`$ for small twists. Lubkin (1951).
+    /// Returns the moment $`M`$ about the normal on body 1 (a force times a length), with the sign of the twist. For
+    /// small twists it is $`\frac{16}{3}Ga^3\beta`$. Formula on the [type](Self); Lubkin (1951).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
     }
 
-    /// Moment at which the whole contact slides, $`\frac{3\pi}{16}\mu Wa`$ (a force times a length,
+    /// Returns the moment at which the whole contact slides, $`\frac{3\pi}{16}\mu Wa`$ (a force times a length,
     /// positive): the limit of the [`moment`](Self::moment) for large twists.
     #[must_use]
     pub fn sliding_moment(&self) -> f64 {
         3.0 * PI / 16.0 * self.friction * self.hertz.load() * self.hertz.contact_radius()
     }
 
-    /// Traction $`q`$ on body 1 (a pressure, of the sign of the twist) at the distance $`r`$ from the
-    /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. Zero
-    /// outside the contact. Formula on the [type](Self); Lubkin (1951).
+    /// Returns the traction $`q`$ on body 1 (a pressure, with the sign of the twist) at the distance $`r`$ from the
+    /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. Zero outside the contact.
+    /// Formula on the [type](Self); Lubkin (1951).
     ///
     /// The integral is evaluated with the substitution $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which
     /// removes the root from the integrand.
@@ -136,7 +135,7 @@ impl LubkinTorsion {
             return scale * self.hertz.pressure(r);
         }
         let root = ((stick - rho) * (stick + rho)).sqrt();
-        // The value of x at the edge, where s = a.
+        // The integral ends at the value of x for s = a.
         let end = (ring(self.log_stick) / (stick * dome(rho) + root)).asinh();
         let sum = integral(end, |x| {
             let s = stick * x.cosh() + root * x.sinh();
@@ -146,7 +145,7 @@ impl LubkinTorsion {
     }
 }
 
-/// $`\ln(c/a)`$ at which $`K-E`$ is `strain`.
+/// Computes $`\ln(c/a)`$ for which $`K-E`$ equals `strain`.
 fn log_stick_ratio(strain: f64) -> f64 {
     // The derivative of K - E with respect to ln(c/a) is -E, which lies between -pi/2 and -1 and
     // increases: after the first step Newton's method approaches the root from one side.
@@ -163,12 +162,12 @@ fn log_stick_ratio(strain: f64) -> f64 {
     log_stick
 }
 
-/// $`m = 1-c^2/a^2`$, accurate to all digits for small twists.
+/// Returns $`m = 1-c^2/a^2`$, accurate to round-off for small twists.
 fn ring(log_stick: f64) -> f64 {
     -(2.0 * log_stick).exp_m1()
 }
 
-/// $`E`$ of the parameter $`1-s^2`$, for $`0 < s \le 1`$.
+/// Returns $`E`$ for the parameter $`1-s^2`$, with $`0 < s \le 1`$.
 fn second_kind(s: f64) -> f64 {
     let Integrals { k, d } = Integrals::of_axis_ratio(s);
     k - (1.0 - s) * (1.0 + s) * d

@@ -7,9 +7,8 @@ use crate::error::Result;
 
 /// A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
 ///
-/// From zero to $`F_1`$ the solution is that of [`CattaneoMindlin`]. When the force reverses at
-/// $`F_1`$, reverse slip spreads from the edge; it adds twice the solution for half the change of
-/// force. Every later reversal adds another such term:
+/// From zero to $`F_1`$ the solution is [`CattaneoMindlin`]. When the force reverses at $`F_1`$, reverse slip spreads
+/// from the edge; it adds twice the solution for half the change of force. Every later reversal adds another such term:
 ///
 /// ```math
 /// q = q^{CM}(F_1) + 2\,q^{CM}\!\left(\tfrac{F_2-F_1}{2}\right) + \dots +
@@ -17,11 +16,10 @@ use crate::error::Result;
 /// \delta_x = \delta_x^{CM}(F_1) + \dots + 2\,\delta_x^{CM}\!\left(\tfrac{F-F_n}{2}\right)
 /// ```
 ///
-/// Displacement and slip are superposed likewise. When the force returns to an earlier reversal, it
-/// closes a loop, and the contact continues as if that loop had not occurred. When the force reaches
-/// its greatest magnitude so far, it continues along the first loading. This is the scalar model, with
-/// traction along x only, for every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998);
-/// Johnson (1985), 7.52-7.57.
+/// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a
+/// loop, and the contact continues as if that loop had not occurred. When the force reaches its greatest magnitude so
+/// far, the contact continues along the first loading. This is the solution of the scalar model, with traction along x
+/// only, for every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};
@@ -44,27 +42,27 @@ use crate::error::Result;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MindlinDeresiewicz {
     force: f64,
-    /// The first loading, up to the force of the greatest magnitude.
+    /// First loading, up to the force of the greatest magnitude.
     first: CattaneoMindlin,
-    /// Half the change of force for each later reversal that still matters.
+    /// Solution for half the change of force, for each later reversal that no closed loop has erased.
     turns: Vec<CattaneoMindlin>,
-    /// Energy of the closed loops.
+    /// Energy dissipated in the closed loops.
     closed_energy: f64,
 }
 
 impl MindlinDeresiewicz {
-    /// The contact `hertz`, with the coefficient of friction `friction`, under a tangential force
-    /// on body 1 along x that runs from zero through the values of `path` in turn (forces, of either
-    /// sign). An empty path is no force.
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, under a tangential force on body 1
+    /// along x that starts at zero and runs through the values of `path` in turn (forces, of either sign). An empty
+    /// path means zero force.
     ///
-    /// Between two values the force changes monotonically; the rate and the number of steps do not
-    /// matter. A force equal to $`\mu W`$ to within rounding is the onset of gross sliding. The
-    /// coupling between pressure and traction of dissimilar bodies is neglected.
+    /// Between two values the force changes monotonically; the solution does not depend on the rate or the number of
+    /// steps. A force equal to $`\mu W`$ to within rounding is the onset of gross sliding. The coupling between
+    /// pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// a force or a result, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds
-    /// $`\mu W`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a force or a result is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, path: &[f64]) -> Result<Self> {
         for &force in path {
             HeldForce::new(hertz.load(), friction, force)?;
@@ -87,95 +85,94 @@ impl MindlinDeresiewicz {
         })
     }
 
-    /// The normal contact.
+    /// Returns the normal contact.
     #[must_use]
     pub fn hertz(&self) -> HertzSphere {
         self.first.hertz()
     }
 
-    /// Tangential force $`F`$ on body 1 at the end of the path, positive along +x.
+    /// Returns the tangential force $`F`$ on body 1 at the end of the path, positive along +x.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force
     }
 
-    /// Largest magnitude $`F_0`$ of the force so far.
+    /// Returns the largest magnitude $`F_0`$ of the force so far.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         self.first.force().abs()
     }
 
-    /// Radius of the disc that has not slipped since the last reversal of the force (a length).
+    /// Returns the radius of the disc that has not slipped since the last reversal of the force (a length).
     ///
-    /// It is $`a(1-|F|/\mu W)^{1/3}`$ during the first loading and $`a(1-|F-F_n|/2\mu W)^{1/3}`$ after a
-    /// reversal at $`F_n`$. The ring around it slips, opposite to the traction.
-    /// Johnson (1985), 7.52.
+    /// The radius is $`a(1-|F|/\mu W)^{1/3}`$ during the first loading and $`a(1-|F-F_n|/2\mu W)^{1/3}`$ after a
+    /// reversal at $`F_n`$. The ring around it slips, opposite to the traction. Johnson (1985), 7.52.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.turns.last().unwrap_or(&self.first).stick_radius()
     }
 
-    /// Shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, measured from the
+    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, measured from the
     /// state before the first loading. Formula on the [type](Self); Johnson (1985), 7.54.
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.superposed(CattaneoMindlin::shift)
     }
 
-    /// Shift at which the whole contact begins to slide at the first loading, $`\delta_0`$ (a
-    /// length, positive).
+    /// Returns the shift $`\delta_0`$ at which the whole contact starts to slide in the first loading (a length,
+    /// positive).
     #[must_use]
     pub fn sliding_shift(&self) -> f64 {
         self.first.sliding_shift()
     }
 
-    /// Traction $`q`$ on body 1 along x (a pressure) at the distance $`r`$ from the centre; zero
-    /// outside the contact. Formula on the [type](Self); Johnson (1985), 7.53.
+    /// Returns the traction $`q`$ on body 1 along x (a pressure) at the distance $`r`$ from the centre; zero outside
+    /// the contact. Formula on the [type](Self); Johnson (1985), 7.53.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         self.superposed(|part| part.traction(r))
     }
 
-    /// Tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length), anywhere in the plane: the same
+    /// Returns the tangential displacement $`u_x = u_{x1}-u_{x2}`$ (a length), anywhere in the plane: the same
     /// superposition of [`CattaneoMindlin::displacement`] as for the traction.
     #[must_use]
     pub fn displacement(&self, x: f64, y: f64) -> f64 {
         self.superposed(|part| part.displacement(x, y))
     }
 
-    /// Slip $`s_x = u_x - \delta_x`$ in the contact (a length): the motion of the surface of body 1
-    /// over that of body 2 since before the first loading. It is zero elsewhere, and where the surfaces
-    /// have never slipped.
+    /// Returns the slip $`s_x = u_x - \delta_x`$ in the contact (a length): the motion of the surface of body 1 over
+    /// the surface of body 2, measured from the state before the first loading. The slip is zero elsewhere, and where
+    /// the surfaces have never slipped.
     #[must_use]
     pub fn slip(&self, x: f64, y: f64) -> f64 {
         self.superposed(|part| part.slip(x, y))
     }
 
-    /// Energy dissipated along the whole path (a force times a length), zero or positive.
+    /// Returns the energy dissipated along the whole path (a force times a length), zero or positive.
     ///
-    /// The sum of [`CattaneoMindlin::energy_of_first_quarter`] for the first loading, and of twice that for
-    /// half the change of force for every later path between two reversals.
+    /// The energy is the sum of [`CattaneoMindlin::energy_of_first_quarter`] for the first loading and, for every later
+    /// path between two reversals, twice that energy for half the change of force.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
         self.closed_energy + self.superposed(CattaneoMindlin::energy_of_first_quarter)
     }
 
-    /// Energy that one full cycle of the force between $`\pm F_0`$ dissipates (a force times a
-    /// length), with $`F_0`$ the [`amplitude`](Self::amplitude).
+    /// Returns the energy that one full cycle of the force between $`\pm F_0`$ dissipates (a force times a length),
+    /// with $`F_0`$ the [`amplitude`](Self::amplitude).
     ///
     /// ```math
     /// \frac45\mu W\delta_0\left(1-\frac ca\right)^3\left(1+3\frac ca+\frac{c^2}{a^2}\right),
     /// \qquad \frac{c^3}{a^3} = 1-\frac{F_0}{\mu W}
     /// ```
     ///
-    /// which is free of cancellation; $`\frac{4}{27}\mu W\delta_0 (F_0/\mu W)^3`$ for small forces.
+    /// The formula is free of cancellation. For small forces the energy is $`\frac{4}{27}\mu W\delta_0 (F_0/\mu W)^3`$.
     /// Johnson (1985), 7.57.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         self.first.energy_per_cycle()
     }
 
-    /// The term of the first loading plus twice that of each reversal.
+    /// Returns the term of the first loading plus twice the term of each reversal.
     fn superposed(&self, part: impl Fn(&CattaneoMindlin) -> f64) -> f64 {
         let turned: f64 = self.turns.iter().map(&part).sum();
         part(&self.first) + 2.0 * turned
@@ -184,15 +181,16 @@ impl MindlinDeresiewicz {
 
 /// A closed loop of the force.
 struct Closed {
-    /// Half the range of forces that it spans.
+    /// Half the range of forces of the loop.
     half_range: f64,
-    /// Its energy divided by that of a first loading to half the range.
+    /// Energy of the loop divided by the energy of a first loading to half the range.
     times: f64,
 }
 
-/// Moves the force on from the last of the `peaks`, its reversals, and drops the peaks that it passes.
+/// Advances the force from the last of its reversals, `peaks`, removes the peaks that it passes, and returns the loops
+/// that it closes.
 ///
-/// The first peak is that of the first loading; the later ones are ever smaller swings from it.
+/// The first peak is the peak of the first loading; the later peaks are the ends of successively smaller swings.
 fn pass(peaks: &mut Vec<f64>, force: f64) -> Vec<Closed> {
     let mut closed = Vec::new();
     while let Some(last) = peaks.pop() {
@@ -216,7 +214,7 @@ fn pass(peaks: &mut Vec<f64>, force: f64) -> Vec<Closed> {
     closed
 }
 
-/// Half the change from one force to another.
+/// Returns half the change from one force to another.
 fn half_range(from: f64, to: f64) -> f64 {
     0.5 * to - 0.5 * from
 }

@@ -1,4 +1,4 @@
-//! Closed-form contact solutions, to check computed contacts against.
+//! Closed-form contact solutions for the validation of computed contacts.
 //!
 //! | contact | type | source |
 //! |---|---|---|
@@ -26,21 +26,20 @@
 //! | contact area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
 //! # Conventions
-//! - Units are any consistent set: `m, N, Pa` or `mm, N, MPa`.
+//! - Units form any consistent set: `m, N, Pa` or `mm, N, MPa`.
 //! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
 //!   body 1.
 //! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2
 //!   receives the opposite.
-//! - Displacements are relative: the normal one is the sum over the bodies, each measured into its
-//!   own body; the tangential one is the difference $`u_{x1}-u_{x2}`$. The elastic constants are the
-//!   contact modulus $`E^*`$, the shear modulus $`G`$ and Poisson's ratio $`\nu`$ of the
-//!   [`ElasticPair`](crate::ElasticPair).
+//! - Displacements are relative. The normal displacement is the sum over the bodies, each measured into its own body; the
+//!   tangential displacement is the difference $`u_{x1}-u_{x2}`$. The elastic constants are the contact modulus $`E^*`$, the
+//!   shear modulus $`G`$ and Poisson's ratio $`\nu`$ of the [`ElasticPair`](crate::ElasticPair).
 //! - The approach and the shift are the displacements of one body relative to the other, far from the
 //!   contact.
 //! - Slip is $`s_x = u_x - \delta_x`$, opposite in sign to the traction.
-//! - Normal and tangential tractions are uncoupled, but in [`NoSlipPunch`], [`NoSlipSphere`] and [`SpencePressing`]. This
-//!   is exact when [`dundurs_beta`](crate::ElasticPair::dundurs_beta) vanishes, as for identical bodies; otherwise
-//!   the error is of the order of beta.
+//! - Normal and tangential tractions are uncoupled, except in [`NoSlipPunch`], [`NoSlipSphere`] and [`SpencePressing`]. This is
+//!   exact if [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is zero, as for identical bodies; otherwise the error is of the
+//!   order of beta.
 //!
 //! # References
 //! - R. H. Bentall and K. L. Johnson, Slip in the rolling contact of two dissimilar elastic rollers, *Int. J. Mech. Sci.* 9

@@ -1,4 +1,4 @@
-//! A rigid punch and a sphere pressed on a body that sticks to them.
+//! Normal contact of a flat punch and of a sphere without slip.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -6,18 +6,18 @@ use super::quadrature::integral;
 use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
 
-/// Beyond this the integrand has vanished to the last digit.
+/// Upper limit of the integration; the remaining part of the integral is below round-off.
 const LENGTH: f64 = 20.0;
 
-/// A flat-ended round punch pressed without any slip, as by friction without limit.
+/// A flat-ended round punch pressed without any slip: the limit of infinite friction.
 ///
-/// Where pressure and traction are coupled, sticking makes the contact stiffer:
+/// If pressure and traction are coupled, sticking makes the contact stiffer:
 ///
 /// ```math
 /// \delta = \frac{W}{2aE^* f}, \qquad f = \frac{\operatorname{artanh}\beta}{\beta}
 /// ```
 ///
-/// For a body of Poisson's ratio $`\nu`$ on a rigid one $`f = (1-\nu)\ln(3-4\nu)/(1-2\nu)`$. V. I. Mossakovskii, *Prikl. Mat.
+/// For a body of Poisson's ratio $`\nu`$ on a rigid body, $`f = (1-\nu)\ln(3-4\nu)/(1-2\nu)`$. V. I. Mossakovskii, *Prikl. Mat.
 /// Mekh.* 18 (1954) 187-196; F. M. Borodich & L. M. Keer, *Proc. R. Soc. Lond. A* 460 (2004) 507-514.
 ///
 /// ```
@@ -36,11 +36,11 @@ pub struct NoSlipPunch {
 }
 
 impl NoSlipPunch {
-    /// The contact of a flat end of radius `radius` (a length) under the normal load `load` (a force).
+    /// Creates the contact of a flat end of radius `radius` (a length) under the normal load `load` (a force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or approach is not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or the approach is not positive and finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -53,26 +53,26 @@ impl NoSlipPunch {
         })
     }
 
-    /// Radius of the flat end, and of the contact circle, $`a`$ (a length).
+    /// Returns the radius $`a`$ of the flat end and of the contact circle (a length).
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.radius
     }
 
-    /// Normal load $`W`$ (a force).
+    /// Returns the normal load $`W`$ (a force).
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Approach $`\delta`$ (a length).
+    /// Returns the approach $`\delta`$ (a length).
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 }
 
-/// A sphere pressed by a growing load without any slip: a point that has come into contact sticks.
+/// A sphere pressed by a growing load without any slip: points stick as soon as they come into contact.
 ///
 /// ```math
 /// \delta = \frac{a^2}{2RI}, \qquad W = \frac{4E^*a^3}{3R}\,\frac{f}{2I}, \qquad
@@ -80,8 +80,9 @@ impl NoSlipPunch {
 /// \vartheta = \frac1\pi \operatorname{artanh}\beta ,
 /// ```
 ///
-/// with $`f`$ that of the [punch](NoSlipPunch). Without coupling $`I = 1/2`$, the contact of Hertz. D. A. Spence, *Proc. R. Soc.
-/// Lond. A* 305 (1968) 55-80, [doi:10.1098/rspa.1968.0105](https://doi.org/10.1098/rspa.1968.0105); Borodich & Keer as there.
+/// where $`f`$ is the factor of the [punch](NoSlipPunch). Without coupling $`I = 1/2`$, and the contact is that of Hertz. D. A.
+/// Spence, *Proc. R. Soc. Lond. A* 305 (1968) 55-80, [doi:10.1098/rspa.1968.0105](https://doi.org/10.1098/rspa.1968.0105);
+/// Borodich & Keer (2004).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, NoSlipSphere}};
@@ -100,11 +101,11 @@ pub struct NoSlipSphere {
 }
 
 impl NoSlipSphere {
-    /// The contact of a sphere of radius `radius` (a length) under the normal load `load` (a force).
+    /// Creates the contact of a sphere of radius `radius` (a length) under the normal load `load` (a force).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if radius, load or a result is not positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the load or a result is not positive and finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -121,32 +122,32 @@ impl NoSlipSphere {
         })
     }
 
-    /// Radius of the sphere $`R`$ (a length).
+    /// Returns the radius of the sphere $`R`$ (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Normal load $`W`$ (a force).
+    /// Returns the normal load $`W`$ (a force).
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 
-    /// Radius of the contact circle $`a`$ (a length).
+    /// Returns the radius of the contact circle $`a`$ (a length).
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
 
-    /// Approach $`\delta`$ (a length).
+    /// Returns the approach $`\delta`$ (a length).
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 }
 
-/// $`f`$: how much stiffer sticking makes a punch.
+/// Returns $`f`$, the ratio of the stiffness of a punch without slip to its stiffness without friction.
 fn factor(pair: &ElasticPair) -> f64 {
     let beta = pair.dundurs_beta();
     if beta == 0.0 {
@@ -156,7 +157,7 @@ fn factor(pair: &ElasticPair) -> f64 {
     }
 }
 
-/// $`I`$, with $`t = \tanh s`$.
+/// Computes $`I`$ with the substitution $`t = \tanh s`$.
 fn moment(pair: &ElasticPair) -> f64 {
     let theta = FRAC_1_PI * pair.dundurs_beta().atanh();
     integral(LENGTH, |s| {

@@ -1,4 +1,4 @@
-//! The contact area of nominally flat rough surfaces, and the fraction of it that sticks.
+//! Contact area and stick ratio of nominally flat rough surfaces.
 
 use std::f64::consts::FRAC_2_SQRT_PI;
 
@@ -15,15 +15,13 @@ use crate::error::{Result, non_negative, positive};
 /// P = \frac{\bar p}{E^*g}
 /// ```
 ///
-/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load.
-/// Persson's theory gives $`\kappa = \sqrt{8/\pi}`$, the
-/// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT); that of Bush, Gibson and Thomas, for light loads,
-/// gives $`\sqrt{2\pi}`$; simulations give 2.0 to 2.2. The slope $`g`$ is the areal one,
-/// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times that of a profile of an isotropic
-/// surface.
+/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load. Persson's theory gives
+/// $`\kappa = \sqrt{8/\pi}`$, the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT). The theory of Bush, Gibson and Thomas,
+/// for light loads, gives $`\sqrt{2\pi}`$; simulations give 2.0 to 2.2. The slope $`g`$ is the areal slope
+/// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// This is a mean over infinite surfaces whose shortest waves are resolved; a single sample on a
-/// coarse mesh may have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
+/// This is a mean over infinite surfaces whose shortest waves are resolved. A single sample on a coarse mesh can have
+/// far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Persson};
@@ -31,7 +29,7 @@ use crate::error::{Result, non_negative, positive};
 /// let pair = ElasticPair::new(rubber, Material::rigid())?;
 /// let surface = Persson::new(&pair, 0.1, 0.25e6)?; // P = 0.1
 /// assert!((surface.contact_fraction() - 0.158519).abs() < 1e-6);
-/// // At half the friction limit a little more than half of the area sticks.
+/// // At half the friction limit, slightly more than half of the area sticks.
 /// let ratio = surface.stick_ratio(0.4, 0.05e6)?;
 /// assert!(ratio > 0.5 && ratio < 0.51);
 /// # Ok::<(), stickslip::Error>(())
@@ -47,16 +45,16 @@ pub struct Persson {
 }
 
 impl Persson {
-    /// The coefficient $`\kappa = \sqrt{8/\pi}`$ of the area in Persson's theory.
+    /// Coefficient $`\kappa = \sqrt{8/\pi}`$ of the area in Persson's theory.
     pub const AREA_COEFFICIENT: f64 = 1.5957691216057308;
 
-    /// The contact of a surface of areal root-mean-square slope `rms_slope` (a number) under the mean
+    /// Creates the contact of a surface of areal root-mean-square slope `rms_slope` (dimensionless) under the mean
     /// pressure `mean_pressure`, with $`\kappa`$ = [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if an argument or the reduced pressure is not
-    /// positive and finite.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if an argument or the reduced pressure is not positive and
+    ///   finite.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, rms_slope: f64, mean_pressure: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("root-mean-square slope", rms_slope)?;
@@ -71,10 +69,11 @@ impl Persson {
         })
     }
 
-    /// The same contact with another coefficient $`\kappa`$ (a number).
+    /// Sets the coefficient $`\kappa`$ of the area (dimensionless; default
+    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient is not positive and finite.
     pub fn with_area_coefficient(self, area_coefficient: f64) -> Result<Self> {
         Ok(Self {
             area_coefficient: positive("area coefficient", area_coefficient)?,
@@ -82,43 +81,43 @@ impl Persson {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Areal root-mean-square slope $`g`$.
+    /// Returns the areal root-mean-square slope $`g`$.
     #[must_use]
     pub fn rms_slope(&self) -> f64 {
         self.rms_slope
     }
 
-    /// Mean pressure $`\bar p`$: the load divided by the nominal area.
+    /// Returns the mean pressure $`\bar p`$: the load divided by the nominal area.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         self.mean_pressure
     }
 
-    /// Coefficient of the area $`\kappa`$.
+    /// Returns the coefficient of the area $`\kappa`$.
     #[must_use]
     pub fn area_coefficient(&self) -> f64 {
         self.area_coefficient
     }
 
-    /// Reduced pressure $`P = \bar p/E^*g`$ (a number).
+    /// Returns the reduced pressure $`P = \bar p/E^*g`$ (dimensionless).
     #[must_use]
     pub fn reduced_pressure(&self) -> f64 {
         self.reduced_pressure
     }
 
-    /// Fraction of the nominal area in real contact, $`A/A_0 = \operatorname{erf}B`$.
+    /// Returns the fraction of the nominal area in real contact, $`A/A_0 = \operatorname{erf}B`$.
     #[must_use]
     pub fn contact_fraction(&self) -> f64 {
         libm::erf(argument(self.reduced_pressure, self.area_coefficient))
     }
 
-    /// Fraction of the real contact area that sticks under the mean traction `mean_traction`, a tangential
+    /// Returns the fraction of the real contact area that sticks under the mean traction `mean_traction`, a tangential
     /// force per nominal area of either sign, with the coefficient of friction `friction`.
     ///
     /// ```math
@@ -126,13 +125,14 @@ impl Persson {
     /// f = \frac{|\bar q|}{\mu\bar p}
     /// ```
     ///
-    /// The stick area is the contact area under $`1-f`$ of the load. It is [`linear_stick_ratio`] for light
-    /// loads, and never less than that. Superposition after Ciavarella (1998) and Jaeger (1998).
+    /// The stick area is the contact area under $`1-f`$ of the load. The ratio tends to [`linear_stick_ratio`] for
+    /// light loads and is never smaller. Superposition after Ciavarella (1998) and Jaeger (1998).
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for
-    /// the traction or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces
-    /// per nominal area, if the traction exceeds $`\mu\bar p`$.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the traction or the limit is not finite.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if the
+    ///   magnitude of the traction exceeds $`\mu\bar p`$.
     pub fn stick_ratio(&self, friction: f64, mean_traction: f64) -> Result<f64> {
         let held = HeldForce::new(self.mean_pressure, friction, mean_traction)?;
         let b = argument(self.reduced_pressure, self.area_coefficient);
@@ -143,12 +143,12 @@ impl Persson {
         })
     }
 
-    /// The contact fraction $`A/A_0`$ of any surface at the reduced pressure `reduced_pressure` $`P`$, with
+    /// Computes the contact fraction $`A/A_0`$ of any surface at the reduced pressure `reduced_pressure` $`P`$, with
     /// the coefficient `area_coefficient` $`\kappa`$.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the pressure,
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the pressure is negative or not finite.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient is not positive and finite.
     pub fn area_law(reduced_pressure: f64, area_coefficient: f64) -> Result<f64> {
         non_negative("reduced pressure", reduced_pressure)?;
         positive("area coefficient", area_coefficient)?;
@@ -156,31 +156,30 @@ impl Persson {
     }
 }
 
-/// Below this argument $`\operatorname{erf}`$ is proportional to it to the last digit.
+/// Argument below which $`\operatorname{erf}`$ is proportional to the argument to within round-off.
 const PROPORTIONAL_BELOW: f64 = 1e-9;
 
-/// $`B = \frac{\sqrt\pi}{2}\kappa P`$.
+/// Returns $`B = \frac{\sqrt\pi}{2}\kappa P`$.
 fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
-    // Kept finite: zero times an infinite argument would be undefined.
+    // The argument is kept finite because zero times an infinite argument would be undefined.
     (area_coefficient * reduced_pressure / FRAC_2_SQRT_PI).min(f64::MAX)
 }
 
-/// Fraction of the contact area of a rough surface that sticks, $`A_{stick}/A = 1-F/\mu W`$, under the normal
-/// load `load` and the tangential force `force` (forces, the second of either sign), with the
-/// coefficient of friction `friction`.
+/// Computes the fraction $`A_{stick}/A = 1-F/\mu W`$ of the contact area of a rough surface that sticks under the
+/// normal load `load` and the tangential force `force` (forces, the second of either sign), with the coefficient of
+/// friction `friction`.
 ///
-/// The stick area is the contact area under the load $`W-F/\mu`$, and the real area of a rough surface
-/// is proportional to the load while it is a small fraction of the nominal area. This is the straight
-/// line of the paper's figures 25 and 26. It is exact for a [`Cone`](super::Cone); for a smooth sphere the
-/// ratio is $`(1-F/\mu W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). It is zero without
-/// friction. On single surfaces the computed ratio lies within some 0.05 of it. Paggi, Pohrt and
-/// Popov (2014); Ciavarella (1998).
+/// The stick area is the contact area under the load $`W-F/\mu`$, and the real area of a rough surface is proportional
+/// to the load as long as it is a small fraction of the nominal area. This is the straight line of the paper's figures
+/// 25 and 26. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu W)^{2/3}`$
+/// ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. On single surfaces the
+/// computed ratio is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998).
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the load,
-/// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the friction, [`Error::NotFinite`](crate::Error::NotFinite) for the
-/// force or the limit, [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds
-/// $`\mu W`$.
+/// - [`Error::NotPositive`](crate::Error::NotPositive) if the load is not positive and finite.
+/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or the limit is not finite.
+/// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
 ///
 /// ```
 /// use stickslip::{Error, analytical::linear_stick_ratio};

@@ -1,4 +1,4 @@
-//! The limiting shape of a paraboloid under fretting wear.
+//! Limiting shape of a paraboloid under fretting wear.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -7,12 +7,11 @@ use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
 use crate::bodies::material::ElasticPair;
 use crate::error::{Result, at_least, non_negative, positive};
 
-/// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach,
-/// when wear has ceased.
+/// Limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, after wear has
+/// ceased.
 ///
-/// The disc of radius $`c`$ that sticks does not wear. The ring around it wears until it carries no
-/// pressure and the surfaces just touch there. With the initial gap $`r^2/2R`$ and the
-/// approach $`d`$, the gap without load has then become
+/// The stick disc of radius $`c`$ does not wear. The ring around it wears until it carries no pressure and the surfaces
+/// just touch there. With the initial gap $`r^2/2R`$ and the approach $`d`$, the gap without load is then
 ///
 /// ```math
 /// f(r) = \frac2\pi\left\{\frac1R\left[\frac{r^2}{2}\arcsin\frac cr -
@@ -20,13 +19,12 @@ use crate::error::{Result, at_least, non_negative, positive};
 /// \qquad (c < r < b)
 /// ```
 ///
-/// and is unchanged elsewhere; $`b`$ is where the two profiles meet. The wear law determines how fast this shape is
-/// reached, but not the shape. Under a shift that oscillates between $`\pm\delta_x`$,
-/// $`c^2/a^2 = 1-\delta_x/\delta_0`$, which is the
-/// [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. The solution is exact
-/// when [`dundurs_beta`](ElasticPair::dundurs_beta) vanishes and the stick disc remains round while wear proceeds.
-/// If Poisson's ratio is above zero, slip does not spread evenly in all directions, and
-/// wear reaches a little into the disc (at 0.29 the remaining load is 1.6 % less). Popov (2014).
+/// and is unchanged elsewhere; the two profiles meet at $`b`$. The wear law determines how fast the shape is reached,
+/// but not the shape itself. Under a shift that oscillates between $`\pm\delta_x`$, $`c^2/a^2 = 1-\delta_x/\delta_0`$,
+/// so c is the [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. The solution is exact if
+/// [`dundurs_beta`](ElasticPair::dundurs_beta) is zero and the stick disc remains round during wear. If Poisson's ratio
+/// is above zero, slip does not spread uniformly in all directions, and wear extends slightly into the disc (at 0.29
+/// the remaining load is 1.6 % smaller). Popov (2014).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::PopovLimitingShape};
@@ -56,15 +54,15 @@ pub struct PopovLimitingShape {
 }
 
 impl PopovLimitingShape {
-    /// A paraboloid of radius `radius` at the approach `approach`, of which a disc of radius
-    /// `stick_radius` sticks (lengths). A stick radius of zero is gross sliding: in the end no load
-    /// remains.
+    /// Creates the limiting shape of a paraboloid of radius `radius` at the approach `approach`, with a stick disc of
+    /// radius `stick_radius` (lengths). A stick radius of zero means gross sliding; no load then remains.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the radius, the approach or the contact radius
-    /// $`a`$, [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the stick radius or the load,
-    /// [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the stick radius exceeds $`a`$.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the approach or the contact radius $`a`$ is
+    ///   not positive and finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the stick radius or the load is negative or not finite.
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the stick radius exceeds $`a`$.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("radius", radius)?;
@@ -72,7 +70,7 @@ impl PopovLimitingShape {
         let c = non_negative("stick radius", stick_radius)?;
         let a = positive("contact radius", radius.sqrt() * approach.sqrt())?;
         at_least("the stick radius", c, "contact radius", a)?;
-        // Rounding may make a stick radius meant to equal the contact radius exceed it.
+        // A stick radius intended to equal the contact radius can exceed it by rounding.
         let stick = (c / a).min(1.0);
         let ring = (1.0 - stick) * (1.0 + stick);
         let angle = meeting_angle(stick, ring);
@@ -89,32 +87,32 @@ impl PopovLimitingShape {
         })
     }
 
-    /// The bodies.
+    /// Returns the bodies.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         &self.pair
     }
 
-    /// Radius of the paraboloid $`R`$ before wear (a length).
+    /// Returns the radius of the paraboloid $`R`$ before wear (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// Approach of the bodies $`d`$ (a length), constant throughout.
+    /// Returns the approach of the bodies $`d`$ (a length), constant throughout.
     #[must_use]
     pub fn approach(&self) -> f64 {
         self.approach
     }
 
-    /// Radius of the stick disc, $`c`$ (a length).
+    /// Returns the radius of the stick disc, $`c`$ (a length).
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick_radius
     }
 
-    /// Radius $`b`$ within which the surfaces are worn (a length), where the profile meets
-    /// $`r^2/2R`$: larger than the first contact's $`a = \sqrt{Rd}`$.
+    /// Returns the radius $`b`$ within which the surfaces are worn (a length), where the profile meets $`r^2/2R`$. It
+    /// is larger than the radius $`a = \sqrt{Rd}`$ of the first contact.
     ///
     /// With $`t = 2\arccos(c/b)`$,
     ///
@@ -127,17 +125,17 @@ impl PopovLimitingShape {
         self.worn_radius
     }
 
-    /// Gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre.
+    /// Returns the gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre.
     /// Formula on the [type](Self); Popov (2014).
     #[must_use]
     pub fn profile(&self, r: f64) -> f64 {
         0.5 * r * r / self.radius + self.wear_depth(r)
     }
 
-    /// Wear depth $`f(r)-r^2/2R`$ (a length), summed over the bodies, at the distance $`r`$
-    /// from the centre: positive in the ring, zero elsewhere.
+    /// Returns the wear depth $`f(r)-r^2/2R`$ (a length), summed over the bodies, at the distance $`r`$ from the
+    /// centre: positive in the ring, zero elsewhere.
     ///
-    /// Evaluated as $`\frac2\pi\left[d\varphi - \frac{r^2}{2R}(\varphi+\sin\varphi\cos\varphi)\right]`$
+    /// The depth is evaluated as $`\frac2\pi\left[d\varphi - \frac{r^2}{2R}(\varphi+\sin\varphi\cos\varphi)\right]`$
     /// with $`\cos\varphi = c/r`$.
     #[must_use]
     pub fn wear_depth(&self, r: f64) -> f64 {
@@ -150,11 +148,9 @@ impl PopovLimitingShape {
         (FRAC_2_PI * (self.approach * angle - before)).max(0.0)
     }
 
-    /// Worn volume $`2\pi\int_c^b (f-r^2/2R)\,r\,dr`$ (a length cubed), summed over the
-    /// bodies.
+    /// Returns the worn volume $`2\pi\int_c^b (f-r^2/2R)\,r\,dr`$ (a length cubed), summed over the bodies.
     ///
-    /// With $`t = 2\arccos(c/b)`$ it is
-    /// $`\frac{b^4}{4Rt}\left[t^2-\sin^2 t-\sin t\,(\sin t-t\cos t)\right]`$.
+    /// With $`t = 2\arccos(c/b)`$ the volume is $`\frac{b^4}{4Rt}\left[t^2-\sin^2 t-\sin t\,(\sin t-t\cos t)\right]`$.
     #[must_use]
     pub fn worn_volume(&self) -> f64 {
         let t = self.angle;
@@ -164,15 +160,15 @@ impl PopovLimitingShape {
         square * (square / self.radius) * bracket / (4.0 * t)
     }
 
-    /// Remaining pressure at the distance $`r`$ from the centre; zero outside the stick disc.
+    /// Returns the remaining pressure at the distance $`r`$ from the centre; zero outside the stick disc.
     ///
     /// ```math
     /// p = \frac{E^*}{\pi}\left[\frac{2}{R}\sqrt{c^2-r^2} +
     /// \left(d-\frac{c^2}{R}\right)\frac{1}{\sqrt{c^2-r^2}}\right]
     /// ```
     ///
-    /// The first term is that of a paraboloid. The second is that of a flat punch, since wear leaves an edge
-    /// at $`c`$; it grows without bound towards the edge.
+    /// The first term is the pressure of a paraboloid. The second term is the pressure of a flat punch, since wear
+    /// leaves an edge at $`c`$; it grows without bound towards the edge.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         let rho = r.abs() / self.stick_radius;
@@ -185,19 +181,19 @@ impl PopovLimitingShape {
         }
     }
 
-    /// Remaining normal load, $`2E^*\left(dc-\frac{c^3}{3R}\right)`$ (a force).
+    /// Returns the remaining normal load, $`2E^*\left(dc-\frac{c^3}{3R}\right)`$ (a force).
     #[must_use]
     pub fn load(&self) -> f64 {
         self.load
     }
 }
 
-/// The angle $`t`$ in $`[0, \pi]`$ at which $`2t\cos^2\frac t2/(t+\sin t)`$, which falls from one to zero,
-/// is the square of the stick ratio $`c/a`$; one minus that square is the `ring`.
+/// Computes the angle $`t`$ in $`[0, \pi]`$ at which $`2t\cos^2\frac t2/(t+\sin t)`$ equals $`c^2/a^2`$, the square of
+/// `stick`. The function decreases from one to zero; `ring` is $`1-c^2/a^2`$.
 fn meeting_angle(stick: f64, ring: f64) -> f64 {
     let lies_beyond = |t: f64| {
         let sum = t + t.sin();
-        // Each branch compares the small quantity, which keeps its digits.
+        // Each branch compares the smaller quantity, which is accurate to round-off.
         if stick < 0.5 {
             2.0 * t * (0.5 * t).cos().powi(2) > stick * stick * sum
         } else {
@@ -205,7 +201,8 @@ fn meeting_angle(stick: f64, ring: f64) -> f64 {
         }
     };
     let (mut low, mut high) = (0.0, PI);
-    // The smallest angle, for a ring of one rounding error, is 2.6e-8: 80 bisections reach its last bit, the 79th.
+    // The smallest angle, for a ring of one rounding error, is 2.6e-8: 80 bisections resolve it to its last bit, the
+    // 79th.
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
         if lies_beyond(middle) {

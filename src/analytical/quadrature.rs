@@ -1,12 +1,12 @@
-//! The integral of a smooth function.
+//! Quadrature of a smooth function.
 
-/// The integral of `integrand` from zero to `length`, accurate to a few roundings if the integrand is
+/// Computes the integral of `integrand` from zero to `length`, accurate to a few rounding errors if the integrand is
 /// analytic within a distance of one from the interval.
 pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let panels = (length / LONGEST_PANEL).ceil().max(1.0);
     let half = 0.5 * length / panels;
     let mut sum = 0.0;
-    // Counted, not until the end is reached: panels of the least numbers have no width.
+    // The loop counts the panels instead of comparing positions, because the width of a panel can underflow to zero.
     let mut panel = 0.0;
     while panel < panels {
         let middle = (2.0 * panel + 1.0) * half;
@@ -19,10 +19,10 @@ pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     half * sum
 }
 
-/// The nearest singularity is then four half panels away, and eight nodes are exact to 1e-14.
+/// Longest panel. The nearest singularity is then four half panels away, and eight nodes are exact to 1e-14.
 const LONGEST_PANEL: f64 = 0.5;
 
-/// Nodes of the Gauss-Legendre rule on `[-1, 1]`, each standing also for its opposite, and their weights.
+/// Positive nodes of the Gauss-Legendre rule on `[-1, 1]` and their weights; the negative nodes have the same weights.
 const GAUSS_8: [[f64; 2]; 4] = [
     [0.1834346424956498, 0.362683783378362],
     [0.525532409916329, 0.3137066458778873],

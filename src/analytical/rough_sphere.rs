@@ -1,4 +1,4 @@
-//! The contact area of a rough sphere.
+//! Contact area of a rough sphere.
 
 use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
@@ -7,9 +7,9 @@ use crate::error::{Result, non_negative, positive};
 
 /// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
 ///
-/// Where the pressure of the smooth sphere is $`p`$, the fraction
-/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact, with $`g`$ the
-/// root mean square of the slope. Averaged over the Hertz circle, with the reduced pressure $`P`$, it is
+/// At a point where the pressure of the smooth sphere is $`p`$, the fraction
+/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact, with $`g`$ the root mean square
+/// of the slope. The average of this fraction over the Hertz circle is, with the reduced pressure $`P`$,
 ///
 /// ```math
 /// A_r = \int_0^1 \operatorname{erf}(B\sqrt t)\,dt =
@@ -17,15 +17,14 @@ use crate::error::{Result, non_negative, positive};
 /// B = \kappa\tilde p = \frac{3\sqrt\pi}{4}\,\kappa P, \qquad P = \frac{W}{\pi a^2E^*g}
 /// ```
 ///
-/// For light loads $`A_r \to \kappa P`$: the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)
-/// $`\kappa`$, written $`k`$ in the paper, is the initial slope of this law. The slope $`g`$ is the areal
-/// one, $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times that of a profile of an isotropic
-/// surface.
+/// For light loads $`A_r \to \kappa P`$: the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT) $`\kappa`$, written $`k`$ in
+/// the paper, is the initial slope of this law. The slope $`g`$ is the areal slope $`\langle z_x^2+z_y^2\rangle^{1/2}`$
+/// (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// The law holds where the roughness is small and fine: its height is well below the approach $`a^2/R`$
-/// of the smooth sphere, and there are many asperities within the circle. At lighter loads contact spreads
-/// beyond the Hertz circle and the area is less certain. The paper's equations 32, 33 and 37, after
-/// Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016).
+/// The law is valid if the roughness is small and fine: its height is well below the approach $`a^2/R`$ of the smooth
+/// sphere, and there are many asperities within the circle. At lighter loads contact spreads beyond the Hertz circle
+/// and the area is less certain. The paper's equations 32, 33 and 37, after Müser (2016), without the mean-field
+/// approximation of Pastewka and Robbins (2016).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};
@@ -48,16 +47,16 @@ pub struct RoughSphere {
 }
 
 impl RoughSphere {
-    /// The coefficient $`\kappa`$ of the area. Simulations of self-affine surfaces give 2.0 to 2.2, which the
-    /// paper rounds to this.
+    /// Coefficient $`\kappa`$ of the area. Simulations of self-affine surfaces give 2.0 to 2.2, which the paper rounds
+    /// to 2.
     pub const AREA_COEFFICIENT: f64 = 2.0;
 
-    /// The contact `hertz` of the smooth sphere, roughened to the areal root-mean-square slope
-    /// `rms_slope` (a number), with $`\kappa`$ = [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT).
+    /// Creates the contact `hertz` of the smooth sphere with a roughness of areal root-mean-square slope `rms_slope`
+    /// (dimensionless), with $`\kappa`$ = [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if the slope or the reduced pressure is not
-    /// positive and finite.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the slope or the reduced pressure is not positive and
+    ///   finite.
     pub fn new(hertz: HertzSphere, rms_slope: f64) -> Result<Self> {
         positive("root-mean-square slope", rms_slope)?;
         let reduced = hertz.mean_pressure() / hertz.pair().contact_modulus() / rms_slope;
@@ -69,11 +68,11 @@ impl RoughSphere {
         })
     }
 
-    /// The same contact with another coefficient $`\kappa`$ (a number), for example one of those listed at
-    /// [`Persson`](super::Persson).
+    /// Sets the coefficient $`\kappa`$ of the area (dimensionless; default
+    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)). [`Persson`](super::Persson) lists values of other theories.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient is not positive and finite.
     pub fn with_area_coefficient(self, area_coefficient: f64) -> Result<Self> {
         Ok(Self {
             area_coefficient: positive("area coefficient", area_coefficient)?,
@@ -81,50 +80,50 @@ impl RoughSphere {
         })
     }
 
-    /// The contact of the smooth sphere.
+    /// Returns the contact of the smooth sphere.
     #[must_use]
     pub fn hertz(&self) -> HertzSphere {
         self.hertz
     }
 
-    /// Areal root-mean-square slope $`g`$.
+    /// Returns the areal root-mean-square slope $`g`$.
     #[must_use]
     pub fn rms_slope(&self) -> f64 {
         self.rms_slope
     }
 
-    /// Coefficient of the area $`\kappa`$.
+    /// Returns the coefficient of the area $`\kappa`$.
     #[must_use]
     pub fn area_coefficient(&self) -> f64 {
         self.area_coefficient
     }
 
-    /// Reduced pressure $`P = W/\pi a^2E^*g`$ (a number): the mean pressure of the smooth sphere over
-    /// $`E^*g`$. The paper's equation 37.
+    /// Returns the reduced pressure $`P = W/\pi a^2E^*g`$ (dimensionless): the mean pressure of the smooth sphere
+    /// divided by $`E^*g`$. The paper's equation 37.
     #[must_use]
     pub fn reduced_pressure(&self) -> f64 {
         self.reduced_pressure
     }
 
-    /// Area of real contact divided by that of the Hertz circle, $`A_r`$, between 0 and 1. The paper's
+    /// Returns the area of real contact divided by the area of the Hertz circle, $`A_r`$, between 0 and 1. The paper's
     /// equation 32.
     #[must_use]
     pub fn relative_contact_area(&self) -> f64 {
         mean_erf(argument(self.reduced_pressure, self.area_coefficient))
     }
 
-    /// Area of real contact $`A_r\pi a^2`$ (a length squared).
+    /// Returns the area of real contact $`A_r\pi a^2`$ (a length squared).
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         self.relative_contact_area() * self.hertz.contact_area()
     }
 
-    /// The relative area $`A_r`$ of any rough sphere at the reduced pressure `reduced_pressure`
-    /// $`P`$, with the coefficient `area_coefficient` $`\kappa`$.
+    /// Computes the relative area $`A_r`$ of any rough sphere at the reduced pressure `reduced_pressure` $`P`$, with
+    /// the coefficient `area_coefficient` $`\kappa`$.
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the pressure,
-    /// [`Error::NotPositive`](crate::Error::NotPositive) for the coefficient.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the pressure is negative or not finite.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient is not positive and finite.
     ///
     /// ```
     /// use stickslip::analytical::RoughSphere;
@@ -140,12 +139,12 @@ impl RoughSphere {
     }
 }
 
-/// $`B = \frac{3\sqrt\pi}{4}\kappa P`$.
+/// Returns $`B = \frac{3\sqrt\pi}{4}\kappa P`$.
 fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
     0.75 * PI.sqrt() * area_coefficient * reduced_pressure
 }
 
-/// $`\int_0^1 \operatorname{erf}(b\sqrt t)\,dt`$ for $`b \ge 0`$.
+/// Computes $`\int_0^1 \operatorname{erf}(b\sqrt t)\,dt`$ for $`b \ge 0`$.
 fn mean_erf(b: f64) -> f64 {
     if b < SERIES_BELOW {
         series(b)
@@ -155,11 +154,12 @@ fn mean_erf(b: f64) -> f64 {
     }
 }
 
-/// Below this argument the series converges to the last digit within [`TERMS`]; above it nothing cancels.
+/// Argument below which the series converges to round-off within [`TERMS`] terms; above it the closed form has no
+/// cancellation.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 18;
 
-/// $`\frac{2}{\sqrt\pi}\sum_n \frac{(-1)^n\,b^{2n+1}}{n!\,(2n+1)(n+\frac32)}`$.
+/// Sums the series $`\frac{2}{\sqrt\pi}\sum_n \frac{(-1)^n\,b^{2n+1}}{n!\,(2n+1)(n+\frac32)}`$.
 fn series(b: f64) -> f64 {
     let nested = (0..TERMS).rev().map(f64::from).fold(0.0, |sum, n| {
         1.0 / ((2.0 * n + 1.0) * (n + 1.5)) - b * b / (n + 1.0) * sum
@@ -172,7 +172,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Argument and integral, from 60 digits of extended precision.
+    /// Argument and integral, computed with 60 digits.
     #[expect(clippy::approx_constant, reason = "it is an argument like the others")]
     const VALUES: [[f64; 2]; 20] = [
         [1e-300, 7.52252778063675e-301],

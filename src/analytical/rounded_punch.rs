@@ -1,4 +1,4 @@
-//! The flat punch with rounded edges in plane strain.
+//! Flat punch with rounded edges in plane strain.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -23,14 +23,15 @@ use crate::error::{Result, at_least, positive};
 /// + \sin\varphi_0\,\ln\left|\tan\frac{\varphi+\varphi_0}{2}\tan\frac{\varphi-\varphi_0}{2}\right|\right] .
 /// ```
 ///
-/// Ciavarella, Hills & Monno, Proc. Inst. Mech. Eng. C 212 (1998) 319; the tests compare it with a computed contact.
+/// Ciavarella, Hills & Monno, Proc. Inst. Mech. Eng. C 212 (1998) 319. The tests compare the formulas with a computed
+/// contact.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzLine, RoundedPunch}};
 /// let steel = Material::new(210e3, 0.3)?;
 /// let pair = ElasticPair::new(steel, steel)?;
 /// let punch = RoundedPunch::new(&pair, 1.0, 10.0, 100.0)?;
-/// // The ends press hardest; a narrow flat is nearly Hertz's cylinder.
+/// // The pressure is highest near the ends; a narrow flat is nearly Hertz's cylinder.
 /// assert!(punch.half_width() > 1.0 && punch.pressure(1.0) > 2.0 * punch.pressure(0.0));
 /// let (narrow, hertz) = (RoundedPunch::new(&pair, 1e-6, 10.0, 100.0)?, HertzLine::new(&pair, 10.0, 100.0)?);
 /// assert!((narrow.half_width() / hertz.half_width() - 1.0).abs() < 1e-4);
@@ -49,14 +50,14 @@ pub struct RoundedPunch {
 const LEAST: f64 = 1e-6;
 
 impl RoundedPunch {
-    /// The contact of a punch with a flat of half-width `flat` and edges of radius `radius` (lengths) under the normal
-    /// load `load` (a force per length).
+    /// Creates the contact of a punch with a flat of half-width `flat` and edges of radius `radius` (lengths) under the
+    /// normal load `load` (a force per length).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) if one of them or a result is not positive and finite;
-    /// [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the load is less than a millionth of $`E^* b^2/4R`$, where the contact is
-    /// that of the flat.
-    /// [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for coated bodies.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if an argument or a result is not positive and finite.
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the load is less than a millionth of $`E^* b^2/4R`$, where the
+    ///   contact coincides with the flat.
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, flat: f64, radius: f64, load: f64) -> Result<Self> {
         pair.check_closed_form()?;
         positive("half-width of the flat", flat)?;
@@ -66,7 +67,7 @@ impl RoundedPunch {
         let least_is = "the least that rounds the contact, a millionth of E* b^2/4R";
         at_least(least_is, LEAST * unit, "load per length", load)?;
         let wanted = positive("load in units of E* b^2/4R", load / unit)?;
-        // It falls with the angle: halved until nothing lies between.
+        // The load decreases with the angle. The bisection ends when no floating-point number lies between the bounds.
         let (mut low, mut high) = (0.0_f64, FRAC_PI_2);
         let angle = loop {
             let middle = 0.5 * (low + high);
@@ -87,13 +88,13 @@ impl RoundedPunch {
         })
     }
 
-    /// Half-width a of the contact (a length).
+    /// Returns the half-width a of the contact (a length).
     #[must_use]
     pub fn half_width(&self) -> f64 {
         self.half_width
     }
 
-    /// Pressure at the distance `x` from the middle; zero outside the contact.
+    /// Returns the pressure at the distance `x` from the middle; zero outside the contact.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let ratio = x.abs() / self.half_width;
@@ -102,7 +103,7 @@ impl RoundedPunch {
         }
         let (first, at) = (self.angle, ratio.asin());
         let (sum, difference) = (at + first, (at - first).abs());
-        // Both logarithms are infinite at the end of the flat, where they cancel.
+        // Both logarithms are infinite at the end of the flat, where their infinite parts cancel.
         let near = (0.5 * difference).max(f64::MIN_POSITIVE);
         let [inner, outer] = [near.sin(), near.cos()];
         let by_place = ratio * (sum.sin() / (2.0 * inner * outer)).abs().ln();
@@ -112,7 +113,7 @@ impl RoundedPunch {
     }
 }
 
-/// $`\pi - 2\varphi - \sin 2\varphi`$.
+/// Returns $`\pi - 2\varphi - \sin 2\varphi`$.
 fn width(angle: f64) -> f64 {
     PI - 2.0 * angle - (2.0 * angle).sin()
 }

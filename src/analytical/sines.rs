@@ -1,9 +1,9 @@
 //! Differences of sines that vanish as the cube of their angle.
 //!
-//! Displacements and gaps outside a contact consist of these. Evaluated as plain differences they would
-//! lose all digits at the edge of the contact, and some digits far from it.
+//! Displacements and gaps outside a contact consist of these differences. Evaluated directly, they would lose all
+//! digits at the edge of the contact and some digits far from it.
 
-/// $`\sin t - t\cos t = t^3/3 - \dots`$, for $`0 \le t \le 2\pi`$.
+/// Returns $`\sin t - t\cos t = t^3/3 - \dots`$, for $`0 \le t \le 2\pi`$.
 pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
     if t < SERIES_BELOW {
         series(t, t * t, |k| 2.0 * k)
@@ -12,7 +12,7 @@ pub(crate) fn sine_minus_arc_cosine(t: f64) -> f64 {
     }
 }
 
-/// $`t - \sin t = t^3/6 - \dots`$, for $`0 \le t \le 2\pi`$.
+/// Returns $`t - \sin t = t^3/6 - \dots`$, for $`0 \le t \le 2\pi`$.
 pub(crate) fn arc_minus_sine(t: f64) -> f64 {
     if t < SERIES_BELOW {
         series(t, t * t, |_| 1.0)
@@ -21,7 +21,7 @@ pub(crate) fn arc_minus_sine(t: f64) -> f64 {
     }
 }
 
-/// $`\sinh t - t = t^3/6 + \dots`$, for $`t \ge 0`$.
+/// Returns $`\sinh t - t = t^3/6 + \dots`$, for $`t \ge 0`$.
 pub(crate) fn hyperbolic_sine_minus_arc(t: f64) -> f64 {
     if t < SERIES_BELOW {
         -series(t, -t * t, |_| 1.0)
@@ -30,12 +30,12 @@ pub(crate) fn hyperbolic_sine_minus_arc(t: f64) -> f64 {
     }
 }
 
-/// Below this angle the series converges to the last digit within [`TERMS`]; above it less than a digit cancels.
+/// Angle below which the series converges to round-off within [`TERMS`] terms; above it less than one digit cancels.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 8;
 
-/// $`\sum_{k \ge 1} (-1)^{k+1} w_k\, t\,s^k/(2k+1)!`$ with the square $`s = t^2`$, or
-/// $`s = -t^2`$ for hyperbolic functions.
+/// Sums the series $`\sum_{k \ge 1} (-1)^{k+1} w_k\, t\,s^k/(2k+1)!`$ with the square $`s = t^2`$, or $`s = -t^2`$ for
+/// hyperbolic functions.
 fn series(t: f64, square: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let mut term = t;
     let mut sum = 0.0;

@@ -1,13 +1,13 @@
-//! The stick zone of bodies of different materials that are pressed together.
+//! Stick zone of bodies of different materials that are pressed together.
 
 use super::elliptic::Integrals;
 use crate::bodies::material::ElasticPair;
 use crate::error::{Result, non_negative};
 
-/// How far bodies of different materials stick when they are pressed together by a growing load alone.
+/// Size of the stick zone of bodies of different materials that are pressed together by a growing normal load alone.
 ///
-/// Coupling makes the surfaces slip inwards near the rim of the contact, of radius or half width $`a`$, and friction holds
-/// the part within $`c = ka`$. If shear does not change the pressure (Goodman's assumption,
+/// Coupling makes the surfaces slip inwards near the edge of the contact, of radius or half-width $`a`$; the part within
+/// $`c = ka`$ sticks. If shear does not change the pressure (Goodman's assumption,
 /// [`Coupling::OneWay`](crate::Coupling::OneWay)), then
 ///
 /// ```math
@@ -15,10 +15,10 @@ use crate::error::{Result, non_negative};
 /// \frac{K(k)}{K'(k)} = \frac{\mu}{|\beta|} \quad\text{(plane)},
 /// ```
 ///
-/// with the complete elliptic integral $`K`$ of modulus $`k`$ and $`K'(k) = K(\sqrt{1-k^2})`$: for a flat punch in one step as for a
-/// sphere, a cone or any other power of the distance in many, because their contacts grow self-similarly. With full
-/// coupling the friction that leads to the same $`k`$ is larger, by 0.5 % at $`\beta = 0.1`$ and $`k = 0.5`$, 5 % at 2/7, 17 %
-/// at 1/2.
+/// with the complete elliptic integral $`K`$ of modulus $`k`$ and $`K'(k) = K(\sqrt{1-k^2})`$. The equations are valid for a flat
+/// punch, and for a sphere, a cone or any other power of the distance, because their contacts grow self-similarly. A computation
+/// needs one load step for the punch and many steps for the other shapes. With full coupling, the friction that leads to the same
+/// $`k`$ is larger: at $`k = 0.5`$ by 0.5 % for $`\beta = 0.1`$, 5 % for 2/7 and 17 % for 1/2.
 ///
 /// D. A. Spence, *J. Elasticity* 5 (1975) 297-319, [doi:10.1007/BF00126993](https://doi.org/10.1007/BF00126993); Johnson
 /// (1985), section 5.4.
@@ -37,30 +37,30 @@ pub struct SpencePressing {
 }
 
 impl SpencePressing {
-    /// The contact of a body of revolution, with this coefficient of friction (dimensionless).
+    /// Creates the contact of a body of revolution with the coefficient of friction `friction` (dimensionless).
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient is negative or not finite.
     pub fn round(pair: &ElasticPair, friction: f64) -> Result<Self> {
         Self::where_equal(pair, friction, |k, moduli| k.atanh() / k / moduli.prime)
     }
 
-    /// The contact of a cylinder or strip in plane strain.
+    /// Creates the contact of a cylinder or strip in plane strain with the coefficient of friction `friction` (dimensionless).
     ///
     /// # Errors
-    /// [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) for the coefficient.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient is negative or not finite.
     pub fn plane(pair: &ElasticPair, friction: f64) -> Result<Self> {
         Self::where_equal(pair, friction, |_, moduli| moduli.whole / moduli.prime)
     }
 
-    /// Radius or half width of the stick zone over that of the contact, $`k`$ in `[0, 1]`: one without coupling, zero
-    /// without friction.
+    /// Returns the ratio $`k`$ in `[0, 1]` of the radius or half-width of the stick zone to that of the contact: one without
+    /// coupling, otherwise zero without friction.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick_radius
     }
 
-    /// Where friction over beta is this function, which grows with k.
+    /// Solves for the k at which `function`, which increases with k, equals the coefficient of friction divided by |beta|.
     fn where_equal(
         pair: &ElasticPair,
         friction: f64,
@@ -77,7 +77,7 @@ impl SpencePressing {
             return Ok(Self { stick_radius });
         }
         let (mut low, mut high) = (0.0_f64, 1.0_f64);
-        // Halved until nothing lies between.
+        // The bisection ends when no floating-point number lies between the bounds.
         loop {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
@@ -94,7 +94,7 @@ impl SpencePressing {
     }
 }
 
-/// The elliptic integrals of modulus $`k`$.
+/// Complete elliptic integrals of modulus $`k`$.
 struct Moduli {
     /// $`K(k)`$.
     whole: f64,

@@ -1,4 +1,4 @@
-//! An elliptic contact that rolls with creepages and slips in part.
+//! Elliptic contact that rolls with creepages and slips in part.
 
 use super::hertz::HertzEllipse;
 use super::kalker_coefficients::KalkerCoefficients;
@@ -14,11 +14,11 @@ use crate::error::{Error, Result, finite, positive};
 /// F = \mu P \left[1 - \left(1 - \tfrac13 x\right)^3\right] \frac{f}{|f|}, \qquad x = \frac{|f|}{\mu P} ,
 /// ```
 ///
-/// and $`\mu P`$ from x = 3 on. A positive creepage moves body 2 along the axis over body 1 and causes a positive force
-/// on body 1, as in [`rolling`](crate::rolling). The curve supposes an elliptic stick zone that touches the contact's
-/// leading edge at one point, which is an approximation: of a sphere, $`\nu = 0.25`$, along x, it is 0.8 % below the
-/// [solved](crate::rolling::RollingProblem) force at x = 0.3, 2.3 % at 1 and 1.8 % at 2; of a steel ellipse with a = b/2
-/// up to 3.4 %.
+/// and $`\mu P`$ for $`x \ge 3`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force on body
+/// 1, as in [`rolling`](crate::rolling). The curve assumes an elliptic stick zone that touches the leading edge of the contact at
+/// one point, which is an approximation. For a sphere, $`\nu = 0.25`$ and a creepage along x, the curve is 0.8 % below the
+/// [computed](crate::rolling::RollingProblem) force at x = 0.3, 2.3 % at 1 and 1.8 % at 2. For a steel ellipse with a = b/2 the
+/// difference is up to 3.4 %.
 ///
 /// P. J. Vermeulen and K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340, <https://doi.org/10.1115/1.3629610>, for bodies of
 /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero; Johnson (1985), section 8.4.
@@ -37,19 +37,20 @@ use crate::error::{Error, Result, finite, positive};
 pub struct VermeulenJohnson {
     coefficients: KalkerCoefficients,
     limit: f64,
-    /// The force without slip over the friction limit.
+    /// Force without slip divided by the friction limit.
     relative: [f64; 2],
 }
 
 impl VermeulenJohnson {
-    /// The contact `hertz`, with the coefficient of friction `friction` and the creepages `creepage` along x and along y
-    /// (dimensionless, of either sign). The [bodies](crate::ElasticPair::equivalent_shear_modulus) come in by their mean
-    /// compliances.
+    /// Creates the contact `hertz` with the coefficient of friction `friction` and the creepages `creepage` along x and along y
+    /// (dimensionless, of either sign). The two bodies are represented by their [mean
+    /// compliances](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the friction or the friction limit, [`Error::NotFinite`] for a creepage or a force
-    /// without slip over the friction limit, [`Error::CoupledMaterials`] for bodies whose
-    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is not zero; as [`KalkerCoefficients::new`].
+    /// - [`Error::NotPositive`] if the coefficient of friction or the friction limit is not positive and finite.
+    /// - [`Error::NotFinite`] if a creepage, or a force without slip divided by the friction limit, is not finite.
+    /// - [`Error::CoupledMaterials`] if the [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of the bodies is not zero.
+    /// - The errors of [`KalkerCoefficients::new`].
     pub fn new(hertz: HertzEllipse, friction: f64, creepage: [f64; 2]) -> Result<Self> {
         positive("coefficient of friction", friction)?;
         let limit = positive("friction limit", friction * hertz.load())?;
@@ -63,7 +64,7 @@ impl VermeulenJohnson {
         }
         let [a, b] = hertz.semi_axes();
         let coefficients = KalkerCoefficients::new(a / b, pair.equivalent_poisson_ratio())?;
-        // The modulus of each of two equal bodies that are as compliant.
+        // Twice the equivalent modulus is the modulus of two equal bodies of the same total compliance.
         let unit = 2.0 * pair.equivalent_shear_modulus() * a * b / limit;
         let [c11, c22] = [coefficients.c11(), coefficients.c22()];
         let relative = [c11 * unit * creepage[0], c22 * unit * creepage[1]];
@@ -77,7 +78,7 @@ impl VermeulenJohnson {
         Ok(curve)
     }
 
-    /// Tangential force F on body 1 along x and along y (forces).
+    /// Returns the tangential force F on body 1 along x and along y (forces).
     #[must_use]
     pub fn force(&self) -> [f64; 2] {
         let x = self.relative_creepage();
@@ -85,18 +86,18 @@ impl VermeulenJohnson {
             return [0.0; 2];
         }
         let left = 1.0 - (x / 3.0).min(1.0);
-        // 1 - left^3, without cancellation for small creepages.
+        // This factor is 1 - left^3 without cancellation for small creepages.
         let part = (1.0 + left + left * left) * (x / 3.0).min(1.0);
         self.relative.map(|f| self.limit * part * (f / x))
     }
 
-    /// The force without slip over the friction limit, x (dimensionless): 3 or more where the whole contact slips.
+    /// Returns the force without slip divided by the friction limit, x (dimensionless): 3 or more if the whole contact slips.
     #[must_use]
     pub fn relative_creepage(&self) -> f64 {
         self.relative[0].hypot(self.relative[1])
     }
 
-    /// The coefficients of the contact without slip.
+    /// Returns Kalker's coefficients of the contact without slip.
     #[must_use]
     pub fn coefficients(&self) -> KalkerCoefficients {
         self.coefficients

@@ -1,6 +1,6 @@
-//! ASC as SPIP and Gwyddion export it: a matrix in text behind a header of `# key = value`, or of `# Width: 10 um`.
+//! ASC, the text export of SPIP and Gwyddion: a matrix in text after a header of `# key = value` or of `# Width: 10 um`.
 //!
-//! Heights and cell sides are in metres. Rows follow one another towards larger y.
+//! Heights and cell sides are in metres. Rows are ordered towards larger y.
 
 use std::path::Path;
 
@@ -27,30 +27,31 @@ const UNITS: [(&str, f64); 8] = [
     ("A", 1e-10),
 ];
 
-/// The surface in a file (metres). See [`parse`].
+/// Reads the surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`] if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse_file(path.as_ref(), parse)
 }
 
-/// The surface in the bytes of a file (metres).
+/// Reads the surface in the bytes of a file (metres).
 ///
-/// The first line is `# File Format = ASCII`. `x-pixels` and `y-pixels` are the numbers of columns and rows, `x-length`
-/// and `y-length` the sides of the whole surface in nanometres. Heights are in the unit that `z-unit` names, or in
-/// multiples of `Bit2nm` nanometres. Where `voidpixels` is not zero, as many numbers again follow the heights, one for
-/// each point that is missing and zero for the others. Some programs write the value of missing heights there: it is taken
-/// for one if no mask follows and it cannot be a number of points. A comment that names a missing value, as in [`csv`](super::csv::parse), is obeyed too. Missing points become NaN.
-/// Numbers are separated as in [`csv`](super::csv::parse), on any lines.
+/// The first line is `# File Format = ASCII`. `x-pixels` and `y-pixels` are the numbers of columns and rows, `x-length` and
+/// `y-length` the sides of the whole surface in nanometres. Heights are in the unit given by `z-unit`, or in multiples of
+/// `Bit2nm` nanometres. Numbers are separated as in [`csv`](super::csv::parse); line breaks have no meaning.
 ///
-/// The text export of Gwyddion is read too. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` are the sides of the
-/// whole surface, and `# Value units: nm` is the unit of the heights. The matrix follows as in
-/// [`csv`](super::csv::parse).
+/// Missing points become NaN. If `voidpixels` is not zero, a mask of equal size follows the heights: nonzero for each missing
+/// point, zero for the others. Some programs write the value of missing heights as `voidpixels`. It is interpreted in this way if
+/// no mask follows and if it cannot be a number of points. A comment with the value of missing points, as in
+/// [`csv`](super::csv::parse), is also respected.
+///
+/// The function also reads the text export of Gwyddion. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` are the sides of
+/// the whole surface, and `# Value units: nm` is the unit of the heights. The matrix follows as in [`csv`](super::csv::parse).
 ///
 /// # Errors
-/// [`Error::Format`] if the bytes are not such a file, a key is missing, a unit unknown, or the
-/// number of heights another.
+/// - [`Error::Format`] if the bytes are not an ASC file, a key is missing, a unit is unknown, or the number of heights is wrong.
 ///
 /// ```
 /// use stickslip::io::asc;
@@ -70,7 +71,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     }
     let header = Header::of(bytes)?;
     let [nx, ny] = header.size;
-    // A number takes a byte and a separator.
+    // Every number occupies at least one byte and a separator.
     let cells = nx.saturating_mul(ny);
     if cells > bytes.len() {
         let problem = format!("{nx} x {ny} heights do not fit into {} bytes", bytes.len());
@@ -109,12 +110,12 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, (0..cells).map(height).collect())
 }
 
-/// Whether a file begins as this format does.
+/// Returns whether a file begins with the first line of this format.
 pub(super) fn is_asc(bytes: &[u8]) -> bool {
     without_mark(bytes).starts_with(MAGIC)
 }
 
-/// Whether a file begins with the comments of a text export of Gwyddion.
+/// Returns whether a file begins with the comments of a text export of Gwyddion.
 pub(super) fn is_gwyddion(bytes: &[u8]) -> bool {
     let header = header_text(bytes);
     !is_asc(bytes)
@@ -150,7 +151,7 @@ fn parse_gwyddion(bytes: &[u8]) -> Result<Field> {
     Ok(matrix.scaled(unit))
 }
 
-/// The value of a key in comments of the form `# key = value`.
+/// Returns the value of a key in comments of the form `# key = value`, where `sign` replaces the equals sign.
 fn entry(header: &str, sign: char, key: &str) -> Option<String> {
     let pairs = header
         .lines()
@@ -159,14 +160,14 @@ fn entry(header: &str, sign: char, key: &str) -> Option<String> {
     values.next().map(|(_, value)| value.trim().to_owned())
 }
 
-/// Metres per unit.
+/// Returns the length of a unit in metres.
 fn unit_of(key: &str, unit: &str) -> Result<f64> {
     let known = UNITS.iter().find(|(name, _)| *name == unit);
     let problem = || format!("the unit {} is unknown", excerpt(unit));
     Ok(known.ok_or_else(|| FORMAT.in_entry(key, problem()))?.1)
 }
 
-/// What the header says.
+/// Parsed header.
 struct Header {
     size: [usize; 2],
     /// Sides of the whole surface, in metres.
@@ -174,7 +175,7 @@ struct Header {
     /// Unit of the heights, in metres.
     unit: f64,
     void: f64,
-    /// The value of missing points that a comment names.
+    /// Value of missing points given in a comment.
     missing: Option<f64>,
 }
 
@@ -227,7 +228,7 @@ impl Header {
     }
 }
 
-/// The lines of the header; Latin-1, as older programs write it, if they are not UTF-8.
+/// Returns the lines of the header. If they are not UTF-8, they are decoded as Latin-1, which older programs write.
 fn header_text(bytes: &[u8]) -> String {
     let bytes = without_mark(bytes);
     let lines = bytes.split_inclusive(|&byte| byte == b'\n');
@@ -242,7 +243,7 @@ fn header_text(bytes: &[u8]) -> String {
     })
 }
 
-/// All numbers behind the header.
+/// Returns all numbers after the header.
 fn numbers(bytes: &[u8]) -> Result<Vec<f64>> {
     let mut numbers = Vec::new();
     for (number, line) in lines(bytes) {

@@ -1,8 +1,8 @@
-//! CSV and other matrices in text: one row per line.
+//! CSV and other matrices in text, with one row per line.
 //!
-//! Lines follow one another towards larger y. The file carries neither cell sides nor a unit. Points in
-//! three columns are a different format, [`xyz`](super::xyz): here they would be read as a matrix of width three. So is a
-//! matrix behind the header of SPIP, [`asc`](super::asc).
+//! Lines are ordered towards larger y. The file contains neither cell sides nor a unit. Points in three columns are a
+//! different format, [`xyz`](super::xyz); this module would read them as a matrix of width three. A matrix after a
+//! header of SPIP is also a different format, [`asc`](super::asc).
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::grid::field::Field;
 
 const FORMAT: Format = Format("CSV");
 
-/// Names by which a comment tells the value of missing points, in small letters and digits.
+/// Names that introduce the value of missing points in a comment, in lower-case letters and digits.
 const MISSING: [&str; 6] = [
     "missingvalue",
     "nodata",
@@ -26,7 +26,7 @@ const MISSING: [&str; 6] = [
     "voidvalue",
 ];
 
-/// How a matrix in text is read.
+/// Options for reading a matrix in text.
 ///
 /// ```
 /// use stickslip::io::csv;
@@ -46,20 +46,20 @@ pub struct Options {
 }
 
 impl Options {
-    /// The value that stands for a missing point (default: what a comment of the file says, or none).
+    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none).
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
     }
 
-    /// Lines to pass over at the beginning, comments and blank ones counted: for names of columns, or a header
-    /// (default 0).
+    /// Sets the number of lines to skip at the beginning, for names of columns or a header (default 0). Comments and
+    /// blank lines are counted.
     pub fn skip_rows(mut self, rows: usize) -> Self {
         self.skip_rows = rows;
         self
     }
 
-    /// Sets the number of cells to leave out at the beginning of each line, for names or numbers of rows (default 0).
+    /// Sets the number of cells to skip at the beginning of each line, for names or numbers of rows (default 0).
     ///
     /// ```
     /// use stickslip::io::csv;
@@ -75,7 +75,7 @@ impl Options {
         self
     }
 
-    /// States that the file has no labels: a first line or column that counts 0, 1, 2 holds heights.
+    /// Declares that the file has no labels: a first line or column that counts 0, 1, 2 contains heights.
     ///
     /// Without this option, such a line or column is rejected.
     pub fn without_labels(mut self) -> Self {
@@ -83,21 +83,22 @@ impl Options {
         self
     }
 
-    /// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See
+    /// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
     /// [`parse`].
     ///
     /// # Errors
-    /// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
+    /// - [`Error::File`] if the file cannot be read.
+    /// - The errors of [`parse`].
     pub fn read(self, path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
         let sides = sides.into().checked()?;
         parse_file(path.as_ref(), |bytes| self.parse(bytes, sides))
     }
 
-    /// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
-    /// See [`parse`].
+    /// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the
+    /// whole grid. See [`parse`].
     ///
     /// # Errors
-    /// As [`parse`].
+    /// See [`parse`].
     pub fn parse(self, bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
         let sides = sides.into().checked()?;
         check_encoding(FORMAT, bytes)?;
@@ -162,7 +163,7 @@ impl Options {
         Field::from_vec(grid, samples)
     }
 
-    /// Checks that neither the first line, of a number, nor the first column holds labels.
+    /// Returns an error if the first line, with the number `line`, or the first column may contain labels.
     fn check_labels(
         self,
         spelling: &Spelling,
@@ -188,8 +189,8 @@ impl Options {
     }
 }
 
-/// The error for a cell that is a name, on the first line or in the first column. It names the option that leaves
-/// the cell out.
+/// Returns the error for a name in the first line or the first column, or `None` for any other cell. The error suggests
+/// the option that skips the cell.
 fn named(
     line: usize,
     cell: &str,
@@ -211,24 +212,25 @@ fn named(
     Some(FORMAT.on_line(line, problem))
 }
 
-/// The spelling of the cells, by which numbers that may be labels are recognised.
+/// Spelling of the cells, which identifies numbers that may be labels.
 #[derive(Debug)]
 struct Spelling {
     corner: Corner,
-    /// Whether the cells of the first line are digits, apart from the corner.
+    /// Whether all cells of the first line are digits, apart from the corner.
     is_line_whole: bool,
-    /// Whether the cells of the first column are digits, apart from the corner.
+    /// Whether all cells of the first column are digits, apart from the corner.
     is_column_whole: bool,
-    /// Number of cells outside the first line and column, and of those that are digits.
+    /// Number of cells outside the first line and column.
     others: usize,
+    /// Number of these cells that consist of digits only.
     whole_others: usize,
 }
 
-/// The first cell of the first line.
+/// First cell of the first line.
 #[derive(Debug, PartialEq)]
 enum Corner {
     Empty,
-    /// Digits.
+    /// Digits only.
     Whole,
     Other,
 }
@@ -247,7 +249,7 @@ impl Default for Spelling {
 
 impl Spelling {
     fn read(&mut self, is_first_line: bool, column: usize, cell: &str) {
-        // An empty cell becomes NaN, which does not count on.
+        // An empty cell becomes NaN, which interrupts the count.
         let is_whole = cell.bytes().all(|byte| byte.is_ascii_digit());
         match (is_first_line, column) {
             (true, 0) if cell.is_empty() => self.corner = Corner::Empty,
@@ -262,11 +264,11 @@ impl Spelling {
         }
     }
 
-    /// Whether the first line and the first column of a matrix are labels.
+    /// Returns whether the first line and the first column of a matrix are labels.
     ///
     /// Next to an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. If the
-    /// corner is not empty, labels are whole numbers that count while the others do not count or have decimals. Two
-    /// numbers are labels only if all others have decimals.
+    /// corner is not empty, labels are whole numbers that count while the other numbers do not count or have decimals.
+    /// Two numbers are labels only if all others have decimals.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
@@ -297,20 +299,20 @@ impl Spelling {
     }
 }
 
-/// Whether numbers are 0, 1, 2 and so on, or 1, 2, 3.
+/// Returns whether the numbers are 0, 1, 2 and so on, or 1, 2, 3 and so on.
 fn counts(numbers: impl Iterator<Item = f64> + Clone) -> bool {
     let first = numbers.clone().next();
     steps_by_one(numbers) && (first == Some(0.0) || first == Some(1.0))
 }
 
-/// Whether each number exceeds the one before by one.
+/// Returns whether each number exceeds its predecessor by one.
 #[expect(clippy::float_cmp, reason = "whole numbers are exact")]
 fn steps_by_one(numbers: impl Iterator<Item = f64> + Clone) -> bool {
     let next = numbers.clone().skip(1);
     numbers.zip(next).all(|(a, b)| b - a == 1.0)
 }
 
-/// Whether three or more numbers have equal distances, up to the rounding of few decimals.
+/// Returns whether three or more numbers are evenly spaced, within the rounding of a few decimals.
 fn is_even(numbers: impl Iterator<Item = f64> + Clone) -> bool {
     let mut steps = numbers.clone().zip(numbers.skip(1)).map(|(a, b)| b - a);
     let (Some(first), Some(second)) = (steps.next(), steps.next()) else {
@@ -320,7 +322,8 @@ fn is_even(numbers: impl Iterator<Item = f64> + Clone) -> bool {
     first != 0.0 && is_equal(second) && steps.all(is_equal)
 }
 
-/// The value of missing points, if a comment tells it: `# missing value = -32768`, `# NODATA_value: -9999`.
+/// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or
+/// `# NODATA_value: -9999`.
 pub(super) fn missing_value(comment: &str) -> Option<f64> {
     let (name, value) = comment.split_once(['=', ':'])?;
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
@@ -329,36 +332,41 @@ pub(super) fn missing_value(comment: &str) -> Option<f64> {
     MISSING.contains(&name.as_str()).then_some(value)
 }
 
-/// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
+/// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
+/// [`parse`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`] if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
     Options::default().read(path, sides)
 }
 
-/// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
+/// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole
+/// grid.
 ///
-/// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order,
-///   that the first line has. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
+/// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order, that occurs in
+///   the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
-///   `# NODATA_value: -9999` names the value of missing points: by `missing value`, `no data`, `no data value`, `bad
-///   value`, `invalid value` or `void value`, however written, then `=` or `:` and a number alone. Any other comment is
-///   ignored, and the numbers stay heights: [`Options::missing`] names the value then.
-/// - A cell is missing, NaN, if it is empty, all stars (`***`), or one of these words in either case: `nan`, `BAD`,
-///   `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`, `invalid`, `missing` and `--`.
+///   `# NODATA_value: -9999` sets the value of missing points. It consists of `missing value`, `no data`,
+///   `no data value`, `bad value`, `invalid value` or `void value` (in any case and with any separators of words), then
+///   `=` or `:` and a single number. Any other comment is ignored; use [`Options::missing`] if it contains the value of
+///   missing points.
+/// - A cell is missing (NaN) if it is empty, consists of stars (`***`), or is one of these words in upper or lower
+///   case: `nan`, `BAD`, `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`, `invalid`, `missing` and `--`.
 /// - A separator at the end of every line adds no cell.
-/// - Names of columns and rows are rejected: [`Options::skip_rows`] and [`Options::skip_columns`] leave them out.
-/// - Numbers that may be labels are rejected as well: a first line or column of whole numbers that counts 0, 1, 2 or
-///   1, 2, 3 while the others do not count or have decimals. After an empty first cell, evenly spaced coordinates on
+/// - Names of columns and rows are rejected; [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
+/// - Numbers that may be labels are also rejected: a first line or column of whole numbers that counts 0, 1, 2 or 1, 2,
+///   3 while the other numbers do not count or have decimals. After an empty first cell, evenly spaced coordinates on
 ///   both axes are also labels. [`Options::without_labels`] reads all of them as heights.
 ///
 /// # Errors
-/// - [`Error::NotPositive`] if a cell side is not positive.
+/// - [`Error::NotPositive`] if a cell side is not positive and finite.
 /// - [`Error::Format`], with the line, if a cell is not a number, if the width of a line differs from the first, or if
 ///   the first line or column may be labels.
-/// - [`Error::Format`] if the text is in UTF-16, if the file has no line, or if [`asc`](super::asc) reads it.
+/// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
+///   [`asc`](super::asc).
 ///
 /// ```
 /// use stickslip::io::csv;
@@ -371,16 +379,16 @@ pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
     Options::default().parse(bytes, sides)
 }
 
-/// Writes a field to a file, as [`to_bytes`].
+/// Writes a field to a file in the form of [`to_bytes`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be written.
+/// - [`Error::File`] if the file cannot be written.
 pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }
 
-/// A field as a file: commas between cells, each number with enough digits to restore it to the
-/// last bit, `NaN` for a missing one. The cell sides are not stored.
+/// Returns the bytes of a file with a field. Commas separate the cells, each number has enough digits to be restored
+/// exactly, and missing values are `NaN`. The cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let mut text = String::new();

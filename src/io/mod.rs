@@ -8,31 +8,31 @@
 //! | XYZ, three columns in text | [`xyz`] | yes | | yes | the file's |
 //! | SDF of ISO 25178-71 | [`sdf`] | yes | yes | yes | metre |
 //! | SUR of Digital Surf, not compressed | [`sur`] | yes | | yes | metre |
-//! | X3P of ISO 25178-72 | `x3p`, behind the feature of that name | yes | | yes | metre |
+//! | X3P of ISO 25178-72 | `x3p`, with the feature `x3p` | yes | | yes | metre |
 //! | VTI, the image data of VTK and ParaView | [`vti`], volumes by [`Planes::write_vti`](crate::subsurface::Planes::write_vti) | | yes | yes | the field's |
 //! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
-//! | PVTI, VTI files of slabs that ranks hold | [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti) | | yes | yes | the field's |
+//! | PVTI, one VTI file per rank of a distributed grid | [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti) | | yes | yes | the field's |
 //!
-//! `read` takes a path, `parse` the bytes of a file; `write` and `to_bytes` are their inverses.
-//! [`read`](fn@read) of this module identifies the format of a file among those with cell sides. Ranks that share a grid
-//! read and write one NPY file, each its own rows of it: [`HalfSpace::read_npy`](crate::HalfSpace::read_npy),
-//! [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
+//! `read` takes a path, and `parse` takes the bytes of a file; `write` and `to_bytes` are their inverses.
+//! [`read`](fn@read) of this module identifies the format of a file among the formats with cell sides. On a distributed
+//! grid, all ranks read and write a single NPY file, each its own rows, with
+//! [`HalfSpace::read_npy`](crate::HalfSpace::read_npy) and [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
 //!
 //! # Conventions
-//! - A height is returned as stored in the file: a surface that points up has large values at its
-//!   peaks. The gap of a contact has the opposite sense.
-//! - Samples keep the order of the file: the first is that of cell `(0, 0)`, at the least x and the
-//!   least y, and the next is its neighbour along x. Rows follow one another towards larger y, so a file
-//!   whose rows are counted from the top is read mirrored. XYZ files give the position of each point.
-//! - A point that was not measured is NaN. Solvers do not accept NaN: fill such points first.
-//! - A [`Grid`](crate::Grid) is centred on the origin; the origin of the file is not kept.
+//! - A height is returned as stored in the file: a surface that points up has large values at its peaks. The gap of a
+//!   contact has the opposite sign.
+//! - Samples keep the order of the file. The first sample belongs to cell `(0, 0)`, at the smallest x and y, and the
+//!   next sample to its neighbour along x. Rows are ordered towards larger y, so a file whose rows are counted from the
+//!   top is read mirrored. XYZ files give the position of each point.
+//! - A point that was not measured is NaN. Solvers do not accept NaN, so fill such points first.
+//! - A [`Grid`](crate::Grid) is centred on the origin; the origin given in the file is ignored.
 //! - A row of n points at a distance d covers n cells of side d, not n - 1.
 //!
 //! # Damaged files
-//! A truncated, damaged or inconsistent file gives an [`Error::Format`](crate::Error::Format) that states the problem and
-//! [where](Place) it is. Sizes are checked against the bytes present before memory is allocated: reading
-//! takes less than fifty times the size of the file; for X3P, which is compressed, less than eight times the
-//! size to which its module lets an entry expand.
+//! A truncated, damaged or inconsistent file causes an [`Error::Format`](crate::Error::Format) with the problem and its
+//! [place](Place). Sizes are checked against the number of bytes before memory is allocated. Reading therefore needs
+//! less than fifty times the size of the file. For X3P, which is compressed, it needs less than eight times the largest
+//! permitted size of an expanded entry.
 
 mod slabs;
 
@@ -58,14 +58,15 @@ use crate::error::{Result, positive};
 use crate::files::{Format, in_file, refused};
 use crate::grid::field::Field;
 
-/// A surface from a file that carries its cell sides: SDF, SUR, ASC or X3P recognised by the first bytes, XYZ
-/// by the extension `.xyz`.
+/// Reads a surface from a file that contains its cell sides. SDF, SUR, ASC and X3P are recognised by their first bytes,
+/// XYZ by the extension `.xyz`.
 ///
-/// Units are those of the module of the format.
+/// The unit is documented in the module of the format.
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read; [`Error::Format`](crate::Error::Format) if it has a different format, or as the
-/// `parse` of its format. For a text of three columns, the error advises to read points as XYZ.
+/// - [`Error::File`](crate::Error::File) if the file cannot be read.
+/// - [`Error::Format`](crate::Error::Format) if the file has a different format, or for the reasons given at the
+///   `parse` of its format. For a text of three columns, the error suggests reading the points as XYZ.
 ///
 /// ```
 /// use stickslip::{Error, io};
@@ -118,7 +119,8 @@ fn parse_x3p(_: &[u8]) -> Result<Field> {
     Err(Format("X3P").at_byte(0, "reading it requires the cargo feature `x3p`"))
 }
 
-/// Sides of what a file without them holds (lengths); `[dx, dy]` are those of a cell.
+/// Cell or grid sides (lengths) for a file that does not contain them. An array `[dx, dy]` converts to the sides of a
+/// cell.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io};
@@ -143,7 +145,7 @@ impl From<[f64; 2]> for Sides {
 }
 
 impl Sides {
-    /// `Ok` if both are positive and finite.
+    /// Returns an error if a side is not positive and finite.
     fn checked(self) -> Result<Self> {
         let (names, sides) = match self {
             Self::OfCell(sides) => (["cell side dx", "cell side dy"], sides),
@@ -158,7 +160,7 @@ impl Sides {
         Ok(self)
     }
 
-    /// Those of a cell, of so many cells.
+    /// Returns the sides of a cell of a grid with the given numbers of cells.
     fn of_cell(self, [nx, ny]: [usize; 2]) -> [f64; 2] {
         match self {
             Self::OfCell(sides) => sides,
@@ -167,7 +169,7 @@ impl Sides {
     }
 }
 
-/// What the bytes of a file say; an error in them names the file.
+/// Reads and parses a file, and adds its path to an error in its contents.
 fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
     let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
     parse(&bytes).map_err(|error| in_file(path, error))

@@ -1,7 +1,7 @@
 //! NPY, the array file of NumPy.
 //!
-//! For arrays of two axes, shape `(ny, nx)`: the first index counts rows towards larger y. The file
-//! carries neither cell sides nor a unit.
+//! The arrays have two axes and the shape `(ny, nx)`; the first index counts rows towards larger y. The file contains
+//! neither cell sides nor a unit.
 //!
 //! Layout: <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
 
@@ -22,29 +22,33 @@ use crate::parallel::ranks::RankGroup;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
-/// Enough for two integers; samples then begin at byte 128, since the format requires a multiple of 64.
+/// Length of a written header, enough for two integers. Samples then begin at byte 128; the format requires a multiple
+/// of 64.
 const HEADER_LENGTH: u16 = 118;
-/// Where the samples begin in a file written here.
+/// First byte of the samples in a written file.
 const FIRST_SAMPLE: u64 = 128;
 
-/// The field in a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths). See [`parse`].
+/// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
+/// [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`](crate::Error::File) if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
     let sides = sides.into().checked()?;
     parse_file(path.as_ref(), |bytes| parse(bytes, sides))
 }
 
-/// The field in the bytes of a file, on cells of [sides](Sides) `[dx, dy]`, or of a grid of given sides (lengths).
+/// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole
+/// grid.
 ///
-/// Versions 1 to 3 of the format; floats of 32 and 64 bits and integers of 8 to 64 bits in either byte
-/// order; C and Fortran order of axes. Integers of 64 bits are rounded to the nearest double.
+/// The function supports versions 1 to 3 of the format, floats of 32 and 64 bits and integers of 8 to 64 bits in either
+/// byte order, and C and Fortran order of the axes. Integers of 64 bits are rounded to the nearest double.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for a cell side;
-/// [`Error::Format`](crate::Error::Format) if the bytes are not an NPY file, or their number disagrees
-/// with its shape.
+/// - [`Error::NotPositive`](crate::Error::NotPositive) if a cell side is not positive and finite.
+/// - [`Error::Format`](crate::Error::Format) if the bytes are not an NPY file, or if their number does not match the
+///   shape.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::npy};
@@ -59,11 +63,11 @@ pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
     Field::from_vec(array.grid(sides)?, samples)
 }
 
-/// The grid of the array in a file, of which the samples are not read, on cells of [sides](Sides) `[dx, dy]`, or of
-/// given sides (lengths).
+/// Reads the grid of the array in a file without reading the samples. [`Sides`] (lengths) are those of a cell,
+/// `[dx, dy]`, or those of the whole grid.
 ///
 /// # Errors
-/// As [`read`].
+/// See [`read`].
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::npy};
@@ -81,7 +85,7 @@ pub fn grid(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Grid> {
     array.grid(sides).map_err(|error| in_file(path, error))
 }
 
-/// The rows of the array in a file that a slab holds, the only ones that are read.
+/// Reads the rows of the array that belong to a slab.
 pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
     let (mut file, array) = open(path)?;
     let ([ny, nx], whole) = (array.shape, slab.whole());
@@ -95,7 +99,7 @@ pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
     Field::from_vec(slab, array.samples(slab.ny(), &bytes))
 }
 
-/// A file, and where its samples are.
+/// Opens a file and parses its header.
 fn open(path: &Path) -> Result<(File, Array)> {
     let refuse = |error: std::io::Error| refused(path, &error);
     let file = File::open(path).map_err(refuse)?;
@@ -105,7 +109,7 @@ fn open(path: &Path) -> Result<(File, Array)> {
     Ok((file, array))
 }
 
-/// The bytes of a file before the samples, if it has so many.
+/// Returns the bytes of a file before the samples, or fewer if the file is truncated.
 fn head(file: &File) -> IoResult<Vec<u8>> {
     let mut head = Vec::new();
     file.take(12).read_to_end(&mut head)?;
@@ -120,15 +124,16 @@ fn head(file: &File) -> IoResult<Vec<u8>> {
     Ok(head)
 }
 
-/// Writes a field to a file, as [`to_bytes`].
+/// Writes a field to a file in the form of [`to_bytes`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be written.
+/// - [`Error::File`](crate::Error::File) if the file cannot be written.
 pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }
 
-/// Writes a field of which every rank holds a slab to one file, as [`to_bytes`] of the whole: all of it, or nothing.
+/// Writes a distributed field to a single file in the form of [`to_bytes`]. Either the whole file is written or
+/// nothing.
 pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&RankGroup>) -> Result<()> {
     let grid = field.grid();
     let is_first = team.is_none_or(|team| team.rank() == 0);
@@ -145,8 +150,8 @@ pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&RankGroup>) -
     })
 }
 
-/// A field as a file: version 1.0, little-endian doubles in C order, shape `(ny, nx)`. Every bit of
-/// every sample is kept; the cell sides are not stored.
+/// Returns the bytes of a file with a field: version 1.0, little-endian doubles in C order, shape `(ny, nx)`. Samples
+/// are stored exactly; the cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let mut bytes = header(field.grid());
@@ -155,7 +160,7 @@ pub fn to_bytes(field: &Field) -> Vec<u8> {
     bytes
 }
 
-/// What stands before the samples of a field.
+/// Returns the bytes before the samples of a field.
 fn header(grid: Grid) -> Vec<u8> {
     let (nx, ny) = (grid.nx(), grid.ny());
     let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
@@ -167,21 +172,22 @@ fn header(grid: Grid) -> Vec<u8> {
     bytes
 }
 
-/// How the array of a file is stored, and where.
+/// Storage format and position of the array in a file.
 #[derive(Debug)]
 struct Array {
     number: Number,
     order: ByteOrder,
     is_fortran: bool,
-    /// Rows and columns.
+    /// Numbers of rows and columns.
     shape: [usize; 2],
-    /// Where the header begins, and the samples.
+    /// Position of the header in the file.
     header: usize,
+    /// Position of the samples in the file.
     start: usize,
 }
 
 impl Array {
-    /// From the bytes of a file of so many, at least those before its samples.
+    /// Parses the bytes before the samples; `length` is the number of bytes of the whole file.
     fn parse(bytes: &[u8], length: u64) -> Result<Self> {
         let mut bytes = Cursor::new(FORMAT, bytes);
         if bytes.take("the magic string", MAGIC.len())? != MAGIC {
@@ -211,7 +217,7 @@ impl Array {
         Ok(array)
     }
 
-    /// The grid of the array.
+    /// Returns the grid of the array.
     fn grid(&self, sides: Sides) -> Result<Grid> {
         let [ny, nx] = self.shape;
         FORMAT.grid(
@@ -221,7 +227,7 @@ impl Array {
         )
     }
 
-    /// The bytes of some rows: one behind the other, or those of each column behind those of the last.
+    /// Reads the bytes of a range of rows: row by row in C order, column by column in Fortran order.
     fn rows(&self, file: &mut File, rows: Range<usize>) -> IoResult<Vec<u8>> {
         let ([ny, nx], size) = (self.shape, self.number.size());
         let (run, first, step) = if self.is_fortran {
@@ -238,7 +244,7 @@ impl Array {
         Ok(bytes)
     }
 
-    /// The samples of so many rows, from their bytes.
+    /// Decodes the samples of `rows` rows from their bytes.
     fn samples(&self, rows: usize, bytes: &[u8]) -> Vec<f64> {
         let samples = self.number.decode(self.order, bytes);
         if !self.is_fortran {
@@ -249,7 +255,7 @@ impl Array {
         (0..samples.len()).map(transposed).collect()
     }
 
-    /// The header is a Python dictionary of three entries; `start` is where it begins.
+    /// Parses the header, a Python dictionary of three entries that begins at the byte `start`.
     fn described(start: usize, text: &[u8]) -> Result<Self> {
         let header = String::from_utf8_lossy(text);
         let value = |key: &str| {
@@ -286,7 +292,7 @@ impl Array {
     }
 }
 
-/// The kind of number behind a quoted code such as `'<f8'`.
+/// Returns the number type and byte order of a quoted code such as `'<f8'`.
 fn number(descr: &str) -> Option<(Number, ByteOrder)> {
     let (code, _) = descr.strip_prefix('\'')?.split_once('\'')?;
     let (order, kind) = match code.strip_prefix('>') {
@@ -309,7 +315,7 @@ fn number(descr: &str) -> Option<(Number, ByteOrder)> {
     Some((number, order))
 }
 
-/// The name of a dtype that is not read, from its code.
+/// Returns the name of an unsupported dtype from its code.
 fn dtype(descr: &str) -> String {
     if descr.starts_with('[') {
         return "of records (a structured dtype)".into();
@@ -340,7 +346,7 @@ fn dtype(descr: &str) -> String {
     name.map_or_else(|| code.clone(), |name| format!("{name} ({code})"))
 }
 
-/// The two lengths of a tuple such as `(3, 4)`.
+/// Parses the two lengths of a tuple such as `(3, 4)`.
 fn pair(shape: &str) -> Option<[usize; 2]> {
     let (inner, _) = shape.strip_prefix('(')?.split_once(')')?;
     let (first, second) = inner.split_once(',')?;

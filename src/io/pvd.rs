@@ -1,4 +1,4 @@
-//! PVD: a series of files in time, for ParaView.
+//! PVD, a time series of files for ParaView.
 //!
 //! Source: <https://www.paraview.org/Wiki/ParaView/Data_formats#PVD_File_Format>.
 
@@ -11,11 +11,11 @@ use crate::files::{Format, replace_bytes};
 
 const FORMAT: Format = Format("PVD");
 
-/// A series of [VTI](super::vti) files, and the PVD file that lists them with their times.
+/// Series of [VTI](super::vti) files and the PVD file that lists them with their times.
 ///
-/// The files of the series lie beside it and bear its name and their number: `run.pvd`, `run.0000.vti`, `run.0001.vti`.
-/// The list is replaced after every file, so the series can be opened during the run and stays readable if the run is
-/// aborted.
+/// The files of the series are in the same folder as the PVD file and have its name and a number: `run.pvd`,
+/// `run.0000.vti`, `run.0001.vti`. The list is replaced after every file, so the series can be opened during the run
+/// and stays readable if the run is aborted.
 ///
 /// ```no_run
 /// use stickslip::io::{pvd::PvdWriter, vti::Array};
@@ -31,17 +31,17 @@ const FORMAT: Format = Format("PVD");
 #[derive(Debug, Clone)]
 pub struct PvdWriter {
     path: PathBuf,
-    /// Name of the series, without its ending.
+    /// Name of the series, without its extension.
     name: String,
     times: Vec<f64>,
 }
 
 impl PvdWriter {
-    /// An empty series in a file, which is replaced.
+    /// Creates an empty series; an existing PVD file is replaced.
     ///
     /// # Errors
-    /// [`Error::Format`](crate::Error::Format) for a path without a name in UTF-8;
-    /// [`Error::File`](crate::Error::File) if the file cannot be written.
+    /// - [`Error::Format`](crate::Error::Format) if the path has no name in UTF-8.
+    /// - [`Error::File`](crate::Error::File) if the file cannot be written.
     pub fn new(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let Some(name) = path.file_stem().and_then(|name| name.to_str()) else {
@@ -57,10 +57,11 @@ impl PvdWriter {
         Ok(series)
     }
 
-    /// Writes fields and vectors at a time, which may be a number of cycles, and lists them.
+    /// Writes fields and vectors and adds them to the list with the given time, which may be a number of cycles.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for the time; as [`vti::write`].
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the time is not finite.
+    /// - The errors of [`vti::write`].
     pub fn write<'a>(
         &mut self,
         time: f64,
@@ -77,13 +78,13 @@ impl PvdWriter {
         listed
     }
 
-    /// Files written so far.
+    /// Returns the number of files written so far.
     #[must_use]
     pub fn len(&self) -> usize {
         self.times.len()
     }
 
-    /// Whether none has been written.
+    /// Returns whether no file has been written.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()

@@ -1,4 +1,4 @@
-//! PVTI: an image of VTK in pieces, of which every rank writes its own.
+//! PVTI, a VTK image in pieces; every rank writes its own piece.
 //!
 //! Source: the file formats of VTK,
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
@@ -18,8 +18,8 @@ use crate::parallel::ranks::partition::RowPartition;
 
 const FORMAT: Format = Format("PVTI");
 
-/// Writes named arrays of which every rank holds a slab: its piece, and the list of all by the first rank. Ranks without
-/// rows have no piece.
+/// Writes named distributed arrays. Every rank with rows writes its piece; the first rank writes the list of the
+/// pieces.
 pub(crate) fn write(
     path: &Path,
     slab: Grid,
@@ -42,7 +42,8 @@ pub(crate) fn write(
         Ok(None)
     };
     let part = RankGroup::agreed_of(team, part)?;
-    // Until all pieces have their names an earlier list would be that of a mixture.
+    // An earlier list is removed first, because it would refer to a mixture of old and new pieces while the pieces are
+    // renamed.
     RankGroup::agreed_of(team, of_first(&|| removed(path)))?;
     RankGroup::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;
 
@@ -56,7 +57,7 @@ pub(crate) fn write(
     RankGroup::agreed_of(team, of_first(&|| replace_bytes(path, list.as_bytes())))
 }
 
-/// The name of a list without its ending.
+/// Returns the name of a list without its extension.
 fn name(path: &Path) -> Result<&str> {
     let name = path.file_stem().and_then(|name| name.to_str());
     name.ok_or_else(|| {
@@ -65,19 +66,19 @@ fn name(path: &Path) -> Result<&str> {
     })
 }
 
-/// The file of the piece of a rank.
+/// Returns the file name of the piece of a rank.
 fn piece_of(name: &str, rank: usize) -> String {
     format!("{name}_{rank}.vti")
 }
 
-/// A file that has yet to take its name.
+/// Writes a temporary file, which the caller renames later.
 fn written<'a>(path: &'a Path, bytes: &[u8]) -> Result<PartialFile<'a>> {
     let part = PartialFile::beside(path)?;
     part.write(|file| file.write_all(bytes))?;
     Ok(part)
 }
 
-/// Removes a file if there is one.
+/// Removes a file if it exists.
 fn removed(path: &Path) -> Result<()> {
     match std::fs::remove_file(path) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(refused(path, &error)),
@@ -85,7 +86,7 @@ fn removed(path: &Path) -> Result<()> {
     }
 }
 
-/// The list of the pieces of a grid whose rows are dealt out so.
+/// Returns the list of the pieces of a grid; `rows` are the rows of each rank.
 fn list(grid: Grid, arrays: &[(&str, Array<'_>)], name: &str, rows: &[Range<usize>]) -> String {
     let (whole, place) = (extent(grid.nx(), &grid.rows()), place(grid));
     let mut text = format!(

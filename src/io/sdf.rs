@@ -1,7 +1,6 @@
 //! SDF, the surface data file of ISO 25178-71, in its binary and its text form.
 //!
-//! Lengths are in metres. Profiles follow one another towards larger y, the points of each towards
-//! larger x.
+//! Lengths are in metres. Profiles are ordered towards larger y, and their points towards larger x.
 //!
 //! Source: ISO 25178-71:2012, Geometrical product specifications, Surface texture: Areal, Part 71:
 //! Software measurement standards.
@@ -19,28 +18,30 @@ use crate::grid::field::Field;
 const FORMAT: Format = Format("SDF");
 const MAGIC_LENGTH: usize = 8;
 const BINARY: &[u8; MAGIC_LENGTH] = b"bISO-1.0";
-/// Magic strings of files in this layout. The BCR format is the predecessor of SDF, with the same header.
+/// Magic strings of binary files in this layout. The BCR format is the predecessor of SDF, with the same header.
 const BINARIES: [&[u8; MAGIC_LENGTH]; 2] = [BINARY, b"bBCR-1.0"];
 const TEXTS: [&[u8; MAGIC_LENGTH]; 3] = [b"aISO-1.0", b"aISO-2.0", b"aBCR-1.0"];
 
-/// The surface in a file (metres). See [`parse`].
+/// Reads the surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`](crate::Error::File) if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse_file(path.as_ref(), parse)
 }
 
-/// The surface in the bytes of a file (metres).
+/// Reads the surface in the bytes of a file (metres).
 ///
-/// Version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. The text form of version 2.0, `aISO-2.0`, and
-/// the BCR format before it, `bBCR-1.0` and `aBCR-1.0`, have the same layout. Binary samples are
-/// integers of 16 or 32 bits or floats of 32 or 64 (data types 5, 6, 3 and 7). Missing points become
-/// NaN: in a binary file they are the least number of the type or NaN, in a text file `BAD`. The record
-/// after the samples is ignored.
+/// The function supports version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. It also supports the
+/// text form of version 2.0, `aISO-2.0`, and the earlier BCR format, `bBCR-1.0` and `aBCR-1.0`, which have the same
+/// layout. Binary samples are integers of 16 or 32 bits or floats of 32 or 64 bits (data types 5, 6, 3 and 7). Missing
+/// points become NaN. In a binary file they are stored as the smallest number of the type or as NaN, in a text file as
+/// `BAD`. The record after the samples is ignored.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or fewer than its sizes require.
+/// - [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or if there are fewer bytes than its
+///   sizes require.
 ///
 /// ```
 /// use stickslip::io::sdf;
@@ -66,19 +67,20 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     }
 }
 
-/// Writes a surface (metres) to a file, as [`to_bytes`].
+/// Writes a surface (metres) to a file in the form of [`to_bytes`].
 ///
 /// # Errors
-/// As [`to_bytes`]; [`Error::File`](crate::Error::File) if the file cannot be written.
+/// - The errors of [`to_bytes`].
+/// - [`Error::File`](crate::Error::File) if the file cannot be written.
 pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field)?)
 }
 
-/// A surface (metres) as a file: the binary form with doubles (data type 7) and scale one. Samples and cell
-/// sides are restored to the last bit; only the least double and minus infinity are read as NaN.
+/// Returns the bytes of a file with a surface (metres): the binary form with doubles (data type 7) and scale one.
+/// Samples and cell sides are restored exactly, except that the smallest double and minus infinity are read as NaN.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if a side has more than the 65535 points that the format allows.
+/// - [`Error::Format`](crate::Error::Format) if a side has more than the 65535 points that the format allows.
 pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     let grid = field.grid();
     let count = |name: &str, cells: usize| {
@@ -91,11 +93,11 @@ pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     ];
     let (unit_scale, unknown_resolution): (f64, f64) = (1.0, -1.0);
     let scales = [grid.dx(), grid.dy(), unit_scale, unknown_resolution];
-    let flags = [0, 7, 0]; // compression, data type, checksum
+    let flags = [0, 7, 0]; // Compression, data type and checksum.
 
     let mut bytes = BINARY.to_vec();
     bytes.extend_from_slice(b"stickslip ");
-    bytes.extend_from_slice(&[b'0'; 24]); // the dates of creation and change, unknown
+    bytes.extend_from_slice(&[b'0'; 24]); // The dates of creation and modification are unknown.
     bytes.extend(counts.iter().flat_map(|count| count.to_le_bytes()));
     bytes.extend(scales.iter().flat_map(|scale| scale.to_le_bytes()));
     bytes.extend_from_slice(&flags);
@@ -103,7 +105,7 @@ pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Whether the first bytes are those of an SDF file, of any dialect.
+/// Returns whether the first bytes identify an SDF file of any dialect.
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
     begins_as(&[b"aISO-", b"bISO-", b"aBCR-", b"bBCR-"], bytes)
 }
@@ -147,7 +149,7 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
     let stored = bytes.take("the samples", grid.cells() * number.size())?;
     let mut samples = number.decode(ByteOrder::LeastFirst, stored);
     for sample in &mut samples {
-        // Only the least number of the type, or minus infinity, satisfies this.
+        // Only the smallest number of the type and minus infinity satisfy this condition.
         *sample = if *sample <= missing {
             f64::NAN
         } else {
@@ -190,7 +192,7 @@ fn parse_text(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, samples)
 }
 
-/// The relevant lines `Name = Value` of a text file.
+/// Relevant lines `Name = Value` of a text file.
 #[derive(Debug, Default)]
 struct TextHeader {
     points: Option<usize>,
@@ -225,7 +227,7 @@ impl TextHeader {
         Ok(())
     }
 
-    /// The grid and the scale of heights, once the header has ended on a line.
+    /// Returns the grid and the scale of the heights; `line` is the last line of the header.
     fn scales(&self, line: usize) -> Result<(Grid, f64)> {
         let missing = |name: &str| FORMAT.on_line(line, format!("the header has no {name}"));
         let nx = self.points.ok_or_else(|| missing("NumPoints"))?;

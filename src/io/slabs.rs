@@ -1,4 +1,4 @@
-//! Files of fields that ranks hold slab by slab.
+//! Files of distributed fields.
 
 use std::path::Path;
 
@@ -9,24 +9,26 @@ use crate::io::vti::{self, Array};
 use crate::io::{npy, pvti};
 
 impl HalfSpace {
-    /// The field in an NPY file of the shape of the whole grid, `(ny, nx)`, on the cells held here: all ranks call this
-    /// alike, and each reads its own rows only. As [`io::npy::read`](npy::read), and the grid of the file is told by
-    /// [`io::npy::grid`](npy::grid).
+    /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is collective; each
+    /// rank reads only its own rows. The supported files are those of [`io::npy::read`](npy::read); [`io::npy::grid`](npy::grid)
+    /// reads the grid of a file.
     ///
     /// # Errors
-    /// [`Error::File`](crate::Error::File) if the file cannot be read; [`Error::Format`](crate::Error::Format) as
-    /// [`io::npy::parse`](npy::parse), and for an array of another shape; [`Error::Ranks`](crate::Error::Ranks) if
-    /// another rank has failed.
+    /// - [`Error::File`](crate::Error::File) if the file cannot be read.
+    /// - [`Error::Format`](crate::Error::Format) for the reasons given at [`io::npy::parse`](npy::parse), or if the array has a
+    ///   different shape.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn read_npy(&self, path: impl AsRef<Path>) -> Result<Field> {
         self.collective_result(npy::read_slab(path.as_ref(), self.grid()))
     }
 
-    /// Writes a field to one NPY file of the whole grid: all ranks call this alike, and each writes its own rows only. The
-    /// file is that of [`io::npy::write`](npy::write), byte by byte, on any number of ranks.
+    /// Writes a field to a single NPY file of the whole grid. The call is collective; each rank writes only its own rows. The
+    /// file is identical to the file of [`io::npy::write`](npy::write) for any number of ranks.
     ///
-    /// The file is replaced as a whole when every rank has written its rows to the disk, or not at all: until then all is
-    /// written to `NAME.PID.NUMBER.part` beside it, which is removed after a failure and is left only by a process that is
-    /// killed. A rank that loses the others at the very end returns an error of a file that is complete.
+    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the disk,
+    /// this file replaces the target, so that the target is replaced completely or not at all. The temporary file is removed
+    /// after a failure; it remains only if the process is killed. A rank that loses the connection to the others at the very end
+    /// returns an error although the file is complete.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -50,21 +52,22 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); [`Error::File`](crate::Error::File) if the file cannot be
-    /// written; [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
+    /// - [`Error::File`](crate::Error::File) if the file cannot be written.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn write_npy(&self, path: impl AsRef<Path>, field: &Field) -> Result<()> {
         self.collective_result(self.grid().expect("the field to be written", field.grid()))?;
         npy::write_slab(path.as_ref(), field, self.sharing().map(|team| &**team))
     }
 
-    /// Writes named fields and vectors for ParaView: all ranks call this alike, each writes the image of its own rows, and
-    /// the first the list of these images, which shows the whole grid.
+    /// Writes named fields and vectors for ParaView. The call is collective: each rank writes the image of its own rows, and the
+    /// first rank writes the list of the images, which represents the whole grid.
     ///
-    /// The list has the path given, `run.pvti`, and the images lie beside it, `run_0.vti`, `run_1.vti`, ..., as
-    /// [`io::vti::write`](vti::write) writes them; a rank without rows has none. Without ranks there is one image.
+    /// The list has the given path, `run.pvti`. The images are in the same folder, `run_0.vti`, `run_1.vti`, ..., in the form of
+    /// [`io::vti::write`](vti::write). A rank without rows writes no image. Without ranks there is a single image.
     ///
-    /// As long as not all images are on the disk a failure leaves everything as it was. Then an earlier list is removed,
-    /// the images take their names, and at last the new list its own: there is never one of old and new images.
+    /// A failure before all images are on the disk leaves existing files unchanged. Then an earlier list is removed, the images
+    /// are renamed, and finally the new list is written. A list therefore never refers to both old and new images.
     ///
     /// ```no_run
     /// # fn show(bodies: &stickslip::HalfSpace, contact: &stickslip::NormalSolution) -> stickslip::Result<()> {
@@ -74,9 +77,11 @@ impl HalfSpace {
     /// ```
     ///
     /// # Errors
-    /// As [`io::vti::to_bytes`](vti::to_bytes); [`Error::GridMismatch`](crate::Error::GridMismatch);
-    /// [`Error::Format`](crate::Error::Format) for a path without a name in UTF-8; [`Error::File`](crate::Error::File) if a
-    /// file cannot be written; [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
+    /// - The errors of [`io::vti::to_bytes`](vti::to_bytes).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if a field is on a different grid.
+    /// - [`Error::Format`](crate::Error::Format) if the path has no name in UTF-8.
+    /// - [`Error::File`](crate::Error::File) if a file cannot be written.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     #[doc(alias = "ParaView")]
     pub fn write_pvti<'a>(
         &self,

@@ -1,10 +1,10 @@
 //! SUR, the surface file of Digital Surf (`MountainsMap`), in its uncompressed form.
 //!
-//! Heights and cell sides are returned in metres; the file stores them in single precision and in its
-//! own units. Lines follow one another towards larger y.
+//! Heights and cell sides are returned in metres; the file stores them in single precision and in its own units. Lines
+//! are ordered towards larger y.
 //!
-//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout; they differ in a
-//! constant added to all heights, which does not affect contact. Here it is the offset in the file.
+//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout; they differ in a constant added to
+//! all heights, which does not affect contact. This module adds the offset in the file.
 
 use std::path::Path;
 
@@ -19,22 +19,23 @@ const FORMAT: Format = Format("SUR");
 const MAGIC: &[u8; 12] = b"DIGITAL SURF";
 const COMPRESSED: &[u8; 12] = b"DSCOMPRESSED";
 
-/// The surface in a file (metres). See [`parse`].
+/// Reads the surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`](crate::Error::File) if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`](crate::Error::File) if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse_file(path.as_ref(), parse)
 }
 
-/// The surface in the bytes of a file (metres).
+/// Reads the surface in the bytes of a file (metres).
 ///
-/// A single surface or profile with points of 16 or 32 bits, neither inverted nor
-/// mirrored. Units from the picometre to the metre. Points marked in the file as not measured are NaN.
+/// The file must contain a single surface or profile with points of 16 or 32 bits that is neither inverted nor
+/// mirrored. Units range from the picometre to the metre. Points marked in the file as not measured are NaN.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, or fewer than its sizes
-/// require; also for a compressed file, `DSCOMPRESSED`: save it uncompressed.
+/// - [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, if there are fewer bytes than its sizes
+///   require, or if the file is compressed (`DSCOMPRESSED`). Save such a file uncompressed.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
@@ -109,7 +110,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut samples = number.decode(ByteOrder::LeastFirst, stored);
     let missing = f64::from(least) - 2.0;
     for sample in &mut samples {
-        // Both are integers.
+        // Both values are integers.
         *sample = if has_missing && (*sample - missing).abs() < 0.5 {
             f64::NAN
         } else {
@@ -119,12 +120,12 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, samples)
 }
 
-/// Whether the first bytes are those of a SUR file, compressed or not.
+/// Returns whether the first bytes identify a SUR file, compressed or not.
 pub(super) fn is_sur(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || bytes.starts_with(COMPRESSED)
 }
 
-/// The next number of the header, if its value is supported.
+/// Reads the next number of the header. Returns an error if its value is not supported.
 fn expect(bytes: &mut Cursor<'_>, what: &str, supported: &[u16]) -> Result<u16> {
     let start = bytes.position();
     let value = bytes.u16(what)?;
@@ -135,7 +136,7 @@ fn expect(bytes: &mut Cursor<'_>, what: &str, supported: &[u16]) -> Result<u16> 
     }
 }
 
-/// Metres per unit, from the name of the unit in the next 16 bytes.
+/// Returns the length in metres of the unit named in the next 16 bytes.
 fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
     let start = bytes.position();
     let stored = bytes.take("a unit", 16)?;
@@ -145,7 +146,8 @@ fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
         b"dm" => Ok(1e-1),
         b"cm" => Ok(1e-2),
         b"mm" => Ok(1e-3),
-        // The micro sign in Latin-1, in UTF-8, as the letter mu, in an old DOS code page, and as u.
+        // Spellings of the micrometre: the micro sign in Latin-1 and in UTF-8, the letter mu, an old DOS code page, and
+        // u.
         b"\xb5m" | b"\xc2\xb5m" | b"\xce\xbcm" | b"\xe6m" | b"um" => Ok(1e-6),
         b"nm" => Ok(1e-9),
         b"pm" => Ok(1e-12),

@@ -1,24 +1,24 @@
-//! Numbers in text files.
+//! Parsing of numbers in text files.
 
 use std::borrow::Cow;
 
 use crate::error::Result;
 use crate::files::Format;
 
-/// Words for a missing number, in either case.
+/// Words for a missing number, in upper or lower case.
 const MISSING: [&str; 14] = [
     "bad", "nodata", "no_data", "no-data", "n/a", "na", "#n/a", "null", "none", "void", "invalid",
     "missing", "-nan", "--",
 ];
 
-/// A text without the mark of UTF-8 at its beginning.
+/// Removes the byte order mark of UTF-8 from the beginning of a text.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
-/// Checks that a text is not in UTF-16 or UTF-32, whose digits are not those of UTF-8.
+/// Returns an error if a text is in UTF-16 or UTF-32, which encode digits differently from UTF-8.
 pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
-    // Both bytes after the mark are tested, because a damaged file may begin as the mark does.
+    // Both bytes after the mark are tested, because a damaged file might begin with the bytes of the mark.
     let encoding = match bytes {
         [0xff, 0xfe, 0, 0, ..] | [0, 0, 0xfe, 0xff, ..] => "UTF-32",
         [0xff, 0xfe, 1..=0xff, 0, ..] | [1..=0x7f, 0, 1..=0x7f, 0, ..] => "UTF-16 (little-endian)",
@@ -29,8 +29,8 @@ pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
     Err(format.on_line(1, problem))
 }
 
-/// The lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes
-/// that are not UTF-8 are harmless in a comment; elsewhere they are not a number. The words `No Data` become one, so that
+/// Returns the lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes that are not
+/// UTF-8 are harmless in a comment; elsewhere they are not valid in a number. The words `No Data` are joined, so that
 /// white space does not separate them.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
@@ -43,7 +43,7 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
-/// A line whose words `no data`, in either case, are one word each.
+/// Joins the words `no data` (in upper or lower case) of a line.
 fn with_joined_words(line: Cow<'_, str>) -> Cow<'_, str> {
     let words = b"no data";
     let begins = |place: &[u8]| place.eq_ignore_ascii_case(words);
@@ -57,7 +57,7 @@ fn with_joined_words(line: Cow<'_, str>) -> Cow<'_, str> {
     kept.map(|(_, character)| character).collect()
 }
 
-/// The comments of a text (`#` or `%`), without the signs they begin with.
+/// Returns the comments of a text (`#` or `%`) without their first character.
 pub(super) fn comments(bytes: &[u8]) -> impl Iterator<Item = String> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n');
     lines.filter_map(|line| {
@@ -67,7 +67,7 @@ pub(super) fn comments(bytes: &[u8]) -> impl Iterator<Item = String> {
     })
 }
 
-/// The separator between the cells of a line.
+/// Separator between the cells of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Separator {
     Semicolon,
@@ -78,8 +78,9 @@ pub(super) enum Separator {
 }
 
 impl Separator {
-    /// The separator of a line: a semicolon or a tab wherever there is one; otherwise a comma, unless every
-    /// comma could be the decimal comma of one of several numbers (`1,5 2,5`); otherwise white space.
+    /// Determines the separator of a line. It is a semicolon, or else a tab, if the line contains one. Otherwise it is
+    /// a comma, unless every comma could be the decimal comma of one of several numbers (`1,5 2,5`). Otherwise it is
+    /// white space.
     pub(super) fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -92,7 +93,7 @@ impl Separator {
         }
     }
 
-    /// The cells of a line, trimmed.
+    /// Returns the trimmed cells of a line.
     pub(super) fn split(self, line: &str) -> impl Iterator<Item = &str> {
         let ends_cell = move |character: char| match self {
             Self::Semicolon => character == ';',
@@ -104,8 +105,8 @@ impl Separator {
         cells.filter(move |cell| self != Self::Space || !cell.is_empty())
     }
 
-    /// The number in a cell, NaN if it is missing: empty, `nan`, stars, or one of [`MISSING`]. A decimal comma counts
-    /// as a point unless commas separate the cells.
+    /// Parses the number in a cell. It is NaN if the cell is empty or consists of stars, or is `nan` or a word of
+    /// [`MISSING`]. A decimal comma counts as a point unless commas separate the cells.
     pub(super) fn number(self, format: Format, line: usize, cell: &str) -> Result<f64> {
         let is_stars = cell.bytes().all(|byte| byte == b'*');
         if is_stars || MISSING.iter().any(|word| word.eq_ignore_ascii_case(cell)) {
@@ -117,7 +118,7 @@ impl Separator {
             cell.replace(',', ".").parse()
         };
         match value {
-            // Only a word may mean infinity; digits that overflow are refused.
+            // Only a word can represent infinity; digits that overflow are rejected.
             Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
                 Ok(value)
             }
@@ -127,7 +128,7 @@ impl Separator {
     }
 }
 
-/// Whether the line has several words, and every comma stands alone inside one of them.
+/// Returns whether the line has several words and every comma is the only comma within a word.
 fn has_decimal_commas(line: &str) -> bool {
     let is_one = |word: &str| {
         let mut parts = word.split(',');
@@ -136,7 +137,7 @@ fn has_decimal_commas(line: &str) -> bool {
     line.split_whitespace().nth(1).is_some() && line.split_whitespace().all(is_one)
 }
 
-/// The beginning of a text, quoted, for an error.
+/// Returns the quoted beginning of a text for an error message.
 pub(super) fn excerpt(text: &str) -> String {
     format!("{:?}", text.chars().take(32).collect::<String>())
 }

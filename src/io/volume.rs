@@ -1,8 +1,8 @@
 //! Volumes in VTI files, written plane by plane.
 //!
 //! The arrays follow the XML as raw bytes (`AppendedData` of the
-//! [format](https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)), so that the place of every
-//! plane is known beforehand and no more than one is in memory.
+//! [format](https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)), so that the position of every
+//! plane is known in advance and at most one plane is in memory.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -14,30 +14,31 @@ use crate::files::PartialFile;
 use crate::files::refused;
 use crate::grid::Grid;
 
-/// The points of a volume: the cell centres of a grid in planes of equal distance.
+/// Points of a volume: the cell centres of a grid in equally spaced planes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shape {
     pub(crate) grid: Grid,
-    /// z of the lowest plane, and from one to the next (lengths).
+    /// Coordinate z of the lowest plane (a length).
     pub(crate) first: f64,
+    /// Distance between planes (a length).
     pub(crate) step: f64,
     pub(crate) planes: usize,
 }
 
-/// An array of so many numbers a point: its name, and those of its components, if they have any.
+/// Array of a volume: its name and the names of its components. An array without named components is a scalar.
 pub(crate) type Array = (&'static str, &'static [&'static str]);
 
-/// Where the numbers of planes go.
+/// Writer of the planes of a volume.
 #[derive(Debug)]
 pub(crate) struct PlaneValues<'a> {
     file: BufWriter<File>,
     path: &'a Path,
-    /// Where the numbers of each array begin, and how many a plane of it has.
+    /// First byte of each array and its number of values per plane.
     places: Vec<(u64, u64)>,
 }
 
 impl PlaneValues<'_> {
-    /// Writes the numbers of an array in one plane, point by point with x fastest.
+    /// Writes the values of an array in a plane, point by point with x varying fastest.
     pub(crate) fn write(
         &mut self,
         plane: usize,
@@ -55,8 +56,8 @@ impl PlaneValues<'_> {
     }
 }
 
-/// Creates or replaces a VTI file of point data, whose planes `fill` writes in any order. If it fails the path is as it
-/// was.
+/// Creates or replaces a VTI file of point data, whose planes `fill` writes in any order. If an error occurs, an
+/// existing file remains unchanged.
 pub(crate) fn write(
     path: &Path,
     shape: &Shape,
@@ -81,7 +82,7 @@ pub(crate) fn write(
 }
 
 impl PlaneValues<'_> {
-    /// Writes all but the numbers; where they end.
+    /// Writes everything except the values, and returns the position of their end.
     fn begin(&mut self, shape: &Shape, arrays: &[Array]) -> Result<u64> {
         let Shape {
             grid,
@@ -100,7 +101,7 @@ impl PlaneValues<'_> {
       <PointData>
 "#
         );
-        // Each array is preceded by the number of its bytes.
+        // Each array is preceded by its number of bytes.
         let mut offset = 0;
         for (name, components) in arrays {
             let count = components.len().max(1);

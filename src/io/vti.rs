@@ -15,12 +15,12 @@ use crate::grid::field::Field;
 
 const FORMAT: Format = Format("VTI");
 
-/// What a name stands for: a field, or a vector of two fields along x and y.
+/// Array to be written under a name: a field, or a vector of two fields along x and y.
 ///
-/// ParaView draws arrows of vectors; their third component is zero.
+/// ParaView can draw vectors as arrows; their third component is zero.
 #[derive(Debug, Clone, Copy)]
 pub enum Array<'a> {
-    /// One number a cell.
+    /// One value per cell.
     Scalar(&'a Field),
     /// Components along x and y.
     Vector([&'a Field; 2]),
@@ -46,7 +46,7 @@ impl<'a> Array<'a> {
         }
     }
 
-    /// What the file says of its components.
+    /// Returns the XML attribute that describes the components.
     pub(super) fn attribute(&self) -> &'static str {
         match self {
             Self::Scalar(_) => "",
@@ -54,7 +54,7 @@ impl<'a> Array<'a> {
         }
     }
 
-    /// The samples in the order of the file.
+    /// Returns the samples in the order of the file.
     fn samples(&self) -> Vec<f64> {
         match self {
             Self::Scalar(field) => field.as_slice().to_vec(),
@@ -66,10 +66,11 @@ impl<'a> Array<'a> {
     }
 }
 
-/// Writes named fields and vectors of one grid to a file, as [`to_bytes`].
+/// Writes named fields and vectors of one grid to a file in the form of [`to_bytes`].
 ///
 /// # Errors
-/// As [`to_bytes`]; [`Error::File`](crate::Error::File) if the file cannot be written.
+/// - The errors of [`to_bytes`].
+/// - [`Error::File`](crate::Error::File) if the file cannot be written.
 #[doc(alias = "paraview")]
 #[doc(alias = "ParaView")]
 pub fn write<'a>(
@@ -79,15 +80,16 @@ pub fn write<'a>(
     write_bytes(path.as_ref(), &to_bytes(fields)?)
 }
 
-/// Named fields and vectors on one grid as a file: one array of cell data each, in doubles that keep every bit,
-/// on a flat image in the plane `z = 0` whose origin is the corner of least x and y.
+/// Returns the bytes of a file with named fields and vectors on one grid. Each is an array of cell data, stored exactly
+/// as doubles, on a flat image in the plane `z = 0` whose origin is the corner of smallest x and y.
 ///
-/// Fields on a slab make an image of its rows alone, at their place: its origin is the corner of the whole grid, and its
-/// extent along y counts the rows of the whole grid ([`Grid::rows`]), as pieces of one image have it.
+/// Fields on a slab form an image of its rows only, at their position in the whole grid. The origin is the corner of
+/// the whole grid, and the extent along y counts the rows of the whole grid ([`Grid::rows`]), as required for the
+/// pieces of an image.
 ///
 /// # Errors
-/// [`Error::Format`](crate::Error::Format) if there is no field, or if a field is on another grid than the
-/// first, or has a name that is already taken, is empty or holds control characters.
+/// - [`Error::Format`](crate::Error::Format) if there is no field, if a field is on a different grid from the first, or
+///   if a name is empty, occurs twice or contains control characters.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::vti};
@@ -104,7 +106,7 @@ pub fn to_bytes<'a>(fields: &[(&str, impl Into<Array<'a>> + Copy)]) -> Result<Ve
     Ok(piece(&arrays, grid))
 }
 
-/// Fields and vectors with their names.
+/// Converts named fields and vectors to arrays.
 pub(crate) fn named<'n, 'a>(
     fields: &[(&'n str, impl Into<Array<'a>> + Copy)],
 ) -> Vec<(&'n str, Array<'a>)> {
@@ -112,7 +114,7 @@ pub(crate) fn named<'n, 'a>(
     arrays.collect()
 }
 
-/// The grid of all arrays, if they can be written.
+/// Returns the grid of all arrays, or an error if they cannot be written.
 pub(super) fn check(arrays: &[(&str, Array<'_>)]) -> Result<Grid> {
     let Some((_, first)) = arrays.first() else {
         return Err(FORMAT.in_entry("CellData", "there is no field to write"));
@@ -134,12 +136,12 @@ pub(super) fn check(arrays: &[(&str, Array<'_>)]) -> Result<Grid> {
     Ok(grid)
 }
 
-/// Some rows of an image, as cells between points.
+/// Returns the extent of a range of rows of an image, in numbers of points.
 pub(super) fn extent(nx: usize, rows: &Range<usize>) -> String {
     format!("0 {nx} {} {} 0 0", rows.start, rows.end)
 }
 
-/// Where an image lies, and the sides of its cells.
+/// Returns the attributes for the origin of an image and the sides of its cells.
 pub(super) fn place(grid: Grid) -> String {
     let (nx, ny, dx, dy) = (grid.nx(), grid.whole().ny(), grid.dx(), grid.dy());
     let corner = [-0.5 * nx as f64 * dx, -0.5 * ny as f64 * dy];
@@ -149,7 +151,7 @@ pub(super) fn place(grid: Grid) -> String {
     )
 }
 
-/// The file of arrays on a grid, or on a slab of one, at its place there.
+/// Returns the bytes of a file with arrays on a grid, or on a slab at its position in the whole grid.
 pub(super) fn piece(arrays: &[(&str, Array<'_>)], grid: Grid) -> Vec<u8> {
     let (extent, place) = (extent(grid.nx(), &grid.rows()), place(grid));
     let mut text = format!(
@@ -174,13 +176,13 @@ pub(super) fn piece(arrays: &[(&str, Array<'_>)], grid: Grid) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// A text as the value of an attribute.
+/// Escapes a text for use as the value of an attribute.
 pub(super) fn escape(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The number of bytes and the samples, three bytes in four characters (RFC 4648).
+/// Appends the number of bytes and the samples in base64, three bytes in four characters (RFC 4648).
 fn push_base64(text: &mut String, samples: &[f64]) {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut bytes = Vec::with_capacity(8 * (samples.len() + 1));

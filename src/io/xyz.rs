@@ -1,4 +1,4 @@
-//! XYZ: points of a regular grid in three columns, `x y z`, in any order.
+//! XYZ, points of a regular grid in three columns, `x y z`, in any order.
 //!
 //! Lengths are in the unit of the file.
 
@@ -14,11 +14,11 @@ use crate::grid::field::Field;
 const FORMAT: Format = Format("XYZ");
 /// Largest number of cells of the grid per point.
 const CELLS_PER_POINT: usize = 10;
-/// Largest distance of a point from its place in the grid, in spacings.
+/// Largest permitted distance of a point from its place in the grid, in spacings.
 const TOLERANCE: f64 = 0.05;
-/// Coordinates closer than this fraction of the widest step between neighbours count as one.
+/// Fraction of the widest step between neighbours below which two coordinates count as equal.
 const NOISE: f64 = 1e-3;
-/// Smallest ratio of a step between places to a step between points that belong to one place.
+/// Smallest ratio of a step between places to a step between points of the same place.
 const JUMP: f64 = 4.0;
 
 /// Options for reading points.
@@ -39,13 +39,13 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the height of a missing point (default: the value that a comment of the file names, or none).
+    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none).
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
     }
 
-    /// Sets the number of lines to leave out at the beginning, comments and blank lines included (default 0).
+    /// Sets the number of lines to skip at the beginning, including comments and blank lines (default 0).
     pub fn skip_rows(mut self, rows: usize) -> Self {
         self.skip_rows = rows;
         self
@@ -55,7 +55,7 @@ impl Options {
     ///
     /// # Errors
     /// - [`Error::File`] if the file cannot be read.
-    /// - [`Error::Format`] as [`parse`].
+    /// - [`Error::Format`] for the reasons given at [`parse`].
     pub fn read(self, path: impl AsRef<Path>) -> Result<Field> {
         parse_file(path.as_ref(), |bytes| self.parse(bytes))
     }
@@ -63,7 +63,7 @@ impl Options {
     /// Reads the surface in the bytes of a file. See [`parse`].
     ///
     /// # Errors
-    /// - [`Error::Format`] as [`parse`].
+    /// - [`Error::Format`] for the reasons given at [`parse`].
     pub fn parse(self, bytes: &[u8]) -> Result<Field> {
         let mut points = points(bytes, self.skip_rows)?;
         let missing = self
@@ -78,36 +78,38 @@ impl Options {
     }
 }
 
-/// The surface in a file. See [`parse`].
+/// Reads the surface in a file. See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read, otherwise as [`parse`].
+/// - [`Error::File`] if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     Options::default().read(path)
 }
 
-/// The surface in the bytes of a file.
+/// Reads the surface in the bytes of a file.
 ///
-/// The spacing of `n` columns is $`(x_{\max} - x_{\min}) / (n - 1)`$, likewise along y; the grid has
-/// cells of these sides about the points. If points miss this grid, it is fitted to them by least squares. A single
-/// column or row takes the spacing of the other axis.
+/// The spacing of `n` columns is $`(x_{\max} - x_{\min}) / (n - 1)`$, and the spacing of rows is computed in the same
+/// way. The grid has cells of these sides centred on the points. If points are not on this grid, the grid is fitted to
+/// them by least squares. A single column or row has the spacing of the other axis.
+///
 /// Places of the grid without a point, or with a missing height, are NaN. Separators, decimal commas, comments and
 /// words for missing heights are as in [`csv`](super::csv::parse).
 ///
-/// Lines of names before the first point are left out; [`Options::skip_rows`] leaves out lines with numbers. Cells
-/// after the third are ignored; each line has as many.
+/// Lines of names before the first point are skipped; [`Options::skip_rows`] skips lines with numbers. Cells after the
+/// third are ignored, but every line must have the same number of cells.
 ///
-/// A point must lie within 5 % of a spacing of its place, at least a tenth of the places must have a
-/// point, and fewer than a thousand successive columns or rows may be empty: scattered points do not form
-/// a grid. If points of one column or row differ by more than 0.1 % of a spacing, more than half of the places must have
-/// a point.
+/// Scattered points are rejected. Every point must be within 5 % of a spacing of its place, at least a tenth of the
+/// places must have a point, and fewer than a thousand successive columns or rows may be empty. If the points of a
+/// column or row differ by more than 0.1 % of a spacing, more than half of the places must have a point.
 ///
 /// # Errors
-/// - [`Error::Format`], with the line, if a line does not have three numbers, or as many cells as the first.
+/// - [`Error::Format`], with the line, if a line does not have three numbers, or has a different number of cells from
+///   the first.
 /// - [`Error::Format`], with the line, if a point is off the grid, or if a place has two points.
-/// - [`Error::Format`] if the text is in UTF-16, if there are fewer than two places, or if the points are too few for
+/// - [`Error::Format`] if the text is in UTF-16, if there are fewer than two places, or if there are too few points for
 ///   the grid that they span.
-/// - [`Error::Format`] if commas separate more than three whole numbers, because they may be decimal commas.
+/// - [`Error::Format`] if commas separate more than three whole numbers, because the commas might be decimal commas.
 ///
 /// ```
 /// use stickslip::io::xyz;
@@ -121,7 +123,8 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Options::default().parse(bytes)
 }
 
-/// Whether a text has at least four lines, each of three numbers as the first lines of a list of points.
+/// Returns whether a text has at least four lines and its first lines (up to 64) have three numbers each, like a list
+/// of points.
 pub(super) fn is_like_points(bytes: &[u8]) -> bool {
     const LINES: usize = 64;
     let mut separator = None;
@@ -140,7 +143,7 @@ pub(super) fn is_like_points(bytes: &[u8]) -> bool {
     count >= 4
 }
 
-/// The field through points, on the finest grid that they fit.
+/// Returns the field on the finest grid that fits the points.
 fn gridded(points: &[SamplePoint]) -> Result<Field> {
     let axes = [0, 1].map(|axis| PlaceAxis::candidates(points, axis));
     let mut refused = None;
@@ -149,13 +152,13 @@ fn gridded(points: &[SamplePoint]) -> Result<Field> {
             let Some(&y) = axes[1].get(coarseness - index) else {
                 continue;
             };
-            // Few points on a coarse grid are scattered, and fit by chance.
+            // A coarse grid with few points is rejected, because scattered points can fit it by chance.
             if coarseness > 0 && x.count * y.count >= 2.0 * points.len() as f64 {
                 continue;
             }
             match on_grid(points, x, y) {
                 Ok(field) => return Ok(field),
-                // The finest grid has the clearest error, unless it only follows the scatter of the points.
+                // The error of the finest grid is reported, unless that grid only follows the scatter of the points.
                 Err((error, is_off)) if refused.is_none() || is_off && coarseness > 0 => {
                     refused = Some(error);
                 }
@@ -166,7 +169,7 @@ fn gridded(points: &[SamplePoint]) -> Result<Field> {
     Err(refused.unwrap_or_else(|| FORMAT.on_line(1, "the file has no points")))
 }
 
-/// The field on the grid of two axes. The error comes with whether a point is off the grid.
+/// Returns the field on the grid of two axes. The error includes whether a point is off the grid.
 fn on_grid(
     points: &[SamplePoint],
     x: PlaceAxis,
@@ -222,7 +225,7 @@ fn on_grid(
     Field::from_vec(grid, samples).map_err(|error| (error, false))
 }
 
-/// One line of a file.
+/// Point on a line of a file.
 #[derive(Debug)]
 struct SamplePoint {
     line: usize,
@@ -288,7 +291,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
     Ok(points)
 }
 
-/// A problem with a line, with the remedy if the line may belong to a header.
+/// Adds a remedy to the problem of a line if the line may belong to a header.
 fn hinted(problem: String, points: &[SamplePoint], number: usize) -> String {
     if points.is_empty() {
         format!("{problem}; skip a header by the option skip_rows = {number}")
@@ -297,29 +300,29 @@ fn hinted(problem: String, points: &[SamplePoint], number: usize) -> String {
     }
 }
 
-/// Whether no cell of a line is a number, as in a line of names.
+/// Returns whether no cell of a line is a number, as in a line of names.
 fn has_no_number(number: usize, line: &str) -> bool {
     let separator = Separator::of(line);
     let mut cells = separator.split(line);
     cells.all(|cell| separator.number(FORMAT, number, cell).is_err())
 }
 
-/// The places of a grid along one axis, `least + i * spacing` with `i < count`.
+/// Places of a grid along an axis, `least + i * spacing` with `i < count`.
 #[derive(Debug, Clone, Copy)]
 struct PlaceAxis {
     least: f64,
-    /// Zero if there is one place only.
+    /// Spacing of the places; zero if there is only one place.
     spacing: f64,
-    /// An integer, or not finite if there is no such grid.
+    /// Number of places: an integer, or not finite if there is no such grid.
     count: f64,
 }
 
 impl PlaceAxis {
-    /// The grids that may pass through the coordinates of points, the finest first. They differ in the step that
-    /// leads to a new place.
+    /// Returns candidate grids through the coordinates of points, the finest first. They differ in the threshold for a
+    /// step to a new place.
     ///
-    /// The finest takes steps of [`NOISE`] of the widest. Points that scatter about their places take short steps too,
-    /// which a jump separates from the steps between places.
+    /// The threshold of the finest grid is [`NOISE`] times the widest step. If points scatter about their places, there
+    /// are also short steps; a jump in the sorted steps separates them from the steps between places.
     fn candidates(points: &[SamplePoint], axis: usize) -> Vec<Self> {
         let mut sorted: Vec<f64> = points.iter().map(|point| point.position[axis]).collect();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -345,8 +348,8 @@ impl PlaceAxis {
         thresholds.into_iter().map(through).collect()
     }
 
-    /// The grid through sorted coordinates; some of its places may be empty everywhere. A step that is not
-    /// shorter than a threshold leads to a new place, and is a multiple of the shortest.
+    /// Returns the grid through sorted coordinates; some of its places may have no points. A step that is not shorter
+    /// than the threshold leads to a new place. It counts as a multiple of the shortest step.
     fn through(sorted: &[f64], threshold: f64) -> Self {
         let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
         let steps = || {
@@ -374,7 +377,8 @@ impl PlaceAxis {
         }
     }
 
-    /// The grid of least squares through coordinates, each at the place that is nearest by now.
+    /// Fits the grid to the coordinates by least squares; each coordinate belongs to its nearest place on the current
+    /// grid.
     fn fitted(self, coordinates: &[f64]) -> Self {
         let number = coordinates.len() as f64;
         let place = |coordinate: f64| ((coordinate - self.least) / self.spacing).round();
@@ -398,7 +402,8 @@ impl PlaceAxis {
         }
     }
 
-    /// The place to which a coordinate belongs, `None` if it is too far from every place.
+    /// Returns the index of the place to which a coordinate belongs, or `None` if the coordinate is too far from every
+    /// place.
     fn index(&self, coordinate: f64) -> Option<usize> {
         if self.spacing == 0.0 {
             return Some(0);
@@ -410,7 +415,7 @@ impl PlaceAxis {
     }
 }
 
-/// A small non-negative integer as an index.
+/// Converts a small non-negative integer to an index.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -1,4 +1,4 @@
-//! Part of a surface.
+//! Selection of a part of a surface.
 
 use std::ops::Range;
 
@@ -6,13 +6,13 @@ use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
-/// The columns and rows of a surface in the given ranges, as a surface on a new grid.
+/// Returns the columns and rows of a surface in the given ranges, as a surface on a new grid.
 ///
-/// The new grid has the same cells and is centred on the origin, as every grid is, so positions shift by
-/// the distance between the two centres. Missing heights stay missing.
+/// The new grid has cells of the same size. Like every grid it is centred on the origin, so positions shift by the
+/// distance between the two centres. Missing heights stay missing.
 ///
 /// # Errors
-/// [`Error::Range`] if a range is empty or extends beyond the grid.
+/// - [`Error::Range`] if a range is empty or extends beyond the grid.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};

@@ -3,8 +3,8 @@
 use super::slab::Slab;
 use crate::parallel::reduce;
 
-/// Root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
-/// zero along an axis of one cell. `z` are the heights of the rows held here and of the next one.
+/// Returns the root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
+/// zero along an axis of one cell. `z` are the heights of the local rows and of the next row.
 pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
     let grid = slab.whole();
     let (nx, ny) = (grid.nx(), grid.ny());
@@ -25,7 +25,7 @@ pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
             },
         ]
     });
-    // An axis of one cell has no pairs, and the sum is zero.
+    // The sum is zero along an axis of one cell, which has no pairs.
     let mean = |sum: f64, pairs: usize| sum / pairs.max(1) as f64;
     [
         mean(along_x, (nx - 1) * ny).sqrt(),
@@ -33,8 +33,8 @@ pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
     ]
 }
 
-/// Excess of the area of a surface over its projection, relative to the projection. `z` are the heights of the rows held
-/// here and of the next one.
+/// Returns the excess of the area of a surface over its projection, relative to the projection. `z` are the heights of
+/// the local rows and of the next row.
 ///
 /// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the
 /// two results are averaged. This is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners,

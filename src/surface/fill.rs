@@ -1,4 +1,4 @@
-//! Filling of the holes of a measured surface.
+//! Filling of holes in a measured surface.
 
 use crate::error::{Error, Result, not_converged};
 use crate::grid::Grid;
@@ -7,16 +7,16 @@ use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
 use crate::surface::heights::finite_or_missing;
 
-/// The iteration ends when the error in the energy norm has fallen by this factor.
+/// Factor by which the error in the energy norm must fall for the iteration to end.
 const TOLERANCE: f64 = 1e-15;
 
-/// Iterations allowed beyond one for each missing height.
+/// Number of iterations allowed in addition to one per missing height.
 const LEAST_LIMIT: usize = 100;
 
-/// Height above which differences may overflow.
+/// Height above which differences might overflow.
 const TALL: f64 = 1e300;
 
-/// Share of the fill-in that the factorisation moves to the diagonal.
+/// Fraction of the fill-in that the factorisation moves to the diagonal.
 const MODIFIED: f64 = 0.97;
 
 /// A surface without holes.
@@ -27,45 +27,45 @@ pub struct Filled {
 }
 
 impl Filled {
-    /// The heights (lengths), none missing; those that were known are unchanged.
+    /// Returns the heights (lengths), without missing values; the known heights are unchanged.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
     }
 
-    /// Number of heights that were missing.
+    /// Returns the number of heights that were missing.
     #[must_use]
     pub fn filled_cells(&self) -> usize {
         self.cells
     }
 
-    /// The heights, without the count.
+    /// Returns the heights without the count.
     #[must_use]
     pub fn into_heights(self) -> Field {
         self.heights
     }
 }
 
-/// Fills missing heights, given as NaN, by the smoothest surface through the rim of each hole.
+/// Fills missing heights, given as NaN, by harmonic interpolation: the smoothest surface through the rim of each hole.
 ///
-/// The filled heights solve Laplace's equation in five points with the known heights around them,
+/// The filled heights solve the five-point Laplace equation with the known heights around them as boundary values,
 ///
 /// ```math
 /// \frac{z_{i+1,j} - 2 z_{ij} + z_{i-1,j}}{\Delta x^2} + \frac{z_{i,j+1} - 2 z_{ij} + z_{i,j-1}}{\Delta y^2} = 0 ,
 /// ```
 ///
-/// so that they lie between the lowest and the highest height of the rim, and a plane continues through
-/// a hole. At the edge of the grid the slope across it is zero: level a tilted surface before filling
-/// holes there.
+/// They therefore lie between the lowest and the highest height of the rim, and a plane continues through a hole. At
+/// the edge of the grid the slope normal to the edge is zero, so level a tilted surface before filling holes there.
 ///
-/// Conjugate gradients with a modified incomplete factorisation (Gustafsson 1978) end when the error, in
-/// the norm of the mean-square slope, has fallen to 1e-15 of what it was with the mean height in
-/// every hole. Planes are then continued to 1e-14 of their range through holes of up to 1000 cells
-/// across; cells of unequal sides lose the square of their ratio in round-off.
+/// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
+/// guess is the mean height; the iteration ends when the error, in the norm of the mean-square slope, has fallen to
+/// 1e-15 of its initial value. Planes are then continued to 1e-14 of their range through holes of up to 1000 cells
+/// across. If the sides of the cells differ, the square of their ratio multiplies the round-off.
 ///
 /// # Errors
-/// [`Error::Sample`] for the first infinite height; [`Error::Undetermined`] if all are missing;
-/// [`Error::NotConverged`] if the cells are so slender that round-off hides the coupling along one axis.
+/// - [`Error::Sample`] with the first infinite height.
+/// - [`Error::Undetermined`] if all heights are missing.
+/// - [`Error::NotConverged`] if the cells are so slender that round-off hides the coupling along one axis.
 ///
 /// # References
 /// - I. Gustafsson, *BIT* 18 (1978) 142-156,
@@ -98,12 +98,12 @@ pub fn fill_missing(heights: &Field) -> Result<Filled> {
     }
     let mut heights = heights.clone();
     let z = heights.as_mut_slice();
-    // Near the largest number there is, differences would overflow.
+    // Heights near the largest floating-point number are scaled down, because their differences would overflow.
     let tall = z.iter().any(|z| z.abs() > TALL);
     let down = if tall { 1.0 / 1024.0 } else { 1.0 };
     let known_heights = || z.iter().filter(|z| !z.is_nan()).map(|z| z * down);
     let mean = known_heights().map(|z| z / known as f64).sum::<f64>();
-    // In units of the largest deviation the squares neither overflow nor vanish.
+    // Squares of heights in units of the largest deviation neither overflow nor underflow.
     let largest = known_heights().fold(0.0, |unit: f64, z| unit.max((z - mean).abs()));
     let unit = if largest > 0.0 { largest } else { 1.0 };
     let pull = holes.pull_of_known(z, |z| (z * down - mean) / unit);
@@ -114,10 +114,11 @@ pub fn fill_missing(heights: &Field) -> Result<Filled> {
     Ok(Filled { heights, cells })
 }
 
-/// Laplace's equation in the holes, `K z = b`: symmetric, positive definite, diagonally dominant.
+/// Discrete Laplace equation in the holes, `K z = b`. The matrix is symmetric, positive definite and diagonally
+/// dominant.
 struct Holes {
     grid: Grid,
-    /// In the order of their cells.
+    /// Unknowns in the order of their cells.
     unknowns: Vec<Unknown>,
     /// Weights of neighbours along x and along y.
     weights: [f64; 2],
@@ -126,9 +127,9 @@ struct Holes {
 /// A missing height.
 struct Unknown {
     cell: usize,
-    /// The unknown to the left and the one below, if they are unknown.
+    /// Indices of the left and the lower neighbour, if their heights are unknown.
     lower: [Option<usize>; 2],
-    /// The unknown to the right and the one above, if they are unknown.
+    /// Indices of the right and the upper neighbour, if their heights are unknown.
     upper: [Option<usize>; 2],
     /// Sum of the weights of all neighbours on the grid.
     diagonal: f64,
@@ -139,7 +140,7 @@ impl Holes {
         let grid = heights.grid();
         let z = heights.as_slice();
         let aspect = grid.dy() / grid.dx();
-        // 1/dx^2 and 1/dy^2, over their sum.
+        // The weights are 1/dx^2 and 1/dy^2, divided by their sum.
         let weights = [1.0 / (1.0 + aspect.powi(-2)), 1.0 / (1.0 + aspect.powi(2))];
         let cells: Vec<usize> = (0..z.len()).filter(|&cell| z[cell].is_nan()).collect();
         let number = |cell: Option<usize>| cell.and_then(|cell| cells.binary_search(&cell).ok());
@@ -165,7 +166,7 @@ impl Holes {
         }
     }
 
-    /// The right side `b`: each known neighbour's weight times its height, in units above a datum.
+    /// Computes the right-hand side `b`: the weight of each known neighbour times its height, in units above a datum.
     fn pull_of_known(&self, z: &[f64], in_units: impl Fn(f64) -> f64) -> Vec<f64> {
         let pull = |unknown: &Unknown| {
             let [below, above] = neighbours(self.grid, unknown.cell);
@@ -179,13 +180,13 @@ impl Holes {
         self.unknowns.iter().map(pull).collect()
     }
 
-    /// The weighted sum of the linked unknowns.
+    /// Computes the weighted sum of the linked unknowns.
     fn linked(&self, links: [Option<usize>; 2], values: &[f64]) -> f64 {
         let at = |axis: usize| links[axis].map_or(0.0, |k| self.weights[axis] * values[k]);
         at(0) + at(1)
     }
 
-    /// `K z`.
+    /// Computes `K z`.
     fn product(&self, z: &[f64], product: &mut [f64]) {
         for (k, unknown) in self.unknowns.iter().enumerate() {
             product[k] = unknown.diagonal * z[k]
@@ -194,8 +195,8 @@ impl Holes {
         }
     }
 
-    /// `D` of the incomplete factorisation `K = (D - L) D^-1 (D - L')`, where `L` holds the weights
-    /// below the diagonal.
+    /// Computes `D` of the incomplete factorisation `K = (D - L) D^-1 (D - L')`, where `L` holds the weights below the
+    /// diagonal.
     fn pivots(&self) -> Vec<f64> {
         let mut pivots = Vec::<f64>::with_capacity(self.unknowns.len());
         for unknown in &self.unknowns {
@@ -218,7 +219,7 @@ impl Holes {
         pivots
     }
 
-    /// `z = (D - L')^-1 D (D - L)^-1 r`.
+    /// Applies the preconditioner, `z = (D - L')^-1 D (D - L)^-1 r`.
     fn precondition(&self, pivots: &[f64], residual: &[f64], z: &mut [f64]) {
         for (k, unknown) in self.unknowns.iter().enumerate() {
             z[k] = (residual[k] + self.linked(unknown.lower, z)) / pivots[k];
@@ -228,7 +229,7 @@ impl Holes {
         }
     }
 
-    /// The solution of `K z = b` by preconditioned conjugate gradients.
+    /// Solves `K z = b` by preconditioned conjugate gradients.
     fn solve(&self, b: Vec<f64>) -> Result<Vec<f64>> {
         let pivots = self.pivots();
         let mut z = vec![0.0; b.len()];
@@ -260,7 +261,7 @@ impl Holes {
     }
 }
 
-/// The neighbours on the grid: `[[left, below], [right, above]]`.
+/// Returns the neighbours on the grid, `[[left, below], [right, above]]`.
 fn neighbours(grid: Grid, cell: usize) -> [[Option<usize>; 2]; 2] {
     let nx = grid.nx();
     let ix = cell % nx;
@@ -277,7 +278,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     reduce::sum(&Layout::flat(a.len()), |k| a[k] * b[k])
 }
 
-/// `y += a x`.
+/// Computes `y += a x`.
 fn add(y: &mut [f64], a: f64, x: &[f64]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;

@@ -12,18 +12,17 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel;
 
-/// Bytes for each cell of the torus: a field, its waves and their transform, and the weights of the points.
+/// Bytes per cell of the torus: a field, its waves and their transform, and the weights of the points.
 const BYTES: usize = 32;
 
 /// Distance in nesting indices beyond which the weight of the Gaussian is below round-off.
 const REACH: f64 = 1.7;
 
-/// Gaussian filter of heights: areal after ISO 16610-61, of lines after ISO 16610-21.
+/// Gaussian filter of heights: areal filters after ISO 16610-61, profile filters after ISO 16610-21.
 ///
-/// An *S filter* takes off the waves that are short beside its nesting index $`\lambda_s`$, such as the noise of the
-/// instrument; an *L filter* those that are long beside its index $`\lambda_c`$, the waviness. Both together leave the
-/// S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the cell sides): of a wave of the length
-/// $`\lambda`$ the weighted mean
+/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$, such as the noise of the
+/// instrument. An *L filter* removes the waves that are long compared with its index $`\lambda_c`$, the waviness. Both together
+/// leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the cell sides). The weighted mean
 ///
 /// ```math
 /// \bar z(x, y) = \int s(\xi)\, s(\eta)\, z(x - \xi, y - \eta)\, \mathrm d\xi\, \mathrm d\eta , \qquad
@@ -31,10 +30,11 @@ const REACH: f64 = 1.7;
 /// \alpha = \sqrt{\ln 2/\pi}
 /// ```
 ///
-/// lets the part $`2^{-(\lambda_c/\lambda)^2}`$ pass, that is half of it at $`\lambda = \lambda_c`$. An S filter returns
-/// $`\bar z`$, an L filter $`z - \bar z`$. The weights are those whose transmission is this for every wave that the grid
-/// holds; from eight cells an index on they are samples of $`s`$ to 3e-6 of the largest; for two cells they
-/// alternate in sign far from the middle, as cells so wide do not resolve a Gaussian.
+/// transmits the fraction $`2^{-(\lambda_c/\lambda)^2}`$ of a wave of length $`\lambda`$, that is, half of it at
+/// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have exactly this
+/// transmission for every wave of the grid. For an index of eight cells or more they equal samples of $`s`$ to 3e-6 of the
+/// largest weight. For an index of two cells they alternate in sign far from the middle, because such wide cells do not resolve a
+/// Gaussian.
 ///
 /// | option | default |
 /// |---|---|
@@ -42,13 +42,15 @@ const REACH: f64 = 1.7;
 /// | [`along_x`](Self::along_x), [`along_y`](Self::along_y) | areal; a grid of one row or column is a profile |
 ///
 /// # End effects
-/// A periodic surface has none. Otherwise the mean at a point is that of the heights that are there, divided by the sum of
-/// their weights (zero-order regression): a constant is exact up to the edge, a tilt or a curvature is not, so
-/// [`level`](super::level()) the surface first. Of the weight of a line, 0.4 % lies beyond half a nesting index on either
-/// side, and 5e-8 beyond a whole one: heights closer to an edge or a hole than half an index, that of the L filter if there
-/// are both, are affected. [`valid_range`](Self::valid_range) has the rest, for [`crop`](super::crop()).
+/// A periodic surface has no end effects. Otherwise the mean at a point is the weighted sum of the existing heights, divided by
+/// the sum of their weights (zero-order regression). A constant is then exact up to the edge, but a tilt or a curvature is not,
+/// so [`level`](super::level()) the surface first.
 ///
-/// Missing heights (NaN) have no weight and stay missing: filter before [`fill_missing`](super::fill_missing).
+/// For a line, 0.4 % of the weight lies beyond half a nesting index on either side, and 5e-8 beyond a whole index. Heights closer
+/// to an edge or a hole than half an index (of the L filter if both are set) are affected. [`valid_range`](Self::valid_range)
+/// returns the remaining columns and rows, for use with [`crop`](super::crop()).
+///
+/// Missing heights (NaN) have no weight and stay missing, so filter before [`fill_missing`](super::fill_missing).
 ///
 /// # References
 /// - ISO 16610-61 (areal), ISO 16610-21 (profiles), and ISO 25178-3 for the usual nesting indices.
@@ -59,12 +61,12 @@ const REACH: f64 = 1.7;
 /// ```
 /// use std::f64::consts::TAU;
 /// use stickslip::{Field, Grid, surface::GaussianFilter};
-/// // A wave of 8 and one of 64 micrometres.
+/// // Two waves, of 8 and of 64 micrometres.
 /// let grid = Grid::square(128, 128.0)?;
 /// let wave = |length: f64| Field::from_fn(grid, |x, _| (TAU * x / length).sin());
 /// let measured = (&wave(8.0) + &wave(64.0))?;
 /// let filtered = GaussianFilter::s(8.0).periodic().apply(&measured)?;
-/// // Half of the one, and nearly all of the other.
+/// // Half of the short wave remains, and nearly all of the long wave.
 /// let expected = (&wave(8.0).scaled(0.5) + &wave(64.0).scaled(0.5f64.powf(1.0 / 64.0)))?;
 /// let pairs = filtered.heights().iter().zip(expected.iter());
 /// assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-13));
@@ -84,7 +86,7 @@ pub struct GaussianFilter {
     along: [bool; 2],
 }
 
-/// A filtered surface, and what the filter has taken off: the three add up to the surface given, to round-off.
+/// A filtered surface and the waves that the filter has removed. Their sum is the original surface, to round-off.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Filtered {
     heights: Field,
@@ -93,26 +95,26 @@ pub struct Filtered {
 }
 
 impl Filtered {
-    /// The heights that are left (lengths); missing ones stay missing.
+    /// Returns the filtered heights (lengths); missing heights stay missing.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
     }
 
-    /// The short waves that the S filter has taken off (lengths), such as noise; none without an S filter.
+    /// Returns the short waves that the S filter has removed (lengths), such as noise; `None` without an S filter.
     #[must_use]
     pub fn short_waves(&self) -> Option<&Field> {
         self.short_waves.as_ref()
     }
 
-    /// The long waves that the L filter has taken off (lengths): the waviness, without the short waves if there is an S
-    /// filter too. None without an L filter.
+    /// Returns the long waves that the L filter has removed (lengths): the waviness, without the short waves if there is also an
+    /// S filter. `None` without an L filter.
     #[must_use]
     pub fn long_waves(&self) -> Option<&Field> {
         self.long_waves.as_ref()
     }
 
-    /// The heights that are left, without what was taken off.
+    /// Returns the filtered heights without the removed waves.
     #[must_use]
     pub fn into_heights(self) -> Field {
         self.heights
@@ -120,19 +122,20 @@ impl Filtered {
 }
 
 impl GaussianFilter {
-    /// Takes short waves off; `nesting_index` is the cut-off wavelength (a length).
+    /// Creates an S filter, which removes short waves; `nesting_index` is the cut-off wavelength (a length).
     #[must_use]
     pub fn s(nesting_index: f64) -> Self {
         Self::new(Some(nesting_index), None)
     }
 
-    /// Takes long waves off; `nesting_index` is the cut-off wavelength (a length).
+    /// Creates an L filter, which removes long waves; `nesting_index` is the cut-off wavelength (a length).
     #[must_use]
     pub fn l(nesting_index: f64) -> Self {
         Self::new(None, Some(nesting_index))
     }
 
-    /// Takes off the waves short beside `s` first, then those long beside `l` (lengths): the S-L surface.
+    /// Creates a filter that leaves the S-L surface: it first removes waves short compared with `s`, then waves long compared
+    /// with `l` (lengths).
     #[must_use]
     pub fn sl(s: f64, l: f64) -> Self {
         Self::new(Some(s), Some(l))
@@ -147,31 +150,31 @@ impl GaussianFilter {
         }
     }
 
-    /// Of a surface that continues periodically beyond its edges: they have no effect.
+    /// Sets the surface to be periodic (default no), so that its edges have no effect.
     #[must_use]
     pub fn periodic(mut self) -> Self {
         self.is_periodic = true;
         self
     }
 
-    /// Filters each row by itself, as a profile along x.
+    /// Filters each row separately, as a profile along x.
     #[must_use]
     pub fn along_x(mut self) -> Self {
         self.along = [true, false];
         self
     }
 
-    /// Filters each column by itself, as a profile along y.
+    /// Filters each column separately, as a profile along y.
     #[must_use]
     pub fn along_y(mut self) -> Self {
         self.along = [false, true];
         self
     }
 
-    /// The columns and rows that no edge affects, half a nesting index from each: the ranges that
-    /// [`crop`](super::crop()) takes.
+    /// Returns the columns and rows farther than half a nesting index from every edge, which no edge affects. The ranges can be
+    /// passed to [`crop`](super::crop()).
     ///
-    /// The index is that of the L filter if there is one. A range is empty if the surface is shorter than the index.
+    /// The index is the index of the L filter if that is set. A range is empty if the surface is shorter than the index.
     #[must_use]
     pub fn valid_range(&self, grid: Grid) -> [Range<usize>; 2] {
         let [nx, ny] = grid.size();
@@ -184,13 +187,16 @@ impl GaussianFilter {
         [range(0, nx, grid.dx()), range(1, ny, grid.dy())]
     }
 
-    /// Filters a surface; a slab of what ranks share as a surface by itself.
+    /// Filters a surface. A slab of a distributed surface is treated as a separate surface.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a nesting index; [`Error::BelowMinimum`] if it is shorter than two cells or longer than the side
-    /// of the surface along an axis that is filtered, or if that of the S filter is longer than that of the L filter;
-    /// [`Error::Sample`] for the first infinite height; [`Error::Undetermined`] if all are missing;
-    /// [`Error::NotFinite`] if their range overflows; [`Error::Memory`].
+    /// - [`Error::NotPositive`] if a nesting index is not positive and finite.
+    /// - [`Error::BelowMinimum`] if a nesting index is shorter than two cells or longer than the side of the surface along a filtered
+    ///   axis, or if the index of the S filter exceeds the index of the L filter.
+    /// - [`Error::Sample`] with the first infinite height.
+    /// - [`Error::Undetermined`] if all heights are missing.
+    /// - [`Error::NotFinite`] if the range of the heights overflows.
+    /// - [`Error::Memory`] if the memory for the filtered surface cannot be allocated.
     pub fn apply(&self, heights: &Field) -> Result<Filtered> {
         let grid = Slab::alone(heights)?.whole();
         self.check(grid)?;
@@ -205,7 +211,8 @@ impl GaussianFilter {
             });
         }
         memory("filtered surface", self.torus(grid, self.longest()), BYTES)?;
-        // About a height of the surface a flat one is exactly zero, and in units of the range no sum overflows.
+        // Heights are taken relative to the lowest height, so that a flat surface is exactly zero, and in units of the range, so
+        // that no sum overflows.
         let datum = heights.min();
         let range = finite("range of the heights", heights.max() - datum)?;
         let unit = if range > 0.0 { range } else { 1.0 };
@@ -232,7 +239,7 @@ impl GaussianFilter {
         })
     }
 
-    /// The longer nesting index.
+    /// Returns the longer nesting index.
     fn longest(&self) -> f64 {
         self.l.or(self.s).unwrap_or_default()
     }
@@ -262,7 +269,8 @@ impl GaussianFilter {
         Ok(())
     }
 
-    /// Cells on which waves repeat: so many more than the surface has that its ends do not meet.
+    /// Returns the size of the periodic grid of the transform. It exceeds the surface by enough cells that opposite ends do not
+    /// interact.
     fn torus(&self, grid: Grid, index: f64) -> [usize; 2] {
         let sides = [grid.dx(), grid.dy()];
         let mut torus = grid.size();
@@ -274,7 +282,7 @@ impl GaussianFilter {
         torus
     }
 
-    /// The weighted mean around every known height.
+    /// Computes the weighted mean around every known height.
     fn mean(&self, z: &Field, grid: Grid, index: f64) -> Field {
         let has_holes = z.iter().any(|z| z.is_nan());
         let torus = grid.of_size(self.torus(grid, index));
@@ -300,7 +308,7 @@ impl GaussianFilter {
         })
     }
 
-    /// The part of a wave that the weighted mean lets pass.
+    /// Returns the fraction of a wave that the weighted mean transmits.
     fn transmission(&self, mode: Mode, index: f64) -> f64 {
         let component = |axis: usize| {
             if self.along[axis] {
@@ -314,7 +322,7 @@ impl GaussianFilter {
     }
 }
 
-/// Cells of a side that a length covers, in part or as a whole.
+/// Returns the number of cells that a length covers, partly or fully.
 fn cells_in(length: f64, side: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,
@@ -325,7 +333,7 @@ fn cells_in(length: f64, side: f64) -> usize {
     cells
 }
 
-/// A function of the heights in the first columns and rows of a larger grid, which is zero elsewhere.
+/// Evaluates a function of the heights in the first columns and rows of a larger grid; the other cells are zero.
 fn placed(z: &Field, torus: Grid, f: &(dyn Fn(f64) -> f64 + Sync)) -> Field {
     let mut placed = Field::zeros(torus);
     let rows = placed.as_mut_slice().chunks_exact_mut(torus.nx());

@@ -1,10 +1,10 @@
-//! From the heights of bodies to the gap between them.
+//! Computation of the gap between bodies from their heights.
 
 use super::heights::complete;
 use crate::error::{Result, finite};
 use crate::grid::field::Field;
 
-/// The surface turned inside out, `-z`: peaks become valleys, as in a replica.
+/// Returns the inverted surface, `-z`: peaks become valleys, as in a replica.
 #[must_use]
 pub fn inverted(heights: &Field) -> Field {
     let mut inverted = heights.clone();
@@ -14,11 +14,10 @@ pub fn inverted(heights: &Field) -> Field {
     inverted
 }
 
-/// The surface mirrored along x, `z(-x, y)`.
+/// Returns the surface mirrored along x, `z(-x, y)`.
 ///
-/// A body that is measured from above and then turned over about the y axis, to face another, shows this
-/// surface in the frame of the other; its heights still point out of the body. Missing heights stay
-/// missing.
+/// If a body is measured from above and then turned over about the y axis to face a second body, this is its surface in
+/// the frame of the second body. The heights still point out of the measured body. Missing heights stay missing.
 #[must_use]
 pub fn mirror_x(heights: &Field) -> Field {
     let mut mirrored = heights.clone();
@@ -29,14 +28,14 @@ pub fn mirror_x(heights: &Field) -> Field {
     mirrored
 }
 
-/// The gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
+/// Computes the gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
 ///
-/// `heights` point out of the body; the gap is a length with minimum zero. The highest peak is that of the heights given:
-/// for a slab of what ranks share take [`HalfSpace::max_of`](crate::HalfSpace::max_of).
+/// `heights` point out of the body; the gap is a length with minimum zero. The highest peak is the maximum of the given
+/// heights. For a slab of a distributed surface use [`HalfSpace::max_of`](crate::HalfSpace::max_of).
 ///
 /// # Errors
-/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
-/// [`Error::NotFinite`](crate::Error::NotFinite) if their range overflows.
+/// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights overflows.
 pub fn gap_from_heights(heights: &Field) -> Result<Field> {
     complete("heights", heights)?;
     let highest = heights.max();
@@ -48,16 +47,16 @@ pub fn gap_from_heights(heights: &Field) -> Result<Field> {
     Ok(gap)
 }
 
-/// The gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
+/// Computes the gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
 ///
-/// The heights of each surface point out of its body, towards the other, so that peaks of both reduce the
-/// gap. Both are given in the same frame: apply [`mirror_x`] first to the body that was turned
-/// over. The gap is a length with minimum zero.
+/// The heights of each surface point out of its body, towards the other, so that peaks of both reduce the gap. Both are
+/// given in the same frame: first apply [`mirror_x`] to the body that was turned over. The gap is a length with minimum
+/// zero.
 ///
 /// # Errors
-/// [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ;
-/// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
-/// [`Error::NotFinite`](crate::Error::NotFinite) if the range of both together overflows.
+/// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
+/// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
+/// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the sum overflows.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};

@@ -7,22 +7,22 @@ use crate::parallel::reduce;
 #[cfg(feature = "roughness")]
 use crate::surface::Slab;
 
-/// `Ok` if no height is missing or infinite.
+/// Returns an error if a height is missing or infinite.
 pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
     let rule = "must be finite; fill missing heights first";
     samples_obey(quantity, heights.as_slice(), rule, f64::is_finite)
 }
 
-/// `Ok` if every height is finite, or NaN where it is missing.
+/// Returns an error if a height is infinite; missing heights (NaN) are accepted.
 pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
     let rule = "must be finite, or NaN where it is missing";
     samples_obey("heights", heights.as_slice(), rule, |z| !z.is_infinite())
 }
 
-/// Heights about the mean of all ranks, and the mean.
+/// Returns the heights relative to the mean over all ranks, and the mean.
 ///
-/// The sum is formed relative to the first height: a flat surface has exactly zero deviation, and a
-/// distant datum costs no digits.
+/// The sum is formed relative to the first height. A flat surface therefore has exactly zero deviation, and a distant
+/// datum does not increase round-off.
 #[cfg(feature = "roughness")]
 pub(super) fn about_mean(heights: &Field, slab: &Slab) -> (Field, f64) {
     let z = heights.as_slice();

@@ -1,20 +1,24 @@
-//! Initial gaps: the shape of the bodies before they deform.
+//! Initial gaps and surfaces of the bodies before they deform.
 //!
-//! A gap is the distance `h(x, y)` between the two undeformed surfaces when the highest point first
-//! touches, a length. Its datum is arbitrary, since it only shifts the approach.
+//! A gap is the distance `h(x, y)` (a length) between the two undeformed surfaces when they first touch. Its datum is arbitrary,
+//! since it only shifts the approach.
 //!
 //! # Shapes and generated surfaces
-//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which
-//! [`gap_from_heights`] turns into a gap; gaps are added by [`sum`](sum()). Besides the errors listed for each
-//! function, all return an error for a grid whose field memory cannot hold ([`Error::Memory`](crate::Error::Memory)),
-//! and for a shape with a height that overflows ([`Error::Sample`](crate::Error::Sample)).
+//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which [`gap_from_heights`] turns into
+//! a gap; gaps are added by [`sum`](sum()). In addition to the errors listed for each function, all functions return
+//! [`Error::Memory`](crate::Error::Memory) if a field on the grid cannot be allocated, and
+//! [`Error::Sample`](crate::Error::Sample) if a height of the shape overflows.
 //!
 //! # Measured surfaces
-//! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap
-//! from a measurement, level it ([`level`](level())), take off the noise of the instrument with a [`GaussianFilter`], close
-//! its holes with [`fill_missing`], select a part with [`crop()`] or [`resample()`], and set it against a plane with
-//! [`gap_from_heights`] or against another surface with [`gap_between`]. [`Statistics`] and [`PowerSpectrum`]
-//! characterise it.
+//! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap from a measurement:
+//!
+//! 1. Level the surface with [`level`](level()).
+//! 2. Remove the noise of the instrument with a [`GaussianFilter`].
+//! 3. Fill the holes with [`fill_missing`].
+//! 4. Select a part with [`crop()`] or [`resample()`].
+//! 5. Compute the gap to a plane with [`gap_from_heights`], or to a second surface with [`gap_between`].
+//!
+//! [`Statistics`] and [`PowerSpectrum`] characterise the surface.
 
 #[cfg(feature = "roughness")]
 mod slabs;

@@ -1,4 +1,4 @@
-//! The distribution of the mean square of the heights over wavelengths.
+//! Distribution of the mean square of the heights over wavelengths.
 
 use std::f64::consts::TAU;
 
@@ -14,25 +14,24 @@ use crate::parallel;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
 
-/// The radial power spectrum of a periodic surface, and its spectral moments.
+/// Radial power spectrum of a periodic surface, with its spectral moments.
 ///
-/// The heights about their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$, one for each
-/// wave vector of the grid. With the area $`A`$ of the grid, each wave occupies $`4\pi^2/A`$ of the plane
-/// of wave vectors, and
+/// The heights relative to their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$, one for each wave vector of
+/// the grid. With the area $`A`$ of the grid, each wave occupies $`4\pi^2/A`$ of the plane of wave vectors, and
 ///
 /// ```math
 /// C(q) = \frac{A}{4\pi^2}\,\langle |a_q|^2 \rangle_\text{ring}, \qquad
 /// \sum |a_q|^2 = \sum_\text{rings} \frac{4\pi^2}{A}\, n\, C(q) = S_q^2 ,
 /// ```
 ///
-/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k +
-/// \tfrac12)\Delta q`$ and $`\Delta q`$ is $`2\pi`$ over the longer side of the grid; in the limit
+/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$ and
+/// $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit,
 /// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Under the convention
-/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs, Junge and Pastewka (2017), the values are
-/// $`4\pi^2`$ times those given here.
+/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs, Junge and Pastewka (2017), the values are $`4\pi^2`$
+/// times those given here.
 ///
 /// # Spectral moments
-/// The moments are those of a profile, averaged over all its directions $`\theta`$:
+/// The moments are the moments of a profile, averaged over all its directions $`\theta`$:
 ///
 /// ```math
 /// m_n = \langle \cos^n\theta \rangle \sum |a_q|^2\, |q|^n, \qquad
@@ -40,10 +39,9 @@ use crate::support::serialise::checked;
 /// m_4 = \tfrac38 \langle (\nabla^2 z)^2 \rangle .
 /// ```
 ///
-/// On an isotropic surface they are the moments of any profile, as in Longuet-Higgins (1957) and
-/// Nayak (1971). The sums run over all waves of the grid without tapering; waves of two cells per period
-/// enter with their full mean square. Heights that do not continue periodically
-/// have a step at the edge of the grid, which raises $`m_2`$ and $`m_4`$.
+/// On an isotropic surface they are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971). The sums
+/// include all waves of the grid without tapering; waves of two cells per period contribute their full mean square.
+/// Heights that are not periodic have a step at the edge of the grid, which increases $`m_2`$ and $`m_4`$.
 ///
 /// # References
 /// - T. D. B. Jacobs, T. Junge, L. Pastewka, *Surf. Topogr.: Metrol. Prop.* 5 (2017) 013001,
@@ -77,7 +75,7 @@ pub struct PowerSpectrum {
     moments: [f64; 3],
 }
 
-/// The values read, before they are checked.
+/// Deserialised values before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "PowerSpectrum")]
@@ -100,17 +98,17 @@ impl<'de> serde::Deserialize<'de> for PowerSpectrum {
 }
 
 impl PowerSpectrum {
-    /// The spectrum of a surface that continues periodically beyond its grid; of one that ranks share
+    /// Computes the spectrum of a surface that continues periodically beyond its grid. For a distributed surface use
     /// [`HalfSpace::power_spectrum`](crate::HalfSpace::power_spectrum).
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite, or for the first value
-    /// or moment that overflows.
+    /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite, or the first value
+    ///   or moment that overflows.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }
 
-    /// The spectrum of a surface of which ranks may hold a slab each.
+    /// Computes the spectrum of a surface from its local slab; the surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
             .collective_result(complete("heights", heights))?;
@@ -134,48 +132,48 @@ impl PowerSpectrum {
         })
     }
 
-    /// Mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), in ascending
+    /// Returns the mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), in ascending
     /// order; rings without a wave are omitted.
     #[must_use]
     pub fn wave_numbers(&self) -> &[f64] {
         &self.wave_numbers
     }
 
-    /// Mean $`C(q)`$ of the waves of each ring (a length to the fourth power).
+    /// Returns the mean $`C(q)`$ of the waves of each ring (a length to the fourth power).
     #[must_use]
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// Number of wave vectors in each ring; $`q`$ and $`-q`$ are counted separately.
+    /// Returns the number of wave vectors in each ring; $`q`$ and $`-q`$ are counted separately.
     #[must_use]
     pub fn modes(&self) -> &[usize] {
         &self.modes
     }
 
-    /// Spectral moments $`[m_0, m_2, m_4]`$ (a length squared, a number, one over a length squared).
+    /// Returns the spectral moments $`[m_0, m_2, m_4]`$ (a length squared, dimensionless, one over a length squared).
     #[must_use]
     pub fn moments(&self) -> [f64; 3] {
         self.moments
     }
 
-    /// Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$: 3/2 for isotropic waves of one
-    /// length, more for a broader spectrum; NaN for a flat surface.
+    /// Returns Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$: 3/2 for isotropic waves of a single length,
+    /// larger for a broader spectrum, and NaN for a flat surface.
     #[must_use]
     pub fn nayak_parameter(&self) -> f64 {
         let [m0, m2, m4] = self.moments;
         (m0 / m2) * (m4 / m2)
     }
 
-    /// Root mean square of the mean curvature $`\tfrac12 \nabla^2 z`$ (one over a length),
-    /// $`\sqrt{\tfrac23 m_4}`$, of a surface of small slope.
+    /// Returns the root mean square $`\sqrt{\tfrac23 m_4}`$ of the mean curvature $`\tfrac12 \nabla^2 z`$ (one over a
+    /// length), for a surface of small slope.
     #[must_use]
     pub fn rms_mean_curvature(&self) -> f64 {
         (2.0 / 3.0 * self.moments[2]).sqrt()
     }
 }
 
-/// `[m_0, m_2, m_4]` of a surface.
+/// Computes `[m_0, m_2, m_4]` of a surface.
 pub(super) fn moments(waves: &Waves) -> [f64; 3] {
     let [zeroth, second, fourth] = waves.sums(|mode, amplitude| {
         let power = mode.copies * amplitude.norm_sqr();
@@ -185,7 +183,7 @@ pub(super) fn moments(waves: &Waves) -> [f64; 3] {
     [zeroth, 0.5 * second, 0.375 * fourth]
 }
 
-/// Waves of nearly the same length.
+/// Group of waves of nearly the same length.
 #[derive(Debug)]
 struct Ring {
     modes: usize,
@@ -203,7 +201,7 @@ impl Ring {
     }
 }
 
-/// The rings that hold a wave, from the longest waves to the shortest; the mean is excluded.
+/// Returns the rings that contain a wave, from the longest waves to the shortest; the mean is excluded.
 fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     let width = ring_width(slab.whole());
     #[expect(
@@ -212,9 +210,10 @@ fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
         reason = "a rounded positive number"
     )]
     let ring = |mode: Mode| (mode.wave_number() / width).round() as usize;
-    // No rounding goes beyond the next ring.
+    // Rounding can move a wave by at most one ring.
     let count = ring(waves.shortest()).saturating_add(2);
-    // Cells much longer than wide leave most rings empty: those that hold a wave are numbered then.
+    // If the cells are much longer than wide, most rings are empty; only the rings that contain a wave are then
+    // numbered.
     let held = (count > slab.whole().cells() + 2).then(|| {
         let mut held: Vec<usize> = Mode::all(slab.whole()).map(ring).collect();
         held.sort_unstable();
@@ -241,7 +240,7 @@ fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     .collect()
 }
 
-/// `2 pi` over the longest wave a grid holds.
+/// Returns `2 pi` divided by the longest wavelength on the grid.
 fn ring_width(grid: Grid) -> f64 {
     let side = |cells: usize, cell: f64| if cells > 1 { cells as f64 * cell } else { 0.0 };
     TAU / side(grid.nx(), grid.dx()).max(side(grid.ny(), grid.dy()))

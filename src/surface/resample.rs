@@ -1,4 +1,4 @@
-//! A surface on another grid.
+//! Interpolation of a surface to a different grid.
 
 use super::heights::complete;
 use crate::error::{Error, Result, all_finite, memory};
@@ -6,26 +6,27 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel;
 
-/// Number of samples through which an interpolating cubic runs.
+/// Number of samples that determine an interpolating cubic.
 const WIDTH: usize = 4;
 
-/// Round-off allowed in the extent of a grid, in cells.
+/// Round-off tolerance for the extent of a grid, in cells.
 const SLACK: f64 = 1e-9;
 
-/// Interpolates a surface at the cell centres of another grid.
+/// Interpolates a surface at the cell centres of a different grid.
 ///
-/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or
-/// through fewer where the axis has fewer. It is exact for polynomials of degree three in x and in y; for a
-/// smooth surface the error falls with the fourth power of the cell sides of the source, `heights`. Heights
-/// between two samples may lie a little above or below both. Both grids are centred on the origin.
+/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or through fewer
+/// if the axis has fewer. It is exact for polynomials of degree three in x and in y; for a smooth surface the error
+/// falls with the fourth power of the cell sides of the source, `heights`. Interpolated heights can lie slightly above
+/// or below the two neighbouring samples. Both grids are centred on the origin.
 ///
-/// A coarser grid takes single heights, not means: waves shorter than two of its cells are aliased to
-/// longer ones.
+/// On a coarser grid the function evaluates heights at points and does not average them. Waves shorter than two of its
+/// cells are therefore aliased to longer waves.
 ///
 /// # Errors
-/// [`Error::Sample`] for the first height that is missing or infinite, or that would be beyond the range of numbers;
-/// [`Error::BeyondSamples`] if a cell centre of the grid lies outside the source's grid, that is more than half a
-/// source cell beyond the outermost sample; [`Error::Memory`].
+/// - [`Error::Sample`] with the first height that is missing or infinite, or that overflows.
+/// - [`Error::BeyondSamples`] if a cell centre of the grid is outside the grid of the source, that is, more than half a
+///   source cell beyond the outermost sample.
+/// - [`Error::Memory`] if the field cannot be allocated.
 ///
 /// ```
 /// use stickslip::{Field, Grid, surface};
@@ -67,7 +68,7 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
     Ok(resampled)
 }
 
-/// One axis of the source.
+/// An axis of the source.
 struct SourceAxis {
     name: &'static str,
     count: usize,
@@ -75,9 +76,9 @@ struct SourceAxis {
 }
 
 impl SourceAxis {
-    /// The samples from which the values at the centres of another axis are interpolated.
+    /// Returns the samples and weights that interpolate the values at the centres of an axis of the new grid.
     fn stencils(&self, count: usize, centre: impl Fn(usize) -> f64) -> Result<Vec<Stencil>> {
-        // Centres are symmetric about the middle, so the last is the farthest.
+        // The centres are symmetric about the middle, so the last centre is the farthest.
         let reach = centre(count - 1);
         let half_side = 0.5 * self.count as f64 * self.side;
         if reach > half_side + SLACK * self.side {
@@ -93,7 +94,7 @@ impl SourceAxis {
     }
 }
 
-/// The samples and weights of an interpolated value.
+/// Samples and weights of an interpolated value.
 struct Stencil {
     first: usize,
     width: usize,
@@ -101,7 +102,7 @@ struct Stencil {
 }
 
 impl Stencil {
-    /// The Lagrange polynomial through the samples nearest to the position `t`, in units of the sample spacing.
+    /// Computes the Lagrange weights of the samples nearest to the position `t`, in units of the sample spacing.
     fn at(t: f64, count: usize) -> Self {
         let width = WIDTH.min(count);
         #[expect(

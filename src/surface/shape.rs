@@ -6,14 +6,14 @@ use crate::error::{Error, Result, all_finite, finite, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
-/// A sphere (or two, of relative radius `1/R = 1/R_1 + 1/R_2`) on a plane, touching at the origin:
-/// `h = (x^2 + y^2) / (2 R)`.
+/// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin; for two spheres
+/// `1/R = 1/R_1 + 1/R_2`.
 ///
-/// This is the osculating paraboloid, the gap of Hertz's theory: half-space theory is of first order in
-/// the slopes. `radius` and `h` are lengths.
+/// This is the osculating paraboloid, the gap of Hertz's theory, since half-space theory is of first order in the slopes.
+/// `radius` and `h` are lengths.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the radius.
+/// - [`Error::NotPositive`] if the radius is not positive and finite.
 ///
 /// ```
 /// use stickslip::{Grid, surface};
@@ -26,39 +26,39 @@ pub fn sphere(grid: Grid, radius: f64) -> Result<Field> {
     ellipsoid(grid, radius, radius)
 }
 
-/// A body of principal radii of curvature `radius_x` and `radius_y` along the axes, touching a
-/// plane at the origin: `h = x^2 / (2 R_x) + y^2 / (2 R_y)`, lengths.
+/// Returns the gap `h = x^2 / (2 R_x) + y^2 / (2 R_y)` of a body with the principal radii of curvature `radius_x` and `radius_y`
+/// along the axes, which touches a plane at the origin. Radii and gap are lengths.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for a radius.
+/// - [`Error::NotPositive`] if a radius is not positive and finite.
 pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     positive("radius along x", radius_x)?;
     positive("radius along y", radius_y)?;
     sampled(grid, |x, y| 0.5 * (x * x / radius_x + y * y / radius_y))
 }
 
-/// A cylinder along y, touching a plane along the line `x = 0`: `h = x^2 / (2 R)`, lengths.
+/// Returns the gap `h = x^2 / (2 R)` of a cylinder along y that touches a plane along the line `x = 0`. Radius and gap are
+/// lengths.
 ///
-/// A cylinder of another direction is a [`paraboloid`]. On a grid that does not repeat it ends with the grid, and its ends
-/// bear peaks of pressure: [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). A line contact in plane strain is on
-/// bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
+/// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic the cylinder ends at the edges of
+/// the grid, and the pressure has peaks at its ends; see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). For a line
+/// contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the radius.
+/// - [`Error::NotPositive`] if the radius is not positive and finite.
 pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
     positive("radius", radius)?;
     sampled(grid, |x, _| 0.5 * x * x / radius)
 }
 
-/// Fraction of the mean curvature by which the smaller principal curvature of a cylinder may be negative,
-/// because of round-off.
+/// Fraction of the mean curvature by which the smaller principal curvature of a cylinder may be negative due to round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// A body of any principal directions, touching a plane at the origin:
-/// $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$.
+/// Returns the gap $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$ of a body with any principal
+/// directions that touches a plane at the origin.
 ///
-/// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). Principal
-/// curvatures $`\kappa_1`$ at the angle $`\alpha`$ from x and $`\kappa_2`$ across it give
+/// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). The principal curvatures $`\kappa_1`$ at the
+/// angle $`\alpha`$ from x and $`\kappa_2`$ perpendicular to it give
 ///
 /// ```math
 /// \kappa_{xx} = \kappa_1 \cos^2\alpha + \kappa_2 \sin^2\alpha , \quad
@@ -66,11 +66,11 @@ const ROUND_OFF: f64 = 1e-12;
 /// \kappa_{yy} = \kappa_1 \sin^2\alpha + \kappa_2 \cos^2\alpha .
 /// ```
 ///
-/// Curvatures of two bodies add up: two crossed cylinders of radius `R` make a sphere of radius `R`.
+/// The curvatures of two bodies add up: two crossed cylinders of radius `R` have the same gap as a sphere of radius `R`.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for a curvature; [`Error::NegativeOrNotFinite`]
-/// if a principal curvature is negative: a saddle would penetrate the plane.
+/// - [`Error::NotFinite`] if a curvature is not finite.
+/// - [`Error::NegativeOrNotFinite`] if a principal curvature is negative: a saddle would penetrate the plane.
 ///
 /// ```
 /// use stickslip::{Grid, surface};
@@ -96,25 +96,25 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
     })
 }
 
-/// A cone, touching a plane with its tip at the origin: `h = slope * sqrt(x^2 + y^2)`.
+/// Returns the gap `h = slope * sqrt(x^2 + y^2)` of a cone that touches a plane with its tip at the origin.
 ///
 /// `slope` is the tangent of the angle between cone and plane, dimensionless; `h` is a length.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the slope.
+/// - [`Error::NotPositive`] if the slope is not positive and finite.
 pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
     positive("slope", slope)?;
     sampled(grid, |x, y| slope * x.hypot(y))
 }
 
-/// A flat-ended cylindrical punch, centred on the origin: `h = 0` in the cells whose centre is within
-/// `radius` of it and `recess` in the others, lengths.
+/// Returns the gap of a flat-ended cylindrical punch centred on the origin. It is zero in the cells whose centre is within
+/// `radius` of the origin and `recess` in the other cells (lengths).
 ///
-/// The recess only has to exceed the displacements, so that the body around the punch does not touch.
+/// The recess must exceed the displacements, so that the body around the punch does not come into contact.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the radius or the recess, or if the punch is
-/// so small that it covers no cell centre.
+/// - [`Error::NotPositive`] if the radius or the recess is not positive and finite, or if the punch is so small that it covers no
+///   cell centre.
 pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("radius", radius)?;
     positive("recess", recess)?;
@@ -124,14 +124,14 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     Ok(punch)
 }
 
-/// Straight waves with crests along y, one of them at `x = 0`:
-/// $`h = A (1 - \cos(2\pi x/\lambda))`$, zero on the crests and $`2A`$ in the troughs.
+/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda))`$ of straight waves with crests along y, one of them at `x = 0`. The gap is
+/// zero on the crests and $`2A`$ in the troughs.
 ///
-/// `amplitude` is $`A`$, `wavelength` is $`\lambda`$ (lengths). Westergaard's problem; on a periodic
+/// `amplitude` is $`A`$, `wavelength` is $`\lambda`$ (lengths). This is the gap of Westergaard's problem. On a periodic
 /// half-space the wavelength must divide the side of the grid.
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the amplitude or the wavelength.
+/// - [`Error::NotPositive`] if the amplitude or the wavelength is not positive and finite.
 pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> {
     positive("amplitude", amplitude)?;
     positive("wavelength", wavelength)?;
@@ -140,16 +140,15 @@ pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> 
     })
 }
 
-/// Waves along both axes, a crest at the origin:
-/// $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$, zero on the crests and $`2A`$ in
-/// the troughs.
+/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$ of waves along both axes with a crest at the
+/// origin. The gap is zero on the crests and $`2A`$ in the troughs.
 ///
 /// `amplitude` is $`A`$, `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Johnson, Greenwood
 /// and Higginson, *Int. J. Mech. Sci.* 27 (1985) 383-396,
 /// [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
 ///
 /// # Errors
-/// [`Error::NotPositive`] for the amplitude or a wavelength.
+/// - [`Error::NotPositive`] if the amplitude or a wavelength is not positive and finite.
 pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result<Field> {
     positive("amplitude", amplitude)?;
     let along_x = positive("wavelength along x", wavelengths[0])?;
@@ -159,18 +158,19 @@ pub fn bisinusoidal(grid: Grid, amplitude: f64, wavelengths: [f64; 2]) -> Result
     })
 }
 
-/// The heights at the cell centres.
+/// Samples a height function at the cell centres.
 fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
     let heights = Field::try_from_fn(grid, height)?;
     all_finite("height of the shape", heights.as_slice())?;
     Ok(heights)
 }
 
-/// The sum of fields, cell by cell: a rough ball is a ball plus roughness, and the gap between two
-/// bodies is the sum of both shapes.
+/// Adds fields cell by cell. For example, a rough ball is a ball plus roughness, and the gap between two bodies is the sum of
+/// both shapes.
 ///
 /// # Errors
-/// [`Error::Length`] if there is no field, [`Error::GridMismatch`] if the fields are on different grids.
+/// - [`Error::Length`] if there is no field.
+/// - [`Error::GridMismatch`] if the fields are on different grids.
 ///
 /// ```
 /// use stickslip::{Grid, surface};

@@ -1,4 +1,4 @@
-//! Which rows of a surface are held here, and how those of all ranks add up.
+//! Local rows of a surface, and the order of sums over all ranks.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use crate::grid::field::Field;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// The rows of a surface that are held here: all, or a slab of what ranks share.
+/// Local rows of a surface: all rows, or a slab of a distributed surface.
 #[derive(Debug)]
 pub(crate) struct Slab {
     whole: Grid,
@@ -20,7 +20,7 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// Of a grid whose rows are dealt out so, if they are.
+    /// Creates the local slab of a grid; `share` is the distribution of its rows, if they are distributed.
     pub(crate) fn new(whole: Grid, share: Option<Arc<RowPartition>>) -> Self {
         let (first_row, layout) = match &share {
             Some(share) => (share.local_rows().start, Layout::shared(Arc::clone(share))),
@@ -34,7 +34,8 @@ impl Slab {
         }
     }
 
-    /// A surface by itself, whatever it may be a slab of; an error if it has no cells.
+    /// Treats a field as a whole surface, even if it is a slab of a distributed surface. Returns an error if the field
+    /// has no cells.
     pub(super) fn alone(heights: &Field) -> Result<Self> {
         let grid = heights.grid();
         let [nx, ny] = grid.size();
@@ -44,12 +45,12 @@ impl Slab {
         Ok(Self::new(grid.of_size([nx, ny]), None))
     }
 
-    /// The grid of all rows.
+    /// Returns the grid of all rows.
     pub(super) fn whole(&self) -> Grid {
         self.whole
     }
 
-    /// The first row held here.
+    /// Returns the first local row.
     pub(super) fn first_row(&self) -> usize {
         self.first_row
     }
@@ -58,7 +59,7 @@ impl Slab {
         &self.layout
     }
 
-    /// The rows held here and the next one, if there is any.
+    /// Returns the local rows and the row after them, if it exists.
     pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Cow<'a, [f64]> {
         let own = heights.as_slice();
         let Some(share) = &self.share else {
@@ -73,7 +74,7 @@ impl Slab {
         Cow::Owned([own, &share.fetch(own, nx, next)].concat())
     }
 
-    /// Whose waves are held where, and how rows travel there: none without ranks.
+    /// Returns the distributions of the rows and of the columns of waves over the ranks, or `None` without ranks.
     pub(super) fn shares(&self) -> Option<[Arc<RowPartition>; 2]> {
         let rows = self.share.as_ref()?;
         let columns = shared_columns(self.whole, rows.team());

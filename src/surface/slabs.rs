@@ -1,47 +1,50 @@
-//! Statistics, spectrum and level of heights that ranks hold slab by slab.
+//! Statistics, spectrum and levelling of distributed heights.
 
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::surface::{Form, Levelled, PowerSpectrum, Slab, Statistics, level_slab};
 
-/// All ranks call these alike, each with its slab, and all get the same answer, with the bits of one process. Without
-/// ranks they are [`Statistics::of`], [`PowerSpectrum::of`] and
+/// These calls are collective: each rank passes its slab, and all ranks receive the same result, bitwise identical to the result
+/// of a single process. Without ranks they are equivalent to [`Statistics::of`], [`PowerSpectrum::of`] and
 /// [`surface::level`](crate::surface::level()).
 impl HalfSpace {
-    /// The statistics of a surface on the whole grid. See [`Statistics::of`].
+    /// Computes the statistics of a surface on the whole grid. See [`Statistics::of`].
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`Statistics::of`], where an index is one of the slab;
-    /// [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
+    /// - The errors of [`Statistics::of`]; an index is an index in the slab.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
     pub fn statistics(&self, heights: &Field) -> Result<Statistics> {
         self.checked(heights)?;
         Statistics::of_slab(heights, &self.slab())
     }
 
-    /// The power spectrum of a surface on the whole grid. See [`PowerSpectrum::of`].
+    /// Computes the power spectrum of a surface on the whole grid. See [`PowerSpectrum::of`].
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`PowerSpectrum::of`], where an index is one of the
-    /// slab; [`Error::Ranks`](crate::Error::Ranks).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
+    /// - The errors of [`PowerSpectrum::of`]; an index is an index in the slab.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
     pub fn power_spectrum(&self, heights: &Field) -> Result<PowerSpectrum> {
         self.checked(heights)?;
         PowerSpectrum::of_slab(heights, &self.slab())
     }
 
-    /// Removes the mean or the plane of a surface on the whole grid; heights and form are those of the cells held here. See
+    /// Removes the mean or the plane of a surface on the whole grid. The returned heights and form contain the local cells. See
     /// [`surface::level`](crate::surface::level()).
     ///
     /// # Errors
-    /// [`Error::GridMismatch`](crate::Error::GridMismatch); as [`surface::level`](crate::surface::level()), where an
-    /// index is one of the slab; [`Error::Ranks`](crate::Error::Ranks), also for a polynomial on bodies that ranks share.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
+    /// - The errors of [`surface::level`](crate::surface::level()); an index is an index in the slab.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails, or if the form is a polynomial and the bodies are distributed.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
         let checked = self.grid().expect("the field", heights.grid());
         self.collective_result_checked(checked, &[("form", &form)])?;
         level_slab(heights, &self.slab(), form)
     }
 
-    /// `Ok` if the fields of all ranks are on their grids.
+    /// Returns an error if the field of a rank is not on its grid.
     fn slab(&self) -> Slab {
         let size = self.size();
         Slab::new(self.grid().whole(), self.share(size))

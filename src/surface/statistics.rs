@@ -12,24 +12,24 @@ use crate::grid::field::Field;
 use crate::parallel;
 use crate::parallel::reduce;
 
-/// The S-parameters of a surface (ISO 25178-2:2021), computed from its heights about their mean.
+/// S-parameters of a surface (ISO 25178-2:2021), computed from its heights relative to their mean.
 ///
-/// Heights point out of the body, so that a peak is positive. Nothing is filtered and no form but the
-/// mean is removed: apply `level` first to a tilted or curved surface. With $`z`$ about the mean
-/// and $`\langle\,\rangle`$ the mean over the cells,
+/// Heights point out of the body, so that a peak is positive. The heights are not filtered, and no form except the mean
+/// is removed. Apply [`level`](super::level()) first to a tilted or curved surface. With $`z`$ relative to the mean and
+/// $`\langle\,\rangle`$ the mean over the cells,
 ///
 /// ```math
 /// S_a = \langle |z| \rangle, \quad S_q^2 = \langle z^2 \rangle, \quad
 /// S_{sk} = \frac{\langle z^3 \rangle}{S_q^3}, \quad S_{ku} = \frac{\langle z^4 \rangle}{S_q^4} ,
 /// ```
 ///
-/// The kurtosis is not the excess kurtosis: a Gaussian surface has 3.
+/// The kurtosis is not the excess kurtosis: its value is 3 for a Gaussian surface.
 ///
 /// # Slopes
-/// On a grid a slope depends on the method of differentiation, the more so the shorter the waves, so each
-/// method has its own name. A wave of wave number $`q`$ along x has the finite-difference slope
-/// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral one: 0.97 at eight cells per period,
-/// $`2/\pi`$ at two.
+/// On a grid the slope depends on the method of differentiation, more strongly for shorter waves, so each method has
+/// its own name. A wave of wave number $`q`$ along x has the finite-difference slope
+/// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope: 0.97 times at eight cells per period, $`2/\pi`$
+/// times at two.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -41,7 +41,7 @@ use crate::parallel::reduce;
 /// assert!(wave.skewness().abs() < 1e-12 && (wave.kurtosis() - 1.5).abs() < 1e-12);
 /// let slope = wave.rms_height() * TAU / 8.0;
 /// assert!((wave.spectral_rms_slope() - slope).abs() < 1e-12);
-/// // The pair across the edge, at two equal heights, does not count.
+/// // The pair across the edge is not counted; its heights are equal.
 /// let ratio = wave.finite_difference_rms_slope() / slope;
 /// assert!((ratio - 0.9745 * (64.0_f64 / 63.0).sqrt()).abs() < 1e-4);
 /// # Ok::<(), stickslip::Error>(())
@@ -64,16 +64,18 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// The statistics of a surface; of one that ranks share [`HalfSpace::statistics`](crate::HalfSpace::statistics).
+    /// Computes the statistics of a surface. For a distributed surface use
+    /// [`HalfSpace::statistics`](crate::HalfSpace::statistics).
     ///
     /// # Errors
-    /// [`Error::Sample`](crate::Error::Sample) for the first height that is missing or infinite;
-    /// [`Error::NotFinite`](crate::Error::NotFinite) if their range or the square of their slopes overflows.
+    /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights or the square of their slopes
+    ///   overflows.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }
 
-    /// The statistics of a surface of which ranks may hold a slab each.
+    /// Computes the statistics of a surface from its local slab; the surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
             .collective_result(complete("heights", heights))?;
@@ -81,7 +83,7 @@ impl Statistics {
         let highest_peak = slab.layout().combined(deviations.max(), f64::max);
         let deepest_valley = -slab.layout().combined(deviations.min(), f64::min);
         let z = deviations.as_slice();
-        // In units of the largest deviation the powers neither overflow nor underflow.
+        // Powers of heights in units of the largest deviation neither overflow nor underflow.
         let largest = highest_peak.max(deepest_valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
         let [first, second, third, fourth] = reduce::sum(slab.layout(), |i| {
@@ -119,20 +121,20 @@ impl Statistics {
         })
     }
 
-    /// Mean of the heights as given (a length), the datum of all other parameters.
+    /// Returns the mean of the original heights (a length), the datum of all other parameters.
     #[must_use]
     pub fn mean_height(&self) -> f64 {
         self.mean_height
     }
 
-    /// Arithmetic mean height Sa $`= \langle |z| \rangle`$ (a length).
+    /// Returns the arithmetic mean height Sa $`= \langle |z| \rangle`$ (a length).
     #[doc(alias = "Sa")]
     #[must_use]
     pub fn arithmetic_mean_height(&self) -> f64 {
         self.arithmetic_mean_height
     }
 
-    /// Root-mean-square height Sq $`= \langle z^2 \rangle^{1/2}`$ (a length).
+    /// Returns the root-mean-square height Sq $`= \langle z^2 \rangle^{1/2}`$ (a length).
     #[doc(alias = "Sq")]
     #[doc(alias = "roughness")]
     #[must_use]
@@ -140,7 +142,7 @@ impl Statistics {
         self.rms_height
     }
 
-    /// Skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative where valleys are deeper than peaks are
+    /// Returns the skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative if the valleys are deeper than the peaks are
     /// high. NaN for a flat surface.
     #[doc(alias = "Ssk")]
     #[must_use]
@@ -148,41 +150,41 @@ impl Statistics {
         self.skewness
     }
 
-    /// Kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian
-    /// surface. NaN for a flat surface.
+    /// Returns the kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian surface.
+    /// NaN for a flat surface.
     #[doc(alias = "Sku")]
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
     }
 
-    /// Height of the highest peak Sp (a length), above the mean.
+    /// Returns the height of the highest peak above the mean, Sp (a length).
     #[must_use]
     pub fn highest_peak(&self) -> f64 {
         self.highest_peak
     }
 
-    /// Depth of the deepest valley Sv (a length), positive, below the mean.
+    /// Returns the depth of the deepest valley below the mean, Sv (a length, positive).
     #[must_use]
     pub fn deepest_valley(&self) -> f64 {
         self.deepest_valley
     }
 
-    /// Height from the deepest valley to the highest peak Sz (a length).
+    /// Returns the height from the deepest valley to the highest peak Sz (a length).
     #[doc(alias = "Sz")]
     #[must_use]
     pub fn height_range(&self) -> f64 {
         self.highest_peak + self.deepest_valley
     }
 
-    /// Root-mean-square gradient Sdq of the surface by forward differences,
+    /// Returns the root-mean-square gradient Sdq of the surface by forward differences,
     ///
     /// ```math
     /// S_{dq}^2 = \frac{1}{(n_x-1)\,n_y} \sum \left(\frac{z_{i+1,j}-z_{ij}}{\Delta x}\right)^2
     ///          + \frac{1}{n_x\,(n_y-1)} \sum \left(\frac{z_{i,j+1}-z_{ij}}{\Delta y}\right)^2 ,
     /// ```
     ///
-    /// over the pairs of neighbours within the grid, without pairs across its edge: the definition for a
+    /// over the pairs of neighbours within the grid, without pairs across its edge. This is the definition for a
     /// measured surface, which is not periodic. An axis of one cell has no slope.
     #[doc(alias = "rms slope")]
     #[doc(alias = "rms gradient")]
@@ -192,19 +194,19 @@ impl Statistics {
         along_x.hypot(along_y)
     }
 
-    /// Root-mean-square gradient of the periodically continued surface, exact for its waves,
+    /// Returns the root-mean-square gradient of the periodically continued surface, exact for its waves,
     /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
     ///
-    /// A wave of two cells per period enters with the full mean square of its samples, although the samples
-    /// do not determine its phase, and hence its slope. Heights that do not continue periodically have a step
-    /// at the edge of the grid, which is included. See [`PowerSpectrum`](super::PowerSpectrum).
+    /// A wave of two cells per period contributes the full mean square of its samples, although the samples do not
+    /// determine its phase, and hence its slope. Heights that are not periodic have a step at the edge of the grid,
+    /// which is included. See [`PowerSpectrum`](super::PowerSpectrum).
     #[doc(alias = "rms slope")]
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
         self.spectral_rms_slope
     }
 
-    /// Root-mean-square slope of the profiles along x and of those along y, the two terms of
+    /// Returns the root-mean-square slopes of the profiles along x and of the profiles along y, the two terms of
     /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope): the paper's equation 34.
     ///
     /// On an isotropic surface each is $`1/\sqrt2`$ times the slope of the surface.
@@ -213,11 +215,11 @@ impl Statistics {
         self.profile_rms_slope
     }
 
-    /// Developed interfacial area ratio Sdr, the excess of the area of the surface over its projection,
-    /// relative to the projection (a number, not in per cent).
+    /// Returns the developed interfacial area ratio Sdr, the excess of the area of the surface over its projection,
+    /// relative to the projection (a fraction, not a percentage).
     ///
-    /// Every four neighbouring heights span two triangles, cut by one diagonal or the other; the mean
-    /// of both cuts is taken. For small slopes it is half the square of the slope.
+    /// Every four neighbouring heights span two triangles, separated by either of the diagonals; the result is the mean
+    /// over both diagonals. For small slopes the ratio is half the square of the slope.
     #[must_use]
     pub fn developed_area_ratio(&self) -> f64 {
         self.developed_area_ratio

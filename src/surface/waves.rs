@@ -1,4 +1,4 @@
-//! A surface as a sum of waves: the plain two-dimensional real transform.
+//! Representation of a surface as a sum of waves: the two-dimensional real Fourier transform.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -23,26 +23,26 @@ use crate::parallel::reduce::{self, Reduction};
 /// z(x_m, y_n) = \sum_{i, j} a_{ij}\, e^{2 \pi \mathrm{i} (i m / n_x + j n / n_y)} ,
 /// ```
 ///
-/// of which those with `i >= 0` are kept: the others are their conjugates.
+/// Only amplitudes with `i >= 0` are stored; the others are their conjugates.
 #[derive(Debug, Clone)]
 pub(super) struct Waves {
     grid: Grid,
-    /// The first column held here.
+    /// First local column.
     first: usize,
-    /// How the amplitudes lie, column by column.
+    /// Layout of the amplitudes, column by column.
     layout: Layout,
-    /// `ny` rows for each column `0..=nx/2` that is held here.
+    /// Amplitudes in `ny` rows for each local column of `0..=nx/2`.
     amplitudes: Vec<Complex<f64>>,
 }
 
-/// Which wave an amplitude belongs to.
+/// Wave to which an amplitude belongs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mode {
-    /// Periods along each side of the grid.
+    /// Number of periods along each side of the grid.
     pub(super) numbers: [i64; 2],
-    /// `2 pi` over the wavelength, along x and along y.
+    /// Wave vector: `2 pi` divided by the wavelength, along x and along y.
     pub(super) wave_vector: [f64; 2],
-    /// Waves the amplitude stands for: two, or one if its column is its own mirror image.
+    /// Number of waves that the amplitude represents: two, or one if its column is its own mirror image.
     pub(super) copies: f64,
     /// Whether a component is at the grid's limit of two cells per period, where the sign of the wave
     /// vector is lost.
@@ -50,12 +50,12 @@ pub(super) struct Mode {
 }
 
 impl Waves {
-    /// No wave at all.
+    /// Creates waves of zero amplitude.
     pub(super) fn none(grid: Grid) -> Self {
         Self::none_on(grid, None)
     }
 
-    /// The same of columns that are dealt out to ranks, if they are.
+    /// Creates waves of zero amplitude whose columns may be distributed over ranks.
     pub(super) fn none_on(grid: Grid, columns: Option<&Arc<RowPartition>>) -> Self {
         let (first, layout) = match columns {
             Some(columns) => (
@@ -72,12 +72,13 @@ impl Waves {
         }
     }
 
-    /// The waves of a field, continued periodically.
+    /// Transforms a field, continued periodically.
     pub(super) fn of(field: &Field) -> Self {
         Self::of_slab(field, &Slab::new(field.grid(), None))
     }
 
-    /// The waves of a field of which ranks may hold a slab each, who then hold some columns each.
+    /// Transforms a field from its local slab. If the field is distributed by rows, the waves are distributed by
+    /// columns.
     pub(super) fn of_slab(field: &Field, slab: &Slab) -> Self {
         let grid = slab.whole();
         let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
@@ -92,7 +93,7 @@ impl Waves {
         let Some([dealt, columns]) = slab.shares() else {
             return Self::none(grid).filled_along_y(&rows);
         };
-        // A row of complex numbers is one of twice as many reals.
+        // A row of complex numbers is exchanged as a row of twice as many reals.
         let wanted = |rank: usize| {
             let columns = columns.rows_of(rank);
             [2 * columns.start..2 * columns.end, 0..ny]
@@ -101,7 +102,7 @@ impl Waves {
         Self::none_on(grid, Some(&columns)).filled_along_y(cast_slice(&rows))
     }
 
-    /// The waves held here, from the transforms of all rows along x in the columns held here.
+    /// Computes the local waves from the transforms along x of all rows in the local columns.
     fn filled_along_y(mut self, rows: &[Complex<f64>]) -> Self {
         let (grid, ny) = (self.grid, self.grid.ny());
         let width = self.layout.cells() / ny;
@@ -116,22 +117,22 @@ impl Waves {
         self
     }
 
-    /// The field the waves add up to. In a column that is its own mirror image the amplitudes of
-    /// opposite rows should be conjugates; only their Hermitian part counts.
+    /// Returns the sum of the waves as a field. In a column that is its own mirror image the amplitudes of opposite
+    /// rows should be conjugates; only their Hermitian part contributes.
     pub(super) fn into_field(self) -> Field {
         let (grid, ny) = (self.grid, self.grid.ny());
         let amplitudes = self.summed_along_y();
         along_rows(grid, |column, row| amplitudes[column * ny + row])
     }
 
-    /// The rows of that field which a slab of the grid holds, of waves whose columns are dealt out to ranks, as
-    /// [`shared_columns`] does it, and the rows as `rows` does it.
+    /// Returns the local rows of the sum of the waves. The columns of the waves are distributed as by
+    /// [`shared_columns`], and the rows of the field as by `rows`.
     pub(super) fn into_slab(self, columns: &RowPartition, rows: &RowPartition) -> Field {
         let (grid, count) = (self.grid, self.grid.nx() / 2 + 1);
         let slab = grid.slab(rows.local_rows());
         let height = slab.ny();
         let amplitudes = self.summed_along_y();
-        // A column of complex numbers is a row of twice as many reals.
+        // A column of complex numbers is exchanged as a row of twice as many reals.
         let wanted = |rank: usize| {
             let rows = rows.rows_of(rank);
             [2 * rows.start..2 * rows.end, 0..count]
@@ -141,7 +142,7 @@ impl Waves {
         along_rows(slab, |column, row| found[column * height + row])
     }
 
-    /// The amplitudes of the waves along x in every row.
+    /// Returns the amplitudes of the waves along x in every row.
     fn summed_along_y(mut self) -> Vec<Complex<f64>> {
         let ny = self.grid.ny();
         let along_y = FftPlanner::new().plan_fft_inverse(ny);
@@ -151,12 +152,12 @@ impl Waves {
         self.amplitudes
     }
 
-    /// The shortest waves of the grid.
+    /// Returns the mode of the shortest wave of the grid.
     pub(super) fn shortest(&self) -> Mode {
         Mode::new(self.grid, self.grid.nx() / 2, self.grid.ny() / 2)
     }
 
-    /// Every amplitude kept, with its mode.
+    /// Iterates over the local amplitudes and their modes.
     pub(super) fn iter(&self) -> impl Iterator<Item = (Mode, Complex<f64>)> + '_ {
         let grid = self.grid;
         let values = (self.first..).zip(self.amplitudes.chunks_exact(grid.ny()));
@@ -166,7 +167,7 @@ impl Waves {
         })
     }
 
-    /// Sums over the amplitudes of all ranks.
+    /// Computes sums over the amplitudes of all ranks.
     pub(super) fn sums<const K: usize>(
         &self,
         f: impl Fn(Mode, Complex<f64>) -> [f64; K] + Sync,
@@ -178,7 +179,7 @@ impl Waves {
         })
     }
 
-    /// Sums over the amplitudes of all ranks, by groups of modes.
+    /// Computes sums over the amplitudes of all ranks for each group of modes.
     pub(super) fn grouped<T: Reduction>(
         &self,
         count: usize,
@@ -196,7 +197,7 @@ impl Waves {
         self.update_with([], |mode, value, []| f(mode, value));
     }
 
-    /// Replaces every amplitude by a function of its mode, itself and its likes among other waves on
+    /// Replaces every amplitude by a function of its mode, itself and the amplitudes of the same mode in other waves on
     /// the same grid.
     pub(super) fn update_with<const N: usize>(
         &mut self,
@@ -226,12 +227,13 @@ impl Waves {
     }
 }
 
-/// How the columns of waves of a grid are dealt out to the ranks that share it.
+/// Returns the distribution of the columns of waves over the ranks of a grid.
 pub(super) fn shared_columns(grid: Grid, team: &Arc<RankGroup>) -> RowPartition {
     RowPartition::new(team, size_of_waves(grid))
 }
 
-/// The rows of a field, from the amplitudes of their waves along x, by column and row.
+/// Computes the rows of a field from the amplitudes of their waves along x; `at` returns the amplitude of a column and
+/// a row.
 fn along_rows(grid: Grid, at: impl Fn(usize, usize) -> Complex<f64> + Sync) -> Field {
     let (nx, width) = (grid.nx(), columns(grid));
     let along_x = RealFftPlanner::new().plan_fft_inverse(nx);
@@ -250,7 +252,7 @@ fn along_rows(grid: Grid, at: impl Fn(usize, usize) -> Complex<f64> + Sync) -> F
 }
 
 impl Mode {
-    /// All of a grid, column by column.
+    /// Iterates over all modes of a grid, column by column.
     pub(super) fn all(grid: Grid) -> impl Iterator<Item = Self> {
         let columns = 0..columns(grid);
         columns.flat_map(move |column| (0..grid.ny()).map(move |row| Self::new(grid, column, row)))
@@ -280,18 +282,18 @@ impl Mode {
         }
     }
 
-    /// Length of the wave vector.
+    /// Returns the length of the wave vector.
     pub(super) fn wave_number(&self) -> f64 {
         self.wave_vector[0].hypot(self.wave_vector[1])
     }
 }
 
-/// How many amplitudes a column has, and how many columns there are.
+/// Returns the number of amplitudes per column and the number of columns.
 fn size_of_waves(grid: Grid) -> [usize; 2] {
     [grid.ny(), columns(grid)]
 }
 
-/// Columns kept of the transform of a field.
+/// Returns the number of stored columns of the transform of a field.
 fn columns(grid: Grid) -> usize {
     grid.nx() / 2 + 1
 }

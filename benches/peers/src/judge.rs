@@ -1,15 +1,16 @@
-//! How far an answer is from the truth, whoever found it.
+//! Error of a solution of any code relative to a reference solution.
 
 use stickslip::influence::Component;
 use stickslip::{HalfSpace, Operator};
 
 use crate::Result;
 
-/// Compares `[found, truth]`: the energy norm of the difference over that of the truth, the sum of the
-/// differences over the sum of the truth, and the error of the total force.
+/// Compares `[found, truth]`. Returns the energy norm of the difference divided by the energy norm of the reference,
+/// the sum of the absolute differences divided by the absolute sum of the reference, and the relative error of the
+/// total force.
 ///
-/// The truth is an answer of this crate to 1e-11. An answer of another code on other influence
-/// coefficients would show them here as an error that no tolerance removes.
+/// The reference is a solution of this crate with a tolerance of 1e-11. If a code used different influence
+/// coefficients, its solution would have an error that does not vanish at any tolerance.
 pub(crate) fn judge(
     bodies: &HalfSpace,
     component: Component,
@@ -29,7 +30,7 @@ pub(crate) fn judge(
     };
     let pairs = found.iter().zip(truth);
     let difference: Vec<f64> = pairs.map(|(found, truth)| found - truth).collect();
-    // Round-off may make the energy of a tiny difference negative.
+    // Round-off can make the energy of a tiny difference negative.
     let in_energy = (energy(&difference).max(0.0) / energy(truth)).sqrt();
     let sum = |x: &[f64]| x.iter().map(|x| x.abs()).sum::<f64>();
     let in_sum = sum(&difference) / sum(truth);

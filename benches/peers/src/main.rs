@@ -1,11 +1,11 @@
-//! stickslip's part in the comparison with its peers: writes the gaps that all codes read, solves them,
-//! and judges the answers of all codes by one measure.
+//! Program for the comparison of stickslip with its peers. It writes the gaps that all codes read, solves them with
+//! stickslip, and computes the errors of the solutions of all codes in the same norm.
 //!
-//! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each;
-//! `stickslip-bench-peers serve` answers each line it reads, one request, with one line of JSON.
+//! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each. `stickslip-bench-peers serve`
+//! reads one request per line and prints one line of JSON for each request.
 //!
-//! Lengths are in units of the side of the grid, pressures in units of the contact modulus: no code then
-//! meets a system of units that it was not tuned for.
+//! Lengths are in units of the side of the grid, and pressures in units of the contact modulus, so that no code
+//! receives a system of units for which it was not tuned.
 
 #![allow(
     clippy::cast_precision_loss,
@@ -41,7 +41,7 @@ fn main() -> Result<()> {
     }
 }
 
-/// Writes the gap of every scene on `cells` x `cells` cells, row by row, as 64-bit floats.
+/// Writes the gap of every benchmark problem on `cells` x `cells` cells, row by row, as 64-bit floats.
 fn write_scenes(folder: &Path, cells: u16) -> Result<()> {
     fs::create_dir_all(folder)?;
     for scene in std::iter::once(benchmark::ball(cells)?).chain(benchmark::rough(cells)?) {

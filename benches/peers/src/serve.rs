@@ -1,4 +1,4 @@
-//! One request a line: the words of [`answer`], separated by blanks.
+//! Server that processes one request per line: the words of [`answer`], separated by blanks.
 
 use std::io::BufRead;
 use std::time::Instant;
@@ -64,8 +64,8 @@ fn answer(words: &[&str]) -> Result<String> {
     }
 }
 
-/// Half-spaces of contact modulus 1 on a square of side 1. Poisson's ratio is zero, the only one at which
-/// the peer that has friction converges; the pressure does not depend on it.
+/// Creates half-spaces of contact modulus 1 on a square of side 1. Poisson's ratio is zero, the only value at which the
+/// peer with friction converges; the pressure does not depend on it.
 fn bodies(cells: usize) -> Result<HalfSpace> {
     let body = Material::new(2.0, 0.0)?;
     Ok(HalfSpace::new(
@@ -74,7 +74,7 @@ fn bodies(cells: usize) -> Result<HalfSpace> {
     )?)
 }
 
-/// A normal contact; the area is 1, so that the mean pressure is the force.
+/// Normal contact on an area of 1, so that the mean pressure equals the force.
 struct Press {
     cells: usize,
     gap: Field,
@@ -92,7 +92,7 @@ impl Press {
         })
     }
 
-    /// From a cold start; the memory of the solver is part of it.
+    /// Solves from a cold start, including the allocation of the memory of the solver.
     fn solve(&self, bodies: &HalfSpace, tolerance: f64) -> Result<NormalSolution> {
         let load = NormalControl::Force(self.pressure);
         let problem = NormalProblem::builder(bodies, &self.gap, load).tolerance(tolerance);
@@ -104,7 +104,7 @@ impl Press {
         }
     }
 
-    /// Twice: with the operators made on the way, then on the half-spaces as they are now.
+    /// Solves twice: first including the setup of the operators, then with the existing operators.
     fn answer(&self, tolerance: f64, output: &str) -> Result<String> {
         let start = Instant::now();
         let bodies = bodies(self.cells)?;
@@ -119,11 +119,11 @@ impl Press {
     }
 }
 
-/// A normal contact and the shear on it.
+/// Normal contact with a tangential load.
 struct Shear {
     press: Press,
     friction: Friction,
-    /// Tangential force over the normal force.
+    /// Ratio of the tangential to the normal force.
     loading: f64,
 }
 
@@ -146,8 +146,9 @@ impl Shear {
         }
     }
 
-    /// Operators, pressure and traction; then the traction alone on what is there. The pressure is a
-    /// tenth of the tolerance better, since it bounds the traction.
+    /// Measures first the setup of the operators and the solves for pressure and traction, then the solve for the
+    /// traction alone. The tolerance of the pressure is a tenth of that of the traction, since the pressure bounds the
+    /// traction.
     fn answer(&self, tolerance: f64, output: &str) -> Result<String> {
         let start = Instant::now();
         let bodies = bodies(self.press.cells)?;

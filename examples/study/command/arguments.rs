@@ -1,4 +1,4 @@
-//! The command line.
+//! Parser of the command line.
 
 use std::fmt;
 use std::num::NonZeroUsize;
@@ -36,7 +36,7 @@ those that it has. One program at a time writes a table. Exit status: 0 if every
 has a row, converged or not; 1 if the study failed; 2 if the arguments are wrong.
 ";
 
-/// What the command line asks for.
+/// Task requested on the command line.
 #[derive(Debug)]
 pub(super) enum Task {
     Help,
@@ -44,7 +44,7 @@ pub(super) enum Task {
     Merge { out: PathBuf, parts: Vec<PathBuf> },
 }
 
-/// A shard of a study, and how it is run.
+/// Shard of a study, with the settings of the run.
 #[derive(Debug)]
 pub(super) struct Study {
     pub(super) plan: Plan,
@@ -53,12 +53,12 @@ pub(super) struct Study {
     pub(super) out: Option<PathBuf>,
 }
 
-/// One of so many parts: every `parts`-th press, shifted by one whenever that would deal each pressure to the parts that
-/// had it before, so that all parts have about as many cases of each. Presses of further seeds leave the others where
-/// they are.
+/// Part of a study. Every `parts`-th press belongs to a shard. The sequence is shifted by one whenever each pressure
+/// would otherwise always fall into the same shards, so that all shards have approximately equal numbers of cases of
+/// each pressure. Adding seeds does not move the other presses to different shards.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shard {
-    /// From 1, as the tasks of batch systems are counted.
+    /// Number of the shard, starting at 1 like the tasks of batch systems.
     number: usize,
     parts: usize,
 }
@@ -145,7 +145,7 @@ impl Shard {
             .then_some(Self { number, parts })
     }
 
-    /// Its share of the presses of a plan.
+    /// Returns the presses of a plan that belong to this shard.
     pub(super) fn of(self, plan: &Plan) -> impl Iterator<Item = usize> {
         let (parts, of_seed) = (self.parts, plan.presses_of_seed());
         let period = of_seed / common_divisor(of_seed, parts) * parts;

@@ -1,4 +1,4 @@
-//! Why a command fails.
+//! Errors of the program.
 
 use std::fmt;
 use std::io;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::plan::Plan;
 
-/// Why a command fails; a solve that does not converge is no failure, but a row.
+/// Error of a command. A solve that does not converge is not an error; it results in a row.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error("{0}; `study --help` lists the options")]
@@ -17,10 +17,10 @@ pub(crate) enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
-    /// Two programs that write one table would solve each case twice.
+    /// Another program is writing the table; two programs would solve each case twice.
     #[error("{}: another program is writing this table", .0.display())]
     Busy(PathBuf),
-    /// The head of the file is another.
+    /// The head of the file belongs to a different study.
     #[error(
         "{} is not a table of this study\n  its head: {}\n  expected: {}",
         path.display(), Start(found), Start(expected)
@@ -47,7 +47,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The first line that was found in the place of that of a plan.
+    /// Creates the error for a table whose first line does not state the expected plan.
     pub(super) fn other_study(path: &Path, found: String, expected: &Plan) -> Self {
         Self::OtherStudy {
             path: path.to_owned(),
@@ -56,7 +56,7 @@ impl Failure {
         }
     }
 
-    /// For `map_err`: what happened to the file of this path.
+    /// Returns a function for `map_err` that adds the path of the file.
     pub(super) fn of_file(path: &Path) -> impl Fn(io::Error) -> Self {
         move |source| Self::File {
             path: path.to_owned(),
@@ -65,7 +65,7 @@ impl Failure {
     }
 }
 
-/// As much of a text as fits on the screen.
+/// Beginning of a text, short enough for the screen.
 struct Start<'a>(&'a str);
 
 impl fmt::Display for Start<'_> {

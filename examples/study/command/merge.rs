@@ -1,4 +1,4 @@
-//! One table from the tables of all shards.
+//! Merging of the tables of all shards.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -12,8 +12,9 @@ use super::table::{self, Contents};
 
 /// Writes the rows of all parts into one file, ordered by case, and returns their number.
 ///
-/// The bytes of the file depend on the study alone, not on how it was cut. A row may be there twice if both are the
-/// same; the plan is the largest of the parts. Nothing is written if rows disagree or are missing.
+/// The bytes of the file depend only on the study, not on its division into shards. A row may occur twice if both
+/// copies are identical. The plan is the largest plan of the parts. If rows disagree or are missing, no file is
+/// written.
 pub(super) fn merge(out: &Path, parts: &[PathBuf]) -> Result<usize, Failure> {
     let read = |path: &PathBuf| fs::read(path).map_err(Failure::of_file(path));
     let files = parts.iter().map(read).collect::<Result<Vec<_>, _>>()?;
@@ -75,7 +76,7 @@ pub(super) fn merge(out: &Path, parts: &[PathBuf]) -> Result<usize, Failure> {
     Ok(total)
 }
 
-/// The file has the old bytes or the new ones, whenever the program is killed.
+/// Replaces a file atomically: it contains the old or the new bytes, even if the program is killed.
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
@@ -87,7 +88,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
         fs::rename(&temporary, path)
     });
     if written.is_err() {
-        // That it could not be written is what is reported.
+        // Only the error of writing is reported.
         let _ = fs::remove_file(&temporary);
     }
     written

@@ -1,4 +1,4 @@
-//! What the program does with its arguments; the tests of the crate call it too.
+//! Execution of the commands of the program; the tests of the crate also call it.
 
 #![allow(
     clippy::print_stdout,
@@ -22,7 +22,7 @@ use progress::Progress;
 use table::Table;
 use workers::Job;
 
-/// Carries out what the words of the command line say.
+/// Executes the command given by the words of the command line.
 pub(crate) fn run(words: &[String]) -> Result<(), Failure> {
     match Task::parse(words)? {
         Task::Help => print!("{}", arguments::HELP),
@@ -35,12 +35,12 @@ pub(crate) fn run(words: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Says on standard error why a command failed.
+/// Prints the reason for a failed command to standard error.
 pub(crate) fn complain(failure: &Failure) {
     eprintln!("study: {failure}");
 }
 
-/// Solves the cases of a shard that its table does not have yet.
+/// Solves the cases of a shard that its table does not contain yet.
 fn solve(study: &Study) -> Result<(), Failure> {
     let plan = &study.plan;
     let mut table = Table::open(plan, study.out.as_deref())?;

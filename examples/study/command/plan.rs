@@ -1,4 +1,4 @@
-//! The plan of a study: which cases it has, in which order, and which settings they share.
+//! Plan of a study: its cases, their order, and their common settings.
 
 use std::fmt;
 use std::ops::Range;
@@ -7,25 +7,25 @@ use std::str::FromStr;
 use super::failure::Failure;
 use super::row;
 
-/// All combinations of the listed values, and what they share.
+/// All combinations of the listed values, with their common settings.
 ///
-/// Cases that differ in friction alone have one pressure: together they are a *press*, the unit of work. The case
-/// number counts first frictions, then pressures, Hurst exponents and seeds. With seeds last, a plan to which seeds are
-/// added keeps its case numbers.
+/// Cases that differ only in friction have the same pressure field. Together they form a *press*, the unit of work. The
+/// case number counts frictions first, then pressures, Hurst exponents and seeds. Since seeds come last, adding seeds
+/// does not change the case numbers of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
-    /// Cells along either side.
+    /// Number of cells along either side.
     pub(super) cells: usize,
     pub(super) hursts: Vec<f64>,
-    /// Mean pressures, over the contact modulus times the rms slope.
+    /// Mean pressures, divided by the contact modulus times the rms slope.
     pub(super) pressures: Vec<f64>,
     pub(super) seeds: Vec<u64>,
     pub(super) frictions: Vec<f64>,
-    /// Tangential over normal force.
+    /// Ratio of tangential to normal force.
     pub(super) pull: f64,
-    /// Wavelength over the side.
+    /// Roll-off wavelength divided by the side.
     pub(super) roll_off: f64,
-    /// Wavelength in cells.
+    /// Cut-off wavelength in cells.
     pub(super) cut_off: f64,
     pub(super) tolerance: f64,
     pub(super) iterations: usize,
@@ -48,7 +48,7 @@ impl Default for Plan {
     }
 }
 
-/// What makes a pressure.
+/// Parameters that determine a pressure field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Press {
     pub(super) hurst: f64,
@@ -56,15 +56,16 @@ pub(super) struct Press {
     pub(super) seed: u64,
 }
 
-/// What the first line of a table begins with: another version may find other digits.
+/// Beginning of the first line of a table. It contains the version, because a different version might compute different
+/// digits.
 const TITLE: &str = concat!("# stickslip ", env!("CARGO_PKG_VERSION"), " study");
-/// Lines above the first row.
+/// Number of lines above the first row.
 pub(super) const HEAD_LINES: usize = 2;
-/// More cases than this are a mistake in a range of seeds.
+/// Maximum number of cases; a larger number indicates a mistake in a range of seeds.
 const MOST_CASES: usize = 10_000_000;
 
 impl Plan {
-    /// Takes over the value of an option; false if a plan has no such option.
+    /// Sets the value of an option. Returns false if a plan has no such option.
     pub(super) fn set(&mut self, option: &str, value: &str) -> Result<bool, Failure> {
         let parsed = match option {
             "--cells" => one(value).map(|cells| self.cells = cells),
@@ -83,7 +84,7 @@ impl Plan {
         parsed.map(|()| true).map_err(refuse)
     }
 
-    /// Refuses what no surface, load or solver could have, before anything is solved.
+    /// Checks all values before the first solve. Returns an error for values that no surface, load or solver accepts.
     pub(super) fn check(&self) -> Result<(), Failure> {
         let positive = |value: f64| value > 0.0 && value.is_finite();
         let all = |values: &[f64], rule: fn(f64) -> bool| values.iter().all(|&value| rule(value));
@@ -131,7 +132,7 @@ impl Plan {
         }
     }
 
-    /// Whether the two differ at most in seeds that one of them has behind those of the other.
+    /// Returns whether the plans are equal, except that one of them may have additional seeds at the end.
     pub(super) fn is_akin_to(&self, other: &Self) -> bool {
         let common = self.seeds.len().min(other.seeds.len());
         let of = |plan: &Self| Self {
@@ -141,7 +142,7 @@ impl Plan {
         of(self) == of(other)
     }
 
-    /// The one with more seeds; this one if both have as many.
+    /// Returns the plan with more seeds, or `self` if the numbers are equal.
     pub(super) fn larger<'p>(&'p self, other: &'p Self) -> &'p Self {
         if other.seeds.len() > self.seeds.len() {
             other
@@ -150,7 +151,7 @@ impl Plan {
         }
     }
 
-    /// Presses of one seed.
+    /// Returns the number of presses per seed.
     pub(super) fn presses_of_seed(&self) -> usize {
         self.hursts.len() * self.pressures.len()
     }
@@ -182,7 +183,7 @@ impl Plan {
         self.frictions[case % self.frictions.len()]
     }
 
-    /// The first columns of a row, [`row::KEY`].
+    /// Returns the first columns of a row, [`row::KEY`].
     pub(super) fn key(&self, case: usize) -> String {
         let press = self.press(case / self.frictions.len());
         let Press {
@@ -199,23 +200,23 @@ impl Plan {
         )
     }
 
-    /// The lines above the rows of a table: the command that repeats the study, and the columns.
+    /// Returns the lines above the rows of a table: the command that repeats the study, and the columns.
     pub(super) fn head(&self) -> String {
         format!("{}{}\n", self.command(), row::columns())
     }
 
-    /// The line that states the plan.
+    /// Returns the line that states the plan.
     pub(super) fn command(&self) -> String {
         format!("{TITLE}{self}\n")
     }
 
-    /// The plan whose [head](Self::head) a text begins with.
+    /// Parses the plan of a text that begins with a [head](Self::head).
     pub(super) fn of_head(text: &str) -> Option<Self> {
         let plan = Self::of_command(text.lines().next()?)?;
         text.starts_with(&plan.head()).then_some(plan)
     }
 
-    /// The plan that a line states.
+    /// Parses the plan that a line states.
     pub(super) fn of_command(line: &str) -> Option<Self> {
         let words: Vec<&str> = line.strip_prefix(TITLE)?.split_whitespace().collect();
         let mut plan = Self::default();
@@ -228,7 +229,7 @@ impl Plan {
     }
 }
 
-/// The options that make this plan.
+/// Formats the options that define this plan.
 impl fmt::Display for Plan {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
@@ -257,7 +258,7 @@ fn list(value: &str) -> Result<Vec<f64>, &'static str> {
     value.split(',').map(one).collect()
 }
 
-/// Numbers and ranges such as `1-20,25`.
+/// Parses numbers and ranges such as `1-20,25`.
 fn seeds(value: &str) -> Result<Vec<u64>, &'static str> {
     let mut seeds = Vec::new();
     for part in value.split(',') {
@@ -277,7 +278,7 @@ fn joined(values: &[f64]) -> String {
     words.join(",")
 }
 
-/// Seeds as ranges: the text is the same however the option was written.
+/// Formats seeds as ranges, so that the text does not depend on the spelling of the option.
 fn ranges(seeds: &[u64]) -> String {
     let runs = seeds.chunk_by(|&seed, &next| seed.checked_add(1) == Some(next));
     let words: Vec<String> = runs

@@ -1,17 +1,17 @@
-//! Progress on standard error: finished cases, rate, time left.
+//! Progress on standard error: finished cases, rate and remaining time.
 
 use std::io::{IsTerminal, stderr};
 use std::time::{Duration, Instant};
 
-/// Between two lines on a terminal, and in the log of a batch system.
+/// Intervals between two lines on a terminal, and in the log of a batch system.
 const INTERVALS: [Duration; 2] = [Duration::from_secs(1), Duration::from_secs(10)];
 
-/// Counts cases, and says now and then how far they are.
+/// Counter of cases that prints the progress at intervals.
 #[derive(Debug)]
 pub(super) struct Progress {
     shard: String,
     total: usize,
-    /// To be solved by this run.
+    /// Number of cases that this run has to solve.
     missing: usize,
     solved: usize,
     unsolved: usize,
@@ -69,14 +69,14 @@ impl Progress {
         );
     }
 
-    /// Cases a second, of this run.
+    /// Returns the number of cases per second of this run.
     fn rate(&self) -> f64 {
         let seconds = self.begin.elapsed().as_secs_f64();
         self.solved as f64 / seconds.max(f64::MIN_POSITIVE)
     }
 }
 
-/// A time in units that one reads: `35.1 s`, `12 min`, `7.5 h`.
+/// Formats a time in readable units: `35.1 s`, `12 min`, `7.5 h`.
 fn clock(seconds: f64) -> String {
     if seconds < 100.0 {
         format!("{seconds:.1} s")

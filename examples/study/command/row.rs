@@ -1,12 +1,13 @@
-//! A row of the table: the key of a case, its results, and the reports of both solves.
+//! Row of the table: the key of a case, its results, and the reports of both solves.
 
 use stickslip::{NormalSolution, Report, Status, TangentialSolution};
 
-/// Which case it is.
+/// Columns of the key that identifies a case.
 pub(super) const KEY: [&str; 7] = [
     "case", "cells", "hurst", "pressure", "seed", "friction", "pull",
 ];
-/// Lengths are divided by the rms height of the surface, areas by that of the square. Empty where the solve failed.
+/// Columns of results, empty if the solve failed. Lengths are divided by the rms height of the surface, areas by the
+/// area of the square.
 const NORMAL: [&str; 5] = [
     "contact_cells",
     "unresolved_spots",
@@ -15,7 +16,7 @@ const NORMAL: [&str; 5] = [
     "mean_gap",
 ];
 const TANGENTIAL: [&str; 2] = ["stick_ratio", "shift"];
-/// Of each solve. No times: a row is the same whenever it is made.
+/// Columns of the report of each solve. They contain no times, so that a row is reproducible.
 const REPORT: [&str; 6] = [
     "status",
     "iterations",
@@ -25,7 +26,7 @@ const REPORT: [&str; 6] = [
     "energy_error",
 ];
 
-/// Names of all columns, as the second line of a table.
+/// Returns the names of all columns, the second line of a table.
 pub(super) fn columns() -> String {
     let of = |solve: &str| REPORT.map(|column| format!("{solve}_{column}"));
     let results = KEY.iter().chain(&NORMAL).chain(&TANGENTIAL);
@@ -40,13 +41,13 @@ pub(super) fn columns() -> String {
 /// Number of columns.
 pub(super) const WIDTH: usize = KEY.len() + NORMAL.len() + TANGENTIAL.len() + 2 * REPORT.len();
 
-/// How a solve ended.
+/// Outcome of a solve.
 #[derive(Debug)]
 pub(super) enum Ending<T> {
     Solved(T),
-    /// It did not converge.
+    /// The solve did not converge.
     Failed(Box<Report>),
-    /// There was nothing to solve: the pressure is not known, or friction cannot carry the force.
+    /// There was no problem to solve: the pressure is missing, or friction cannot carry the force.
     Refused(&'static str),
 }
 
@@ -79,17 +80,17 @@ impl<T> Ending<T> {
     }
 }
 
-/// A finished case.
+/// Result of a finished case.
 #[derive(Debug)]
 pub(super) struct Row {
-    /// The line of the table, without its end.
+    /// Line of the table without the line break.
     pub(super) text: String,
     /// Whether both solves have converged.
     pub(super) is_solved: bool,
 }
 
 impl Row {
-    /// The row of a case on a surface of the given rms height, from its key and both endings.
+    /// Creates the row of a case on a surface of the given rms height from its key and both outcomes.
     pub(super) fn new(
         key: String,
         rms_height: f64,
@@ -129,12 +130,12 @@ impl Row {
     }
 }
 
-/// The shortest digits that read back as the same number.
+/// Formats a number with the fewest digits that are parsed to the same number.
 fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-/// Contact spots too small to be resolved.
+/// Returns the number of contact spots that are too small to be resolved.
 fn unresolved(normal: &NormalSolution) -> usize {
     let spots = normal.spots();
     spots

@@ -1,4 +1,4 @@
-//! From a case to its row: a surface, pressed, then sheared.
+//! Computation of the row of a case: a surface is generated, pressed and sheared.
 
 use stickslip::surface::{self, RoughSurface, SelfAffine};
 use stickslip::{
@@ -9,13 +9,13 @@ use stickslip::{
 use super::plan::{Plan, Press};
 use super::row::{Ending, Row};
 
-/// Young's modulus, rms slope and side of the surface. Between half-spaces pressures are proportional to modulus and
-/// slope, lengths to the side: as all results are ratios, these numbers do not show in them.
+/// Young's modulus, rms slope and side of the surface. For half-spaces, pressures are proportional to the modulus and
+/// the slope, and lengths to the side. All results are ratios, so they do not depend on these numbers.
 const UNIT: f64 = 1.0;
-/// Identical bodies: their pressure does not depend on the shear.
+/// Poisson's ratio of both bodies. Since the bodies are identical, the pressure does not depend on the shear.
 const POISSON_RATIO: f64 = 0.3;
 
-/// What all cases of a plan share.
+/// Data common to all cases of a plan.
 #[derive(Debug)]
 pub(super) struct Scene<'p> {
     plan: &'p Plan,
@@ -31,10 +31,9 @@ impl<'p> Scene<'p> {
         Ok(Self { plan, bodies })
     }
 
-    /// Solves cases of one press; `each` takes their rows as they are finished, and says whether to go on.
+    /// Solves cases of one press. `each` receives each row when it is finished and returns whether to continue.
     ///
-    /// Nothing is carried over from case to case but the pressure, so that the bits of a row do not depend on what
-    /// was solved before it.
+    /// Cases share only the pressure, so that a row is bitwise independent of the previously solved cases.
     pub(super) fn press(
         &self,
         press: usize,
@@ -93,8 +92,8 @@ impl<'p> Scene<'p> {
     }
 }
 
-/// What belongs to the case is its ending. Any other error ends the study, and leaves no row: it may not be there the
-/// next time, as memory.
+/// Converts the result of a solve to its outcome. Any other error, for example lack of memory, ends the study without a
+/// row, because it might not occur in the next run.
 fn ending<T>(solved: Result<T>) -> Result<Ending<T>> {
     match solved {
         Ok(solution) => Ok(Ending::Solved(solution)),

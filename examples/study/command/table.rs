@@ -1,4 +1,4 @@
-//! The table of a shard: rows are appended as they are finished, and counted when the program starts again.
+//! Table of a shard. Rows are appended when they are finished; a restarted program skips the existing rows.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -13,33 +13,33 @@ use super::failure::Failure;
 use super::plan::{self, Plan};
 use super::row;
 
-/// Rows that a machine without power may lose are those of the last second.
+/// Time between two syncs; a power failure can lose only the rows of the last second.
 const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 
-/// A table that grows by a row at a time.
+/// Table to which rows are appended.
 pub(super) struct Table {
     path: PathBuf,
     lines: Lines,
     finished: BTreeSet<usize>,
 }
 
-/// Where lines go.
+/// Destination of the lines.
 enum Lines {
     Output,
-    /// A file that no other program writes while it is open here.
+    /// A locked file, which no other program writes.
     File {
         file: File,
-        /// Bytes of whole lines.
+        /// Number of bytes of complete lines.
         length: u64,
         synced: Instant,
     },
 }
 
 impl Table {
-    /// The table in a file, with the rows that it has already; without a path, a new one on standard output.
+    /// Opens the table in a file with its existing rows. Without a path, creates a new table on standard output.
     ///
-    /// Half a line at its end, of a program that was killed, is cut off. Lines that are no rows are left where they are,
-    /// and named. A table of a plan of fewer seeds is continued as one of this plan.
+    /// An incomplete last line, left by a program that was killed, is removed. Lines that are not rows are kept and
+    /// reported. A table of a plan with fewer seeds is continued as a table of this plan.
     pub(super) fn open(plan: &Plan, path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else {
             let mut table = Self {
@@ -54,7 +54,7 @@ impl Table {
         let mut options = OpenOptions::new();
         options.read(true).append(true).create(true);
         let mut file = options.open(path).map_err(&of_file)?;
-        // The system gives it back when the program ends, however it ends.
+        // The operating system releases the lock when the program ends for any reason.
         if let Err(error) = file.try_lock_exclusive() {
             let is_busy = error.kind() == fs2::lock_contended_error().kind();
             let busy = || Failure::Busy(path.to_owned());
@@ -112,7 +112,7 @@ impl Table {
         self.write(&format!("{row}\n"))
     }
 
-    /// Waits until the disk has what was written.
+    /// Waits until all written data is on the disk.
     pub(super) fn sync(&mut self) -> Result<(), Failure> {
         let synced = match &mut self.lines {
             Lines::Output => io::stdout().flush(),
@@ -124,7 +124,8 @@ impl Table {
         synced.map_err(Failure::of_file(&self.path))
     }
 
-    /// Whole lines in one call, so that a program killed later has written them; or nothing, where the disk is full.
+    /// Writes complete lines in one call, so that they are kept if the program is killed later. If the disk is full, no
+    /// part of the lines is kept.
     fn write(&mut self, lines: &str) -> Result<(), Failure> {
         match &mut self.lines {
             Lines::Output => {
@@ -139,7 +140,7 @@ impl Table {
                 synced,
             } => {
                 if let Err(error) = file.write_all(lines.as_bytes()) {
-                    // A part that cannot be taken back is cut off by the next program.
+                    // If an incomplete line cannot be removed, the next program removes it.
                     let _ = file.set_len(*length);
                     return Err(Failure::of_file(&self.path)(error));
                 }
@@ -153,16 +154,16 @@ impl Table {
     }
 }
 
-/// What the lines of a table say.
+/// Parsed lines of a table.
 pub(super) struct Contents<'a> {
-    /// Each row with its case.
+    /// Rows with their case numbers.
     pub(super) rows: Vec<(usize, &'a str)>,
     /// Numbers of the lines that are neither rows nor plans.
     damaged: Vec<usize>,
 }
 
 impl<'a> Contents<'a> {
-    /// Below the head, by a plan that has all cases.
+    /// Parses the lines below the head for a plan that contains all cases.
     pub(super) fn of(plan: &Plan, text: &'a str) -> Self {
         let (mut rows, mut damaged) = (Vec::new(), Vec::new());
         for (index, line) in text.lines().enumerate().skip(plan::HEAD_LINES) {
@@ -175,7 +176,7 @@ impl<'a> Contents<'a> {
         Self { rows, damaged }
     }
 
-    /// Names the lines that are left out.
+    /// Reports the ignored lines.
     pub(super) fn say_damaged(&self, path: &Path) {
         for line in &self.damaged {
             let path = path.display();
@@ -184,7 +185,7 @@ impl<'a> Contents<'a> {
     }
 }
 
-/// The case of a row, if the row has all columns and the key of a case of the plan.
+/// Returns the case of a row, or `None` if the row lacks columns or its key is not a case of the plan.
 fn case_of(plan: &Plan, line: &str) -> Option<usize> {
     let (number, _) = line.split_once(',')?;
     let case = number.parse::<usize>().ok()?.checked_sub(1)?;
@@ -194,7 +195,7 @@ fn case_of(plan: &Plan, line: &str) -> Option<usize> {
     is_row.then_some(case)
 }
 
-/// The largest plan that a table states; none if the text does not begin with the head of a table.
+/// Returns the largest plan that a table states, or `None` if the text does not begin with the head of a table.
 pub(super) fn plan_of(text: &str) -> Option<Plan> {
     let first = Plan::of_head(text)?;
     let others = text.lines().skip(plan::HEAD_LINES);
@@ -209,12 +210,12 @@ pub(super) fn plan_of(text: &str) -> Option<Plan> {
     Some(others.fold(first, larger))
 }
 
-/// All lines that have ended; what is no text in them is replaced, and makes no row.
+/// Returns all complete lines. Bytes that are not UTF-8 are replaced, so that such a line is not a valid row.
 pub(super) fn whole_lines(bytes: &[u8]) -> Cow<'_, str> {
     String::from_utf8_lossy(&bytes[..text_end(bytes)])
 }
 
-/// Behind the last line that has ended.
+/// Returns the position after the last complete line.
 fn text_end(bytes: &[u8]) -> usize {
     bytes
         .iter()

@@ -1,4 +1,4 @@
-//! One thread per solve, one half-space for all.
+//! Parallel solves with one thread each and a common half-space.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -12,18 +12,18 @@ use super::plan::Plan;
 use super::row::Row;
 use super::solve::Scene;
 
-/// Cases of one press that are to be solved.
+/// Cases of a press that must be solved.
 #[derive(Debug)]
 pub(super) struct Job {
     pub(super) press: usize,
     pub(super) cases: Vec<usize>,
 }
 
-/// Solves jobs on so many threads; `take` gets the rows on the calling thread, in the order in which they are finished, and
-/// `None` where no row came for a second. After the first failure no further job is begun.
+/// Solves jobs on the given number of threads. `take` receives the rows on the calling thread in the order in which they are
+/// finished, and `None` if no row has arrived for a second. After the first failure no further job is started.
 ///
-/// Each solve runs in a pool of one thread, as it would otherwise divide itself among all threads. Cases are
-/// independent, so that threads wait for nothing as long as there are more jobs than threads.
+/// Each solve runs in a pool of one thread; otherwise it would use all threads. Cases are independent, so threads never wait as
+/// long as jobs remain.
 pub(super) fn work(
     plan: &Plan,
     jobs: &[Job],
@@ -42,7 +42,7 @@ pub(super) fn work(
             let sender = sender.clone();
             let solve = move || {
                 while let Some(job) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    // Nobody receives once a row could not be written.
+                    // The receiver is dropped after a row could not be written.
                     let send = |row| sender.send(Ok(row)).is_ok();
                     if let Err(error) = scene.press(job.press, &job.cases, send) {
                         let _ = sender.send(Err(error));

@@ -1,6 +1,6 @@
-//! X3P, the zipped XML of ISO 25178-72 (and of ISO 5436-2 before it), behind the feature `x3p`.
+//! X3P, the zipped XML format of ISO 25178-72 (previously ISO 5436-2); requires the feature `x3p`.
 //!
-//! Lengths are in metres. Rows follow one another towards larger y.
+//! Lengths are in metres. Rows are ordered towards larger y.
 //!
 //! Source: ISO 25178-72:2017, Geometrical product specifications, Surface texture: Areal, Part 72: XML file
 //! format x3p; the schema of <https://sourceforge.net/projects/open-gps/>.
@@ -22,30 +22,33 @@ use zip::Archive;
 const FORMAT: Format = Format("X3P");
 const MAIN: &str = "main.xml";
 
-/// The surface in a file (metres). See [`parse`].
+/// Reads the surface in a file (metres). See [`parse`].
 ///
 /// # Errors
-/// [`Error::File`] if the file cannot be read, else as [`parse`].
+/// - [`Error::File`] if the file cannot be read.
+/// - The errors of [`parse`].
 pub fn read(path: impl AsRef<Path>) -> Result<Field> {
     parse_file(path.as_ref(), parse)
 }
 
-/// The surface in the bytes of a file (metres).
+/// Reads the surface in the bytes of a file (metres).
 ///
-/// One layer on a regular grid, axes not rotated. Samples are signed integers of 16 or 32 bits or floats of 32
-/// or 64 (data types I, L, F and D), in a file of their own or, as text, in the list of data. Integers are multiplied
-/// by the increment of the z axis. Floats are heights already: as in openGPS, the library of the standard, an increment
-/// does not scale them. The offset of the z axis is added to both. Missing points, NaN, are NaN or infinite in the file,
-/// empty in the list, or cleared in the file of valid points. The checksums of the archive are
-/// verified; those of the format itself (MD5) are not. An element without text counts as absent.
+/// The file must contain one layer on a regular grid without rotated axes. Samples are signed integers of 16 or 32 bits
+/// or floats of 32 or 64 bits (data types I, L, F and D), in a separate file or as text in the list of data. Integers
+/// are multiplied by the increment of the z axis. Floats are heights, which the increment does not scale, as in
+/// openGPS, the library of the standard. The offset of the z axis is added to both.
 ///
-/// `main.xml` may lie in a folder of the archive; links to data then start from this folder.
-/// The archive may hold stored and deflated files. One of them may expand to a hundred times its packed
-/// size, or to 4 MiB if that is more, and not beyond.
+/// Missing points become NaN. They are NaN or infinite in the file, empty in the list, or cleared in the file of valid
+/// points. The checksums of the archive are verified; the MD5 checksums of the format are not. An element without text
+/// counts as absent.
+///
+/// `main.xml` may be in a folder of the archive; links to data are then relative to this folder. The archive may
+/// contain stored and deflated files. Each of them may expand to at most a hundred times its packed size, or 4 MiB if
+/// that is larger.
 ///
 /// # Errors
-/// [`Error::Format`], with the file within the archive, if the bytes are no such
-/// archive or its files contradict one another.
+/// - [`Error::Format`], with the file within the archive, if the bytes are not an X3P archive or if its files
+///   contradict each other.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let archive = Archive::new(bytes)?;
     let folder = archive.folder_of(MAIN)?;
@@ -91,7 +94,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Field::from_vec(grid, samples)
 }
 
-/// What `main.xml` says.
+/// Contents of `main.xml`.
 #[derive(Debug, Default)]
 struct Main {
     sizes: [Option<usize>; 2],
@@ -99,10 +102,10 @@ struct Main {
     number: Option<Number>,
     height_increment: Option<f64>,
     height_offset: Option<f64>,
-    /// The file of samples, or the samples themselves.
+    /// Name of the file of samples, or the samples themselves.
     data: Option<String>,
     list: Vec<f64>,
-    /// The file of valid points, one bit each.
+    /// Name of the file of valid points, with one bit per point.
     valid: Option<String>,
 }
 
@@ -113,7 +116,7 @@ impl Main {
         Ok(main)
     }
 
-    /// Takes in one element.
+    /// Reads one element.
     fn read(&mut self, element: &Element<'_>) -> Result<()> {
         match element.path {
             "Record3/DataList/Datum" if element.text.is_empty() => self.list.push(f64::NAN),
@@ -154,12 +157,12 @@ impl Main {
     }
 }
 
-/// `Ok` if an element was there.
+/// Returns the value of an element, or an error if it is missing.
 fn required<T>(path: &str, value: Option<T>) -> Result<T> {
     value.ok_or_else(|| FORMAT.in_entry(MAIN, format!("there is no {path}")))
 }
 
-/// An element of `main.xml`.
+/// Element of `main.xml`.
 #[derive(Debug)]
 struct Element<'a> {
     path: &'a str,
@@ -180,7 +183,7 @@ impl Element<'_> {
         }
     }
 
-    /// `Ok` if an entry of the rotation is that of no rotation.
+    /// Returns an error if an entry of the rotation matrix differs from that of the identity.
     fn expect_near(&self, entry: f64) -> Result<()> {
         if (self.real()? - entry).abs() < 1e-9 {
             Ok(())
@@ -194,7 +197,7 @@ impl Element<'_> {
         count.map_err(|_| self.refused("not a number of points"))
     }
 
-    /// A number, NaN and infinities included.
+    /// Parses a number; NaN and infinities are accepted.
     fn number(&self) -> Result<f64> {
         let number = self.text.parse();
         number.map_err(|_| self.refused("not a number"))

@@ -1,4 +1,4 @@
-//! The text of every element of an XML document, by its path.
+//! Traversal of the elements of an XML document.
 
 use quick_xml::Reader;
 use quick_xml::escape::resolve_predefined_entity;
@@ -7,17 +7,18 @@ use quick_xml::events::Event;
 use super::{FORMAT, MAIN};
 use crate::error::Result;
 
-/// Elements within one another, at most.
+/// Maximum depth of nested elements.
 const DEEPEST: usize = 16;
 
-/// Calls `visit` with the path and the trimmed text of each element when it ends. A path holds names
-/// without prefixes, from the child of the root on: `Record1/Axes/CX/TangentialIncrement`.
+/// Calls `visit` with the path and the trimmed text of each element when it ends. A path consists of names without
+/// prefixes and starts at the child of the root, as in `Record1/Axes/CX/TangentialIncrement`.
 pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
     let broken = |problem: String| FORMAT.in_entry(MAIN, problem);
     let xml = std::str::from_utf8(xml).map_err(|error| broken(format!("not UTF-8: {error}")))?;
     let mut reader = Reader::from_str(xml);
     reader.config_mut().expand_empty_elements = true;
-    // The names of the open elements below the root with slashes before them, and where each of them begins.
+    // The path contains the names of the open elements below the root, each after a slash; `starts` contains their
+    // positions.
     let (mut path, mut starts) = (String::new(), Vec::new());
     let mut text = String::new();
     loop {
@@ -29,7 +30,7 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
                 }
                 let is_root = starts.is_empty();
                 starts.push(path.len());
-                // The name of the root may be anything, and as long as the file.
+                // The name of the root is arbitrary and can be as long as the file, so it is not stored.
                 if !is_root {
                     path.push('/');
                     path.push_str(&String::from_utf8_lossy(element.local_name().as_ref()));
@@ -50,7 +51,8 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
                         .map_err(|error| broken(error.to_string()))?,
                 );
             }
-            // A reference that stands for no character is left as it is: no number, and no name.
+            // A reference that does not represent a character is kept verbatim. It is neither a number nor a name, so
+            // later parsing rejects it.
             Event::GeneralRef(reference) => {
                 let name = reference
                     .decode()

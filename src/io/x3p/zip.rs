@@ -1,4 +1,4 @@
-//! Files within a ZIP archive, as far as X3P needs them: stored or deflated, without encryption.
+//! Reader of the ZIP archives of X3P: stored or deflated files without encryption.
 
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use rawzip::{
@@ -9,12 +9,12 @@ use super::FORMAT;
 use crate::error::Result;
 use crate::io::Place;
 
-/// An entry may expand to this many bytes whatever its packed size,
+/// Number of bytes to which any entry may expand, regardless of its packed size.
 const SMALL: usize = 4 << 20;
-/// and to this many times its packed size.
+/// Largest permitted ratio of the expanded size to the packed size, for larger entries.
 const LARGEST_RATIO: usize = 100;
 
-/// An archive in memory.
+/// Archive in memory.
 #[derive(Debug)]
 pub(super) struct Archive<'a>(ZipSliceArchive<&'a [u8]>);
 
@@ -32,7 +32,7 @@ impl<'a> Archive<'a> {
         })
     }
 
-    /// The content of the entry of a name, if it has the size expected.
+    /// Returns the content of the named entry. Returns an error if its size differs from `expected`.
     pub(super) fn read(&self, name: &str, expected: Option<usize>) -> Result<Vec<u8>> {
         let refused = |problem: String| FORMAT.in_entry(name, problem);
         let missing = || refused("the archive has no such file".into());
@@ -76,8 +76,8 @@ impl<'a> Archive<'a> {
         Ok(content)
     }
 
-    /// The folder of the entry of a name, with a slash at its end: the root if the entry is there or missing, otherwise
-    /// the first folder that has such an entry.
+    /// Returns the folder of the named entry, with a slash at its end. The folder is the root if the entry is in the
+    /// root or missing, otherwise the first folder with such an entry.
     pub(super) fn folder_of(&self, name: &str) -> Result<String> {
         if self.has(name)? {
             return Ok(String::new());
@@ -86,11 +86,11 @@ impl<'a> Archive<'a> {
         let entry = self.find_path(is_named)?;
         let path = entry.map(|entry| entry.file_path().as_bytes().to_vec());
         let folder = path.map(|path| path[..path.len() - name.len()].to_vec());
-        // A name that is not UTF-8 does not equal its replacement: the error then says that the file is missing.
+        // A name that is not UTF-8 differs from its lossy conversion; a later search then reports the file as missing.
         Ok(String::from_utf8_lossy(&folder.unwrap_or_default()).into_owned())
     }
 
-    /// Whether there is an entry of a name.
+    /// Returns whether the archive contains the named entry.
     pub(super) fn has(&self, name: &str) -> Result<bool> {
         Ok(self.find(name)?.is_some())
     }
@@ -103,7 +103,7 @@ impl<'a> Archive<'a> {
         &self,
         is_searched: impl Fn(&[u8]) -> bool,
     ) -> Result<Option<ZipFileHeaderRecord<'_>>> {
-        // The iterator reads on to the end of the directory; only those declared count.
+        // The iterator continues to the end of the directory; only the declared number of entries is used.
         let declared = usize::try_from(self.0.entries_hint()).unwrap_or(usize::MAX);
         for entry in self.0.entries().take(declared) {
             let entry = entry.map_err(|error| {
@@ -118,13 +118,13 @@ impl<'a> Archive<'a> {
     }
 }
 
-/// Whether two paths are the same; some programs of Windows separate folders by backslashes.
+/// Returns whether two paths are the same. Some Windows programs separate folders by backslashes.
 fn is_same_path(a: &[u8], b: &[u8]) -> bool {
     let slash = |&byte: &u8| if byte == b'\\' { b'/' } else { byte };
     a.iter().map(slash).eq(b.iter().map(slash))
 }
 
-/// Whether a path ends in a folder and a name.
+/// Returns whether a path ends with the name and has at least one folder.
 fn is_in_folder(path: &[u8], name: &str) -> bool {
     let folder = path.strip_suffix(name.as_bytes());
     folder.is_some_and(|folder| folder.ends_with(b"/") || folder.ends_with(b"\\"))

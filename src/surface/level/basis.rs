@@ -1,4 +1,4 @@
-//! The polynomials of which a form consists.
+//! Polynomial basis of a form.
 
 use std::ops::Range;
 
@@ -10,27 +10,28 @@ use crate::parallel::reduce::Reduction;
 use crate::surface::level::HIGHEST_DEGREE;
 use crate::surface::slab::Slab;
 
-/// Sums that are formed together: as many as the form of highest degree has terms.
+/// Largest number of sums computed together: the number of terms of the form of highest degree.
 const MOST: usize = (HIGHEST_DEGREE + 1) * (HIGHEST_DEGREE + 2) / 2;
 
-/// Terms whose sums follow the rows, as ranks share them; ranks have no more than the three of a plane. Sums over more
-/// terms follow equal chunks of cells.
+/// Number of sums that are reduced row by row, as required on several ranks; a plane, the largest form on ranks, has
+/// three terms. More terms are reduced in equal chunks of cells.
 const IN_ROWS: usize = 9;
 
-/// Rows that are reduced at once: those of the highest degree take 120 kB.
+/// Number of rows that are reduced together; for the highest degree they need 120 kB.
 const ROWS_AT_ONCE: usize = 64;
 
 /// Products of Legendre polynomials up to a total degree.
 pub(super) struct Basis<'a> {
     slab: &'a Slab,
-    /// How sums add up.
+    /// Order of the sums.
     layout: Layout,
     nx: usize,
     degree: usize,
-    /// Degrees along x and along y of each product.
+    /// Degrees of each product along x and along y.
     terms: Vec<[usize; 2]>,
-    /// The polynomials of degrees `0..=degree` at each column, and at each row.
+    /// Polynomials of degrees `0..=degree` at each column.
     along_x: Vec<f64>,
+    /// Polynomials of degrees `0..=degree` at each row.
     along_y: Vec<f64>,
 }
 
@@ -59,12 +60,12 @@ impl<'a> Basis<'a> {
         }
     }
 
-    /// Number of products.
+    /// Returns the number of products.
     pub(super) fn terms(&self) -> usize {
         self.terms.len()
     }
 
-    /// The value in a cell of the product of a term.
+    /// Returns the value of a product in a cell.
     fn at(&self, cell: usize, term: usize) -> f64 {
         let [i, j] = self.terms[term];
         let width = self.degree + 1;
@@ -72,13 +73,13 @@ impl<'a> Basis<'a> {
         self.along_x[cell % self.nx * width + i] * self.along_y[row * width + j]
     }
 
-    /// The sum of all terms in a cell.
+    /// Returns the sum of all terms in a cell.
     pub(super) fn value(&self, coefficients: &[f64], cell: usize) -> f64 {
         let terms = coefficients.iter().enumerate();
         terms.map(|(term, c)| c * self.at(cell, term)).sum()
     }
 
-    /// `A'A`, row by row, where `A` has a row for each known height and a column for each term.
+    /// Computes `A'A`, row by row, where `A` has a row for each known height and a column for each term.
     pub(super) fn products(&self, z: &[f64]) -> Vec<f64> {
         let count = self.terms();
         self.sums(z, count * count, |cell, sums| {
@@ -90,7 +91,7 @@ impl<'a> Basis<'a> {
         })
     }
 
-    /// So many sums over all known heights, to which `add` adds those of one.
+    /// Computes `count` sums over all known heights; `add` adds the terms of one cell.
     fn sums(&self, z: &[f64], count: usize, add: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
         let leaf = |range: Range<usize>| {
             let mut sums = [0.0; MOST];
@@ -102,7 +103,7 @@ impl<'a> Basis<'a> {
         self.layout.fold(leaf, Reduction::plus)[..count].to_vec()
     }
 
-    /// `R` of `A = QR`, by reduction of blocks of rows.
+    /// Computes `R` of `A = QR` by reduction of blocks of rows.
     pub(super) fn reduced(&self, z: &[f64]) -> Triangle {
         let count = self.terms();
         let leaf = |range: Range<usize>| {
@@ -117,7 +118,7 @@ impl<'a> Basis<'a> {
         parallel::fold(z.len(), leaf, Triangle::with)
     }
 
-    /// `A' (z - A c)`: the projection of the residual of the known heights onto the terms.
+    /// Computes `A' (z - A c)`, the projection of the residual of the known heights onto the terms.
     pub(super) fn projection_of_rest(&self, z: &[f64], coefficients: &[f64]) -> Vec<f64> {
         self.sums(z, coefficients.len(), |cell, sums| {
             let rest = z[cell] - self.value(coefficients, cell);
@@ -128,7 +129,8 @@ impl<'a> Basis<'a> {
     }
 }
 
-/// First and last column, and first and last row, of the rectangle that encloses every known height of all ranks.
+/// Returns the first and last column and the first and last row of the rectangle that encloses the known heights of all
+/// ranks.
 fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
     let nx = slab.whole().nx();
     let around =
@@ -140,8 +142,8 @@ fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
         .combined(places.fold([[usize::MAX, 0]; 2], both), both)
 }
 
-/// Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the
-/// first known place to the last.
+/// Tabulates the Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the first
+/// known place to the last.
 fn legendre(count: usize, [first, last]: [usize; 2], degree: usize) -> Vec<f64> {
     let (first, last) = (first as f64, last as f64);
     let half = (0.5 * (last - first)).max(0.5);
@@ -152,7 +154,7 @@ fn legendre(count: usize, [first, last]: [usize; 2], degree: usize) -> Vec<f64> 
         for n in 0..=degree {
             table.push(here);
             let n = n as f64;
-            // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+            // Recurrence: (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}.
             (before, here) = (here, ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0));
         }
     }

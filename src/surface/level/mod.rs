@@ -11,23 +11,22 @@ use crate::parallel;
 use basis::Basis;
 use triangle::Triangle;
 
-/// Highest degree of a form: 231 coefficients.
+/// Highest degree of a form, which has 231 coefficients.
 const HIGHEST_DEGREE: usize = 20;
 
-/// Steps of refinement: the first finds the coefficients, the others reduce their error to round-off.
+/// Number of refinement steps. The first step computes the coefficients; the others reduce their error to round-off.
 const REFINEMENTS: usize = 3;
 
-/// The smooth form that is removed from a measured surface.
+/// Smooth form that is removed from a measured surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Form {
-    /// The mean height.
+    /// Mean height.
     Mean,
-    /// The plane $`c_0 + c_1 x + c_2 y`$: the tilt of the specimen.
+    /// Plane $`c_0 + c_1 x + c_2 y`$, the tilt of the specimen.
     Plane,
-    /// A polynomial in x and y of this total degree, at most 20; degree 2 removes the curvature of a
-    /// ball or a cylinder.
+    /// Polynomial in x and y of this total degree, at most 20. Degree 2 removes the curvature of a ball or a cylinder.
     Polynomial(usize),
 }
 
@@ -40,7 +39,7 @@ impl Form {
         }
     }
 
-    /// `R` of `A = QR`, with a row of `A` for each known height and a column for each term.
+    /// Computes `R` of `A = QR`, with a row of `A` for each known height and a column for each term.
     fn triangle(self, basis: &Basis<'_>, z: &[f64]) -> Triangle {
         match self {
             Self::Mean | Self::Plane => Triangle::of_products(basis.terms(), &basis.products(z)),
@@ -57,43 +56,43 @@ pub struct Levelled {
 }
 
 impl Levelled {
-    /// The heights above the form (lengths); missing heights stay missing.
+    /// Returns the heights above the form (lengths); missing heights stay missing.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
     }
 
-    /// The form (lengths) in every cell, also where heights are missing.
+    /// Returns the form (lengths) in every cell, including cells with missing heights.
     #[must_use]
     pub fn form(&self) -> &Field {
         &self.form
     }
 
-    /// The heights, without the form.
+    /// Returns the heights without the form.
     #[must_use]
     pub fn into_heights(self) -> Field {
         self.heights
     }
 }
 
-/// Removes a form from a measured surface, by least squares over the heights that are not NaN; from one that ranks share
+/// Removes a form from a measured surface, by least squares over the heights that are not NaN.
+///
+/// The remainder is orthogonal to every polynomial of the form, to round-off. On a profile (a grid of one row or one
+/// column) the form varies along the profile only. Missing heights stay missing; apply
+/// [`fill_missing`](super::fill_missing) afterwards. For a distributed surface use
 /// [`HalfSpace::level`](crate::HalfSpace::level).
 ///
-/// The remainder is orthogonal to every polynomial of the form, to round-off. On a profile, a grid of
-/// one row or one column, the form varies along the profile only. Missing heights stay missing:
-/// apply [`fill_missing`](super::fill_missing) afterwards.
-///
-/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Its matrix
-/// $`A`$ is never stored as a whole; only a triangular factor of it is computed. For a mean or a plane the factor
-/// follows by Cholesky from the few entries of $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced
-/// to their factors, and these in pairs to one, $`A = QR`$ (Demmel et al. 2012). Then
-/// $`R^T R\,\Delta c = A^T (z - A c)`$ is solved until the coefficients $`c`$ no longer change (corrected seminormal
-/// equations, Björck 1987).
+/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Its matrix $`A`$ is
+/// never stored; only a triangular factor is computed. For a mean or a plane the factor is the Cholesky factor of
+/// $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced to their factors, and the factors are combined
+/// in pairs until $`A = QR`$ (Demmel et al. 2012). Three steps of $`R^T R\,\Delta c = A^T (z - A c)`$ then determine
+/// the coefficients $`c`$ to round-off (corrected seminormal equations, Björck 1987).
 ///
 /// # Errors
-/// [`Error::Sample`] for the first infinite height; [`Error::Degree`] above degree 20;
-/// [`Error::Undetermined`] if the known heights are too few for the form, or lie so close to a curve
-/// on which a polynomial of the form vanishes that they do not determine it.
+/// - [`Error::Sample`] with the first infinite height.
+/// - [`Error::Degree`] if the degree exceeds 20.
+/// - [`Error::Undetermined`] if there are too few known heights, or if they lie so close to a zero curve of a
+///   polynomial of the form that they do not determine the form.
 ///
 /// # References
 /// - Å. Björck, *Linear Algebra Appl.* 88-89 (1987) 31-48,
@@ -117,7 +116,7 @@ pub fn level(heights: &Field, form: Form) -> Result<Levelled> {
     level_slab(heights, &Slab::alone(heights)?, form)
 }
 
-/// The same of a surface of which ranks may hold a slab each.
+/// Removes a form from the local slab of a surface, which may be distributed over ranks.
 pub(crate) fn level_slab(heights: &Field, slab: &Slab, form: Form) -> Result<Levelled> {
     if let Form::Polynomial(_) = form {
         slab.layout().check_alone("the removal of a polynomial")?;

@@ -1,17 +1,17 @@
-//! The triangular factor of a least-squares problem.
+//! Triangular factor of a least-squares problem.
 
-/// Smallest fraction of a column that must be independent of the columns before it.
+/// Smallest fraction of a column that must be linearly independent of the preceding columns.
 const INDEPENDENT: f64 = 1e-5;
 
-/// An upper triangle `R`.
+/// Upper triangular matrix `R`.
 pub(super) struct Triangle {
     count: usize,
-    /// Row by row, zeros below the diagonal included.
+    /// Entries row by row, including the zeros below the diagonal.
     entries: Vec<f64>,
 }
 
 impl Triangle {
-    /// By row and column; `entry` is not called below the diagonal.
+    /// Creates a triangle from a function of row and column; `entry` is not called below the diagonal.
     pub(super) fn from_fn(count: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
         let mut entries = vec![0.0; count * count];
         for row in 0..count {
@@ -22,8 +22,8 @@ impl Triangle {
         Self { count, entries }
     }
 
-    /// Cholesky's factor of `A'A = R'R`, given row by row; NaN where the columns of `A` depend on one
-    /// another.
+    /// Computes the Cholesky factor of `A'A = R'R`, given row by row. Entries are NaN if the columns of `A` are
+    /// linearly dependent.
     pub(super) fn of_products(count: usize, products: &[f64]) -> Self {
         let mut factor = Self::from_fn(count, |row, column| products[row * count + column]);
         for row in 0..count {
@@ -40,10 +40,10 @@ impl Triangle {
         factor
     }
 
-    /// `R` of `A = QR` for `A` with further rows, of an entry for each column, which are used up.
+    /// Updates `R` of `A = QR` for further rows of `A`, which are overwritten.
     ///
-    /// Householder's reflections `1 - v v'/h`, `h = v'v/2`, one for each column, take what the rows have in it to the
-    /// diagonal. They touch one row of `R` each, so that few rows at a time stay in the cache.
+    /// For each column, a Householder reflection `1 - v v'/h`, `h = v'v/2`, eliminates the entries of the new rows in
+    /// that column. Each reflection changes only one row of `R`, so that a block of few rows stays in the cache.
     pub(super) fn absorb(&mut self, rows: &mut [f64]) {
         let count = self.count;
         let mut sums = vec![0.0; count];
@@ -79,7 +79,7 @@ impl Triangle {
         }
     }
 
-    /// `R` of the rows of both.
+    /// Returns `R` for the rows of both triangles.
     pub(super) fn with(mut self, mut other: Self) -> Self {
         self.absorb(&mut other.entries);
         self
@@ -89,7 +89,7 @@ impl Triangle {
         self.entries[row * self.count + column]
     }
 
-    /// Whether every column of `A` is sufficiently independent of those before it.
+    /// Returns whether every column of `A` is sufficiently independent of the preceding columns.
     pub(super) fn is_independent(&self) -> bool {
         (0..self.count).all(|column| {
             let squares = (0..=column).map(|row| self.at(row, column).powi(2));
@@ -110,7 +110,7 @@ impl Triangle {
     }
 }
 
-/// `y + a x` in `y`.
+/// Computes `y += a x`.
 fn add(a: f64, x: &[f64], y: &mut [f64]) {
     for (y, x) in y.iter_mut().zip(x) {
         *y += a * x;

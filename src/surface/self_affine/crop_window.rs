@@ -1,4 +1,4 @@
-//! A part of a larger field.
+//! Selection of a part of a larger field.
 
 use std::f64::consts::PI;
 
@@ -6,19 +6,19 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
-/// The middle of a periodic field, or all of it.
+/// Middle part of a periodic field, or the whole field.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CropWindow {
-    /// The periodic field.
+    /// Grid of the periodic field.
     pub(super) whole: Grid,
-    /// The part of it that is used.
+    /// Grid of the part in use.
     pub(super) part: Grid,
-    /// Cell of the whole where the part begins.
+    /// First cell of the part, in the whole field.
     pub(super) first: [usize; 2],
 }
 
 impl CropWindow {
-    /// All of a periodic field.
+    /// Selects the whole periodic field.
     pub(super) fn all(grid: Grid) -> Self {
         Self {
             whole: grid,
@@ -27,7 +27,7 @@ impl CropWindow {
         }
     }
 
-    /// The middle of a periodic field of twice the sides and the same cells.
+    /// Selects the middle of a periodic field with twice the side lengths and the same cell size.
     pub(super) fn middle(grid: Grid) -> Result<Self> {
         let [nx, ny] = [grid.nx(), grid.ny()];
         let twice = |n: usize| n.saturating_mul(2);
@@ -38,7 +38,7 @@ impl CropWindow {
         })
     }
 
-    /// The part of a whole field.
+    /// Returns the selected part of a field.
     pub(super) fn of(&self, whole: &Field) -> Field {
         let mut part = Field::zeros(self.part);
         let nx = self.part.nx();
@@ -49,7 +49,7 @@ impl CropWindow {
         part
     }
 
-    /// The whole field that is zero outside the part.
+    /// Embeds the part in the whole field, which is zero outside it.
     pub(super) fn padded(&self, part: &Field) -> Field {
         let mut whole = Field::zeros(self.whole);
         let rows = whole.as_mut_slice().chunks_exact_mut(self.whole.nx());
@@ -59,12 +59,13 @@ impl CropWindow {
         whole
     }
 
-    /// Phase of the wave of the given numbers in the first cell of the whole, if its phase in the middle of
-    /// the part is zero.
+    /// Returns the phase of the wave with the given numbers of periods in the first cell of the whole field, if its
+    /// phase in the middle of the part is zero.
     pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
         let along = |number: i64, whole: usize, part: usize, first: usize| {
             let count = |n: usize| i128::try_from(n).unwrap_or(i128::MAX);
-            // In half cells a position is an integer, which is reduced by whole periods without loss.
+            // In units of half cells the position is an integer, which can be reduced by whole periods without
+            // round-off.
             let half_cells = count(part) - 1 + 2 * count(first);
             let turned = (-i128::from(number) * half_cells).rem_euclid(2 * count(whole));
             PI * turned as f64 / whole as f64

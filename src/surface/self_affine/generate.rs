@@ -1,4 +1,4 @@
-//! The surface of a law, made on a grid.
+//! Generation of a self-affine surface on a grid.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -18,31 +18,33 @@ use crate::surface::self_affine::{
 use crate::surface::waves::Waves;
 
 impl SelfAffine {
-    /// The surface on a grid.
+    /// Generates the surface on a grid.
     ///
     /// # Errors
-    /// - [`Error::NotPositive`](crate::Error::NotPositive) for the target or a wavelength,
-    ///   [`Error::Hurst`](crate::Error::Hurst), [`Error::NotFinite`](crate::Error::NotFinite) for the
-    ///   skewness or kurtosis.
-    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the cut-off is less than two cells, if a wavelength
-    ///   is less than the next shorter one, or if the kurtosis is less than the squared skewness plus
-    ///   one.
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the target or a wavelength is not positive and finite.
+    /// - [`Error::Hurst`](crate::Error::Hurst) if the Hurst exponent is outside 0 to 1.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the skewness or the kurtosis is not finite.
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the cut-off is shorter than two cells, if the roll-off is shorter
+    ///   than the cut-off or longer than the longest wavelength, or if the kurtosis is less than the squared skewness
+    ///   plus one.
     /// - [`Error::NoWaveInBand`](crate::Error::NoWaveInBand) if no wave of the surface lies within the band.
-    /// - [`Error::HeightMomentsNotReached`](crate::Error::HeightMomentsNotReached) if no phases were found for
-    ///   skewness and kurtosis.
-    /// - [`Error::Sample`](crate::Error::Sample) for the first height that overflows.
-    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface, of four times the cells if it is
-    ///   cropped, cannot be allocated.
+    /// - [`Error::HeightMomentsNotReached`](crate::Error::HeightMomentsNotReached) if no phases with the requested skewness and
+    ///   kurtosis were found.
+    /// - [`Error::Sample`](crate::Error::Sample) with the first height that overflows.
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface cannot be allocated; a cropped surface
+    ///   needs four times the cells.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         self.generate_observed(grid, unwatched)
     }
 
-    /// [`generate`](Self::generate) with an observer that may cancel. It is asked before the waves are drawn, before each
-    /// iteration for skewness and kurtosis and before the heights and each slope are summed, which count as products; the
-    /// residual that it sees is the larger deviation of skewness and kurtosis.
+    /// Generates the surface like [`generate`](Self::generate), with an observer that may cancel. The observer is
+    /// called before the waves are drawn, before each iteration for skewness and kurtosis, and before the heights and
+    /// each slope are summed. These sums count as products. The reported residual is the larger of the deviations of
+    /// skewness and kurtosis.
     ///
     /// # Errors
-    /// As [`generate`](Self::generate); [`Error::NotConverged`](crate::Error::NotConverged) if it cancels.
+    /// - The errors of [`generate`](Self::generate).
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
     pub fn generate_observed(
         &self,
         grid: Grid,
@@ -60,7 +62,7 @@ impl SelfAffine {
         parallel::enter_with(grid.cells(), || self.made(&cut, wanted, target, watch))
     }
 
-    /// With what was asked for checked.
+    /// Generates the surface; the caller has checked the arguments.
     fn made(
         &self,
         cut: &CropWindow,
@@ -89,7 +91,7 @@ impl SelfAffine {
         Ok(surface)
     }
 
-    /// Skewness and kurtosis, if at least one is given.
+    /// Returns the requested skewness and kurtosis, or `None` if neither is given.
     pub(super) fn moments(&self) -> Result<Option<[f64; 2]>> {
         if self.skewness.is_none() && self.kurtosis.is_none() {
             return Ok(None);
@@ -101,7 +103,7 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
-    /// The waves of the periodic surface with a target of one, so that no square is out of range.
+    /// Draws the waves of the periodic surface for a target of one, so that no square overflows or underflows.
     pub(super) fn waves(&self, cut: &CropWindow, mut waves: Waves) -> Result<Waves> {
         let law = SpectrumLaw::new(self, cut.whole)?;
         let total = match self.target {
@@ -113,7 +115,7 @@ impl SelfAffine {
             if power == 0.0 {
                 return Complex::default();
             }
-            // Of two opposite waves along y both are stored: one is drawn, the other is its conjugate.
+            // Both of two opposite waves along y are stored: one is drawn, and the other is its conjugate.
             let [i, j] = mode.numbers;
             let is_mirrored = i == 0 && j < 0;
             let numbers = [i, if is_mirrored { -j } else { j }];
@@ -126,20 +128,21 @@ impl SelfAffine {
     }
 }
 
-/// A complex number whose mean square over all seeds is one: of modulus one or normally distributed.
+/// Draws a complex number whose mean square over all seeds is one. Its modulus is one, or the number is normally
+/// distributed.
 pub(super) fn wave(seed: u64, numbers: [i64; 2], amplitudes: Amplitudes) -> Complex<f64> {
     let bits = numbers.iter().fold(mix(seed), |bits, number| {
         mix(bits ^ u64::from_le_bytes(number.to_le_bytes()))
     });
     let modulus = match amplitudes {
         Amplitudes::Exact => 1.0,
-        // Box and Muller: the squared modulus of a normal complex number is exponential.
+        // Box-Muller method: the squared modulus of a normal complex number is exponentially distributed.
         Amplitudes::Gaussian => (-(-fraction(mix(bits))).ln_1p()).sqrt(),
     };
     Complex::from_polar(modulus, TAU * fraction(bits))
 }
 
-/// The generator splitmix64: Steele, Lea and Flood (2014).
+/// Applies the generator splitmix64 of Steele, Lea and Flood (2014).
 fn mix(bits: u64) -> u64 {
     let bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -147,7 +150,7 @@ fn mix(bits: u64) -> u64 {
     bits ^ (bits >> 31)
 }
 
-/// The upper 53 bits, in `[0, 1)`.
+/// Maps the upper 53 bits to `[0, 1)`.
 fn fraction(bits: u64) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 53) as f64
 }

@@ -2,20 +2,19 @@
 
 use std::f64::consts::TAU;
 
-/// A curve that maps a standard normal number `g` to one of Johnson's distributions of positive
-/// skewness.
+/// Curve that maps a standard normal number `g` to a Johnson distribution of positive skewness.
 #[derive(Debug, Clone, Copy)]
 struct Curve {
     is_bounded: bool,
-    /// `1/delta`: the strength of the nonlinearity.
+    /// `1/delta`, the strength of the nonlinearity.
     steepness: f64,
-    /// `gamma/delta`: the deviation from symmetry.
+    /// `gamma/delta`, the deviation from symmetry.
     offset: f64,
 }
 
 impl Curve {
-    /// `sinh` for heavy tails, the logistic curve for light ones; both become `exp`, the lognormal
-    /// distribution, for a large offset.
+    /// Evaluates the curve: `sinh` for heavy tails, the logistic function for light tails. For a large offset both
+    /// become `exp`, the lognormal distribution.
     fn bend(&self, g: f64) -> f64 {
         if self.is_bounded {
             let power = (self.steepness * g - self.offset).exp();
@@ -25,7 +24,7 @@ impl Curve {
         }
     }
 
-    /// Skewness and kurtosis, by the trapezoidal rule.
+    /// Computes skewness and kurtosis by the trapezoidal rule.
     fn moments(&self) -> [f64; 2] {
         let nodes = -90..=90;
         let samples: Vec<_> = nodes
@@ -42,22 +41,22 @@ impl Curve {
     }
 }
 
-/// Largest offset, at which the curve is exponential to the last digit.
+/// Largest offset, at which the curve is exponential to within round-off.
 const LARGEST_OFFSET: f64 = 20.0;
-/// Steepness of the flattest curve, close to the normal distribution, and of the steepest, close to
-/// only two values or to infinite kurtosis.
+/// Smallest and largest steepness. The flattest curve is close to the normal distribution; the steepest is close to a
+/// distribution of two values or of infinite kurtosis.
 const STEEPNESS: [f64; 2] = [0.05, 5.0];
 
-/// The curve of positive skewness, accurate enough to start an iteration from.
+/// Computes the curve of the given skewness (not negative) and kurtosis, accurate enough to start an iteration.
 fn curve(skewness: f64, kurtosis: f64) -> Curve {
-    // The lognormal distribution of this skewness: Johnson (1949).
+    // Kurtosis of the lognormal distribution of this skewness: Johnson (1949).
     let half = 1.0 + 0.5 * skewness * skewness;
     let root = (half + (half * half - 1.0).sqrt()).cbrt();
     let omega = root + 1.0 / root - 1.0;
     let lognormal_kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega.powi(2) - 3.0;
     let is_bounded = kurtosis < lognormal_kurtosis;
 
-    // Beyond that distribution the kurtosis moves away from it as the curve becomes steeper.
+    // As the curve becomes steeper, its kurtosis moves away from the lognormal value.
     let flattest = omega.ln().sqrt().max(STEEPNESS[0]);
     let of_skewness = |steepness: f64| {
         let with = |offset| Curve {
@@ -75,7 +74,7 @@ fn curve(skewness: f64, kurtosis: f64) -> Curve {
     of_skewness(steepness)
 }
 
-/// The number up to which a condition holds, to one part in a million of the interval.
+/// Computes the largest number that satisfies a monotonic condition, to one part in a million of the interval.
 fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..20 {
         let middle = 0.5 * (low + high);
@@ -88,7 +87,7 @@ fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// `count` heights in ascending order, evenly spread over the distribution that has approximately the
+/// Returns `count` heights in ascending order, at equal steps of probability of a distribution with approximately the
 /// given skewness and kurtosis. Mean and unit are arbitrary.
 pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Vec<f64> {
     let curve = curve(skewness.abs(), kurtosis);
@@ -102,11 +101,12 @@ pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Ve
     heights
 }
 
-/// `count` normal numbers in ascending order, one for each of `count` equal probabilities.
+/// Returns `count` normal numbers in ascending order, one for each of `count` intervals of equal probability.
 fn sorted_normal(count: usize) -> impl Iterator<Item = f64> {
     const STEP: f64 = 0.01;
     let density = |g: f64| (-0.5 * g * g).exp() / TAU.sqrt();
-    // The probability of each step, by Simpson's rule, from -9, below which it is negligible.
+    // The probability of each step follows from Simpson's rule. The steps start at -9; the probability below is
+    // negligible.
     let step = move |low: f64| {
         let inner = 4.0 * density(low + 0.5 * STEP);
         STEP / 6.0 * (density(low) + inner + density(low + STEP))
@@ -151,7 +151,7 @@ mod tests {
             let reached = [3, 4].map(|power| mean_of(&|z| ((z - mean) / deviation).powi(power)));
             let error = [reached[0] - skewness, reached[1] - kurtosis];
             assert!(error[0].abs() < 0.01, "{skewness} {kurtosis}: {reached:?}");
-            // The part of heavy tails beyond a hundred thousand heights is missing.
+            // A hundred thousand heights do not resolve the extreme part of heavy tails.
             assert!(
                 error[1].abs() < 0.02 * kurtosis,
                 "{skewness} {kurtosis}: {reached:?}"
@@ -163,8 +163,8 @@ mod tests {
     fn normal_numbers_divide_the_probability() {
         let numbers: Vec<_> = sorted_normal(1001).collect();
         assert!(numbers[500].abs() < 1e-6);
-        assert!((numbers[841] - 0.99717).abs() < 1e-4); // of 841.5/1001
-        assert!((numbers[0] + 3.29081).abs() < 1e-4); // of 0.5/1001
+        assert!((numbers[841] - 0.99717).abs() < 1e-4); // Quantile of 841.5/1001.
+        assert!((numbers[0] + 3.29081).abs() < 1e-4); // Quantile of 0.5/1001.
         for (low, high) in numbers.iter().zip(numbers.iter().rev()) {
             assert!((low + high).abs() < 1e-6);
         }

@@ -1,4 +1,4 @@
-//! The power spectrum of a self-affine surface on a given grid.
+//! Power spectrum of a self-affine surface on a given grid.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Result, at_least, positive};
 use crate::grid::Grid;
 use crate::surface::waves::Mode;
 
-/// A self-affine law with all its wavelengths set.
+/// Self-affine law with all wavelengths set.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SpectrumLaw {
     hurst: f64,
@@ -16,17 +16,17 @@ pub(super) struct SpectrumLaw {
     cut_off: f64,
 }
 
-/// Fraction of a wavelength by which a wave may lie outside the band, so that round-off does not decide
-/// on a wave meant to lie on the edge of the band.
+/// Fraction of a wavelength by which a wave may lie outside the band, so that round-off does not exclude waves on the
+/// edge of the band.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Default cut-off, in cells.
 const CUT_OFF_CELLS: f64 = 8.0;
-/// Least cut-off, in cells.
+/// Smallest cut-off, in cells.
 const LEAST_CUT_OFF_CELLS: f64 = 2.0;
 
 impl SpectrumLaw {
-    /// The requested law, on the grid of the periodic surface.
+    /// Creates the requested law on the grid of the periodic surface.
     pub(super) fn new(asked: &SelfAffine, grid: Grid) -> Result<Self> {
         if !(0.0..=1.0).contains(&asked.hurst) {
             return Err(Error::Hurst(asked.hurst));
@@ -61,7 +61,7 @@ impl SpectrumLaw {
         })
     }
 
-    /// Power of a wave relative to that of the plateau.
+    /// Returns the power of a wave relative to the plateau.
     pub(super) fn power(&self, mode: &Mode) -> f64 {
         let number = mode.wave_number();
         let wavelength = if number > 0.0 {
@@ -70,7 +70,7 @@ impl SpectrumLaw {
             f64::INFINITY
         };
         let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
-        // In this form of the comparison the product cannot overflow: the mean is always too long.
+        // In this form the product cannot overflow. The mean, of infinite wavelength, always counts as too long.
         let is_long = wavelength * (1.0 - ROUND_OFF) > self.longest;
         if is_short || is_long || mode.is_at_limit {
             0.0
@@ -80,7 +80,7 @@ impl SpectrumLaw {
         }
     }
 
-    /// Total power of the waves of a field, each weighted by a function of its mode.
+    /// Returns the total power of the waves of a field, each weighted by a function of its mode.
     pub(super) fn total(&self, grid: Grid, weight: impl Fn(&Mode) -> f64) -> Result<f64> {
         let power = |mode: Mode| mode.copies * self.power(&mode) * weight(&mode);
         let total = Mode::all(grid).map(power).sum();

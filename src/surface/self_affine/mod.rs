@@ -15,18 +15,17 @@ use crate::error::{Result, positive};
 
 pub use rough_surface::RoughSurface;
 
-/// How the moduli of the waves are drawn.
+/// Distribution of the moduli of the waves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Amplitudes {
-    /// Every wave has the modulus of the law, and only its phase is random: Wu (2000). Every surface
-    /// meets the target exactly.
+    /// Every wave has the modulus of the law, and only its phase is random (Wu 2000). Every surface meets the target
+    /// exactly.
     #[default]
     Exact,
-    /// Real and imaginary parts are independent and normally distributed, as those of filtered white
-    /// noise: Hu and Tonder (1992). The mean square of the whole periodic surface, averaged over all
-    /// seeds, meets the target.
+    /// Real and imaginary parts are independent and normally distributed, as for filtered white noise (Hu and Tonder
+    /// 1992). The mean square of the whole periodic surface, averaged over all seeds, meets the target.
     Gaussian,
 }
 
@@ -43,9 +42,9 @@ pub enum Amplitudes {
 ///   0 & \text{otherwise,} \end{cases}
 /// ```
 ///
-/// the paper's equation 36. Waves of two cells along an axis are omitted, since the grid does not
-/// resolve their phase. The common factor follows from the target, the root mean square of the heights
-/// or of the slopes, and from the waves that are present.
+/// which is the paper's equation 36. Waves of two cells along an axis are omitted, since the grid does not resolve
+/// their phase. The common factor follows from the target (the root mean square of the heights or of the slopes) and
+/// from the waves in the band.
 ///
 /// | option | default |
 /// |---|---|
@@ -59,11 +58,11 @@ pub enum Amplitudes {
 /// | [`seed`](Self::seed) | 0 |
 ///
 /// # Refining the grid
-/// The phase and modulus of each wave depend only on the seed and on the wave's two numbers of periods per
-/// side; the phase is that in the middle of the grid. If the cut-off wavelength is given and is more than
-/// two cells, a finer grid over the same rectangle therefore samples the same surface. Otherwise it adds
-/// short waves to it, up to the common factor. If a skewness or kurtosis is given, the phases depend on the
-/// heights of all cells, and the surfaces differ.
+/// The phase (in the middle of the grid) and the modulus of each wave depend only on the seed and on the wave's two
+/// numbers of periods per side. If the cut-off wavelength is given and exceeds two cells, a finer grid over the same
+/// rectangle therefore samples the same surface. Otherwise the finer grid adds short waves to the surface, up to the
+/// common factor. If a skewness or kurtosis is given, the phases depend on the heights of all cells, and the surfaces
+/// differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
@@ -82,19 +81,20 @@ pub enum Amplitudes {
 /// ```
 ///
 /// # Heights that are not Gaussian
-/// The sum of many waves of random phases has Gaussian heights. If a skewness or a kurtosis is given,
-/// the phases are changed and the moduli kept to the last digit, so that spectrum, rms height and rms
-/// slope are those of the Gaussian surface. First, in alternation, the heights are replaced by rank with those
-/// of a Johnson distribution (1949) and the moduli restored, as Perez-Rafols and Almqvist (2019) do
-/// after Schreiber and Schmitz (1996). Then Newton's method changes the phases as little as possible
-/// until skewness and kurtosis are met to 1e-9. For a cropped surface the spectrum that is kept is that of
-/// the periodic surface.
+/// The sum of many waves of random phases has Gaussian heights. If a skewness or a kurtosis is given, the phases are
+/// changed and the moduli are kept to round-off. The spectrum, the rms height and the rms slope are then the same as
+/// for the Gaussian surface.
 ///
-/// The heights follow the Johnson distribution to about 0.01 of their rms where many waves carry the
-/// spectrum, and to 0.1 where few do or close to the limit of what can be reached. If the values cannot be
-/// reached, an error is returned, never an approximation; with the two or three waves of a grid of a few cells a side few
-/// values can be reached. These kurtoses were reached with each of eight
-/// seeds (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is the side of a square):
+/// Two steps first alternate, as in Perez-Rafols and Almqvist (2019) after Schreiber and Schmitz (1996): the heights
+/// are replaced by the heights of the same rank of a Johnson distribution (1949), and the moduli are restored. Then
+/// Newton's method changes the phases as little as possible until skewness and kurtosis are met to 1e-9. For a cropped
+/// surface, the spectrum of the periodic surface is kept.
+///
+/// The heights follow the Johnson distribution to about 0.01 of their rms if many waves contribute to the spectrum.
+/// They follow it to 0.1 if few waves contribute, or near the limits of the attainable values. If the values cannot be
+/// attained, an error is returned, never an approximation. A grid of a few cells per side has only two or three waves,
+/// with which few values can be attained. The table lists the kurtoses that were attained with each of eight seeds
+/// (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is the side of a square):
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
 /// |---|---|---|
@@ -105,8 +105,8 @@ pub enum Amplitudes {
 /// | `L/8`, `L/32` | 2.1 to 12 | 2.5 to 12 |
 /// | no plateau, `L/8`, cropped | 2.1 to 12 | 2.25 to 12 |
 ///
-/// It takes 10 to 30 iterations, about a second on a square of 1024 cells; a Gaussian surface takes a
-/// twentieth of that.
+/// The generation takes 10 to 30 iterations, about a second on a grid of 1024 x 1024 cells. A Gaussian surface takes a
+/// twentieth of this time.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
@@ -156,7 +156,7 @@ pub struct SelfAffine {
     seed: u64,
 }
 
-/// The quantity that determines the common factor of the waves.
+/// Target that determines the common factor of the waves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -177,7 +177,7 @@ impl HeightTarget {
     }
 }
 
-/// Bytes per cell that a surface needs at least while it is made, with all its waves.
+/// Lower bound of the memory in bytes per cell during generation, including all waves.
 const BYTES_PER_CELL: usize = 24;
 
 fn default_hurst() -> f64 {
@@ -185,13 +185,13 @@ fn default_hurst() -> f64 {
 }
 
 impl SelfAffine {
-    /// A surface of the given root-mean-square height (a length).
+    /// Creates a surface with the given root-mean-square height (a length) as the target.
     #[must_use]
     pub fn with_rms_height(rms_height: f64) -> Self {
         Self::with(HeightTarget::RmsHeight(rms_height))
     }
 
-    /// A surface of the given root-mean-square gradient $`|\nabla z|`$ of the sum of waves.
+    /// Creates a surface with the given root-mean-square gradient $`|\nabla z|`$ of the sum of waves as the target.
     #[doc(alias = "rms slope")]
     #[must_use]
     pub fn with_rms_slope(rms_slope: f64) -> Self {
@@ -213,13 +213,13 @@ impl SelfAffine {
         }
     }
 
-    /// The Hurst exponent $`H`$, 0 to 1; the fractal dimension is $`3 - H`$.
+    /// Sets the Hurst exponent $`H`$, 0 to 1 (default 0.8). The fractal dimension is $`3 - H`$.
     #[must_use]
     pub fn hurst(self, hurst: f64) -> Self {
         Self { hurst, ..self }
     }
 
-    /// The longest wavelength, where the spectrum begins.
+    /// Sets the longest wavelength of the spectrum (default: the longer side of the periodic surface).
     #[must_use]
     pub fn longest_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -228,7 +228,8 @@ impl SelfAffine {
         }
     }
 
-    /// The wavelength at which the plateau ends and the spectrum begins to fall.
+    /// Sets the wavelength below which the spectrum decreases (default: the longest wavelength, so that there is no
+    /// plateau).
     #[must_use]
     pub fn roll_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -237,7 +238,8 @@ impl SelfAffine {
         }
     }
 
-    /// The shortest wavelength, where the spectrum ends; at least two cells.
+    /// Sets the shortest wavelength of the spectrum, at least two cells (default 8 cells, measured by their longer
+    /// side).
     #[must_use]
     pub fn cut_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -246,18 +248,19 @@ impl SelfAffine {
         }
     }
 
-    /// How the moduli of the waves are drawn.
+    /// Sets the distribution of the moduli of the waves (default [`Amplitudes::Exact`]).
     #[must_use]
     pub fn amplitudes(self, amplitudes: Amplitudes) -> Self {
         Self { amplitudes, ..self }
     }
 
-    /// Cuts the surface out of the middle of a periodic one of twice the sides, so that opposite
-    /// edges do not match. The mean of the part is removed and, for [`Amplitudes::Exact`], the part
-    /// is scaled to the target; skewness and kurtosis are those of the part.
+    /// Cuts the surface out of the middle of a periodic surface of twice the side lengths, so that opposite edges do
+    /// not match. The mean of the part is removed. For [`Amplitudes::Exact`] the part is scaled to the target. Skewness
+    /// and kurtosis apply to the part.
     ///
-    /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces it: if no longest
-    /// wavelength is given, the mean square of its heights over all seeds is about 0.7 of the target's.
+    /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces its mean square. If no
+    /// longest wavelength is given, the mean square of its heights, averaged over all seeds, is about 0.7 times the
+    /// square of the target.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {
@@ -266,8 +269,8 @@ impl SelfAffine {
         }
     }
 
-    /// The skewness of the heights, $`\langle z^3\rangle/\langle z^2\rangle^{3/2}`$; 0 if only the
-    /// kurtosis is given.
+    /// Sets the skewness of the heights, $`\langle z^3\rangle/\langle z^2\rangle^{3/2}`$ (default 0 if only the
+    /// kurtosis is given).
     #[must_use]
     pub fn skewness(self, skewness: f64) -> Self {
         Self {
@@ -276,8 +279,8 @@ impl SelfAffine {
         }
     }
 
-    /// The kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$, at least the squared
-    /// skewness plus one; 3, the value of a Gaussian surface, if only the skewness is given.
+    /// Sets the kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$, at least the squared skewness
+    /// plus one. If only the skewness is given, the default is 3, the value of a Gaussian surface.
     #[must_use]
     pub fn kurtosis(self, kurtosis: f64) -> Self {
         Self {
@@ -286,7 +289,8 @@ impl SelfAffine {
         }
     }
 
-    /// Selects one of the random surfaces; the same on every machine, to round-off.
+    /// Sets the seed that selects a random surface (default 0). A seed yields the same surface on every machine, to
+    /// round-off.
     #[must_use]
     pub fn seed(self, seed: u64) -> Self {
         Self { seed, ..self }

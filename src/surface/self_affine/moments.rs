@@ -6,22 +6,22 @@ use crate::grid::field::Field;
 use crate::parallel;
 use crate::parallel::layout::Layout;
 
-/// Mean of a function of the samples, the same on any number of threads.
+/// Computes the mean of a function of the samples. The result does not depend on the number of threads.
 pub(super) fn mean_of(field: &Field, f: impl Fn(f64) -> f64 + Sync) -> f64 {
     mean_over(&field.grid().layout(), field.as_slice(), f)
 }
 
-/// The same of samples that lie so, some of them on other ranks.
+/// Computes the mean of a function of samples with the given layout, which may extend over several ranks.
 pub(super) fn mean_over(layout: &Layout, samples: &[f64], f: impl Fn(f64) -> f64 + Sync) -> f64 {
     let sum_over = |range: Range<usize>| samples[range].iter().map(|&z| f(z)).sum::<f64>();
     layout.fold(sum_over, |a, b| a + b) / layout.of_all_ranks() as f64
 }
 
-/// Heights of mean zero and mean square one, and the scale by which they were normalised.
+/// Heights of mean zero and mean square one, with the scale of the normalisation.
 #[derive(Debug)]
 pub(super) struct Standardised {
     pub(super) heights: Field,
-    /// Root mean square about the mean.
+    /// Root mean square of the original heights, relative to their mean.
     pub(super) deviation: f64,
     pub(super) skewness: f64,
     pub(super) kurtosis: f64,
@@ -44,13 +44,13 @@ impl Standardised {
         }
     }
 
-    /// Skewness and kurtosis.
+    /// Returns skewness and kurtosis.
     pub(super) fn moments(&self) -> [f64; 2] {
         [self.skewness, self.kurtosis]
     }
 }
 
-/// The larger difference of skewness and kurtosis.
+/// Returns the larger of the differences in skewness and kurtosis.
 pub(super) fn deviation([s, k]: [f64; 2], [other_s, other_k]: [f64; 2]) -> f64 {
     (s - other_s).abs().max((k - other_k).abs())
 }

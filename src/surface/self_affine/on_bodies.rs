@@ -1,4 +1,4 @@
-//! Rough surfaces on bodies that ranks share.
+//! Rough surfaces on distributed bodies.
 
 use std::sync::Arc;
 
@@ -15,13 +15,14 @@ use crate::surface::self_affine::moments::mean_over;
 use crate::surface::waves::{Waves, shared_columns};
 
 impl SelfAffine {
-    /// The heights of the surface on the grid of some bodies (lengths, out of the body): of
-    /// [distributed](HalfSpace::distributed) ones each rank makes the rows that it holds, to the bits of
-    /// [`SelfAffine::generate`].
+    /// Generates the heights of the surface on the grid of the bodies (lengths, out of the body). If the bodies are
+    /// [distributed](HalfSpace::distributed), each rank generates its local rows. The heights are bitwise identical to
+    /// those of [`SelfAffine::generate`].
     ///
     /// # Errors
-    /// As [`SelfAffine::generate`]; [`Error::Ranks`] for a cropped surface or a given skewness or kurtosis on bodies that
-    /// ranks share, or for surfaces that are not the same on all.
+    /// - The errors of [`SelfAffine::generate`].
+    /// - [`Error::Ranks`] if the bodies are distributed and the surface is cropped, has a given skewness or kurtosis,
+    ///   or differs between ranks.
     pub fn generate_on(&self, bodies: &HalfSpace) -> Result<Field> {
         let grid = bodies.grid().whole();
         bodies.collective_result_checked(Ok(()), &[("rough surface", self)])?;
@@ -33,7 +34,7 @@ impl SelfAffine {
 }
 
 impl SelfAffine {
-    /// The heights on the slab that a rank holds of a grid.
+    /// Generates the heights on the local slab of a grid.
     pub(crate) fn generate_slab(&self, grid: Grid, rows: &Arc<RowPartition>) -> Result<Field> {
         let quantity = match (self.moments()?, self.is_cropped) {
             (None, false) => None,

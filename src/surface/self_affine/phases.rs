@@ -1,16 +1,15 @@
 //! Phases of given waves for which the heights have exactly the requested skewness and kurtosis.
 //!
-//! Let `x` be the heights, of mean zero and mean square one. Skewness $`s`$ and kurtosis $`k`$ change
-//! with the heights as
+//! Let `x` be the heights, of mean zero and mean square one. Skewness $`s`$ and kurtosis $`k`$ change with the heights
+//! by
 //!
 //! ```math
 //! \delta s = 3 \langle e_s, \delta x\rangle, \quad e_s = x^2 - s x - 1, \qquad
 //! \delta k = 4 \langle e_k, \delta x\rangle, \quad e_k = x^3 - k x - s ,
 //! ```
 //!
-//! and a wave $`a`$ turned by $`\delta\varphi`$ changes by $`\mathrm{i} a\,\delta\varphi`$. Newton's
-//! step is the smallest change of the heights by turned waves that supplies the missing
-//! $`\delta s`$ and $`\delta k`$.
+//! and a wave $`a`$ whose phase changes by $`\delta\varphi`$ changes by $`\mathrm{i} a\,\delta\varphi`$. The Newton
+//! step is the smallest change of the heights by phase changes that yields the required $`\delta s`$ and $`\delta k`$.
 
 use num_complex::Complex;
 
@@ -20,14 +19,14 @@ use crate::error::{Error, Result};
 use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
-/// Largest deviation from the requested skewness and kurtosis.
+/// Tolerance of skewness and kurtosis.
 const TOLERANCE: f64 = 1e-9;
-/// Largest number of steps; three to ten are usual.
+/// Maximum number of steps; three to ten are usual.
 const LIMIT: usize = 60;
-/// Largest change of the heights in one step, root mean square relative to that of the heights.
+/// Largest root mean square of the change of the heights in one step, relative to the root mean square of the heights.
 const LONGEST_STEP: f64 = 0.1;
 
-/// Turns the waves until the heights within a cut have the requested skewness and kurtosis; returns the
+/// Changes the phases of the waves until the heights within a cut have the requested skewness and kurtosis. Returns the
 /// number of steps.
 pub(super) fn turn(
     waves: &mut Waves,
@@ -58,7 +57,8 @@ pub(super) fn turn(
     })
 }
 
-/// Turns the waves to supply the missing skewness and kurtosis; returns false if no turn changes both.
+/// Changes the phases of the waves by a Newton step towards the requested skewness and kurtosis; `missing` is the
+/// deficit. Returns false if no phase change can correct both.
 fn newton_step(
     waves: &mut Waves,
     cut: &CropWindow,
@@ -76,7 +76,7 @@ fn newton_step(
     let of_skewness = direction(&|x| x * x - skewness * x - 1.0);
     let of_kurtosis = direction(&|x| x * x * x - kurtosis * x - skewness);
 
-    // Mean products of the changes caused by a turn along each direction.
+    // Mean products of the changes of the heights along the two directions.
     let [mut ss, mut sk, mut kk, mut square] = [0.0; 4];
     let directions = of_skewness.iter().zip(of_kurtosis.iter());
     for ((mode, wave), ((_, s), (_, k))) in waves.iter().zip(directions) {
@@ -103,12 +103,13 @@ fn newton_step(
         let [by_s, by_k] = directions.map(|direction| turn_along(wave, direction));
         wave * Complex::cis(s * by_s + k * by_k)
     });
-    // The step multiplies the round-off of the directions, by much if no turn supplies one of the two well.
+    // The step amplifies the round-off of the directions. The factor is large if phase changes have little effect on
+    // one of the two moments.
     waves.pair_opposite_rows();
     true
 }
 
-/// The angle by which a wave turns for a change of the field along a direction.
+/// Returns the angle by which the phase of a wave changes if the field changes along a direction.
 fn turn_along(wave: Complex<f64>, direction: Complex<f64>) -> f64 {
     let square = wave.norm_sqr();
     if square > 0.0 {

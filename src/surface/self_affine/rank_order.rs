@@ -1,7 +1,7 @@
-//! Waves of given moduli whose heights nearly follow a given distribution.
+//! Waves of given moduli whose heights approximately follow a given distribution.
 //!
-//! Two steps alternate: each height is replaced by that of the same rank in the distribution;
-//! then the moduli of the waves are restored and only the new phases kept.
+//! Two steps alternate. First, each height is replaced by the height of the same rank in the distribution. Then the
+//! moduli of the waves are restored, and only the new phases are kept.
 
 use num_complex::Complex;
 
@@ -12,16 +12,16 @@ use crate::grid::field::Field;
 use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
-/// Largest number of iterations; each costs two transforms and a sort.
+/// Maximum number of iterations; each costs two transforms and a sort.
 const LIMIT: usize = 20;
-/// Change of skewness and kurtosis below which further iterations are not worthwhile.
+/// Change of skewness and kurtosis below which the iteration ends.
 const SLOW: f64 = 0.01;
 
-/// Waves of the same moduli whose heights nearly follow a distribution of the given skewness and
-/// kurtosis, and the number of iterations.
+/// Computes waves of the same moduli whose heights approximately follow a distribution of the given skewness and
+/// kurtosis. Returns the waves and the number of iterations.
 ///
 /// # Errors
-/// [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
+/// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
 pub(super) fn approach(
     drawn: &Waves,
     wanted: [f64; 2],
@@ -39,7 +39,7 @@ pub(super) fn approach(
         replace_by_rank(&mut surface.heights, &sorted);
         waves = Waves::of(&surface.heights);
         waves.update_with([drawn], |_, wave, [drawn]| with_modulus_of(drawn, wave));
-        // Where the transform of a wave is round-off, the phases of the wave and of its mirror image are unrelated.
+        // If the transform of a wave is round-off, the phases of the wave and of its mirror image are unrelated.
         waves.pair_opposite_rows();
         surface = Standardised::new(waves.clone().into_field());
         change = deviation(surface.moments(), last);
@@ -49,7 +49,7 @@ pub(super) fn approach(
     Ok((waves, iterations))
 }
 
-/// Gives every cell the height of its rank.
+/// Assigns to every cell the sorted height of its rank.
 fn replace_by_rank(heights: &mut Field, sorted: &[f64]) {
     let heights = heights.as_mut_slice();
     let mut ranked: Vec<_> = heights.iter().copied().enumerate().collect();
@@ -59,7 +59,7 @@ fn replace_by_rank(heights: &mut Field, sorted: &[f64]) {
     }
 }
 
-/// The phase of one wave with the modulus of another.
+/// Returns a number with the phase of `wave` and the modulus of `drawn`.
 fn with_modulus_of(drawn: Complex<f64>, wave: Complex<f64>) -> Complex<f64> {
     let modulus = wave.norm();
     if modulus > 0.0 {
