@@ -1,4 +1,4 @@
-//! Gives the shared library its SONAME, which changes with `STICKSLIP_ABI_VERSION` alone.
+//! Gives the shared library its SONAME, which changes only with `STICKSLIP_ABI_VERSION`.
 
 use std::env;
 use std::fs;

@@ -1,6 +1,7 @@
-/* A mass on a contact with friction, driven to and fro: Newmark's rule of average acceleration, and in each time step
- * Newton's iteration with the tangent stiffness of the contact. Energy is balanced to the tolerance of Newton. SI units.
- * fretting_newmark [cells along a side, default 48] [time steps, default 160] */
+/* A mass on a contact with friction under an alternating force. Time integration uses Newmark's rule of average
+ * acceleration. Each time step uses Newton's iteration with the tangent stiffness of the contact. The energy balance closes
+ * to the tolerance of Newton's iteration. SI units.
+ *   fretting_newmark [cells along a side, default 48] [time steps, default 160] */
 
 #include <math.h>
 #include <stdio.h>
@@ -33,7 +34,7 @@ int main(int argc, char **argv) {
     stickslip_history *history;
     need(stickslip_history_new(bodies, ball, n * n, &friction, &options, &history));
 
-    /* Press; the rest of a load that is zero holds. */
+    /* Members of a load that are zero hold their quantities. */
     stickslip_load_step press = {{STICKSLIP_FORCE, load}, {0}, {0}, 0, 0.0, 0, 0.0};
     need(stickslip_history_step(history, &press, NULL));
     stickslip_state *before;
@@ -41,7 +42,7 @@ int main(int argc, char **argv) {
     need(stickslip_state_new(history, &before));
     need(stickslip_cycle_new(history, &cycle));
 
-    /* Driven at half of the frequency that the contact has while it sticks. */
+    /* The mass is driven at half of the natural frequency of the sticking contact. */
     stickslip_stiffness slope;
     need(stickslip_history_stiffness(history, &slope));
     double pulsation = 0.5 * sqrt(slope.tangential.reversal[0][0] / mass);
@@ -61,7 +62,7 @@ int main(int argc, char **argv) {
         double new_x = x + dt * v + 0.25 * dt * dt * a, new_a = 0.0;
         int iteration = 0;
         for (;;) {
-            /* From the state before the time step, whatever the last iteration tried. */
+            /* Each iteration starts from the state before the time step. */
             need(stickslip_history_set_state(history, before));
             stickslip_load_step move = {{STICKSLIP_HOLD, 0.0}, {STICKSLIP_SHIFT, new_x, 0.0}, {0}, 0, 0.0, 0, 0.0};
             need(stickslip_history_step(history, &move, NULL));

@@ -1,6 +1,7 @@
-// A mass on a contact with friction, driven to and fro: Newmark's rule of average acceleration, and in each time step
-// Newton's iteration with the tangent stiffness of the contact. Energy is balanced to the tolerance of Newton. SI units.
-// fretting_newmark_cpp [cells along a side, default 48] [time steps, default 160]
+// A mass on a contact with friction under an alternating force. Time integration uses Newmark's rule of average
+// acceleration. Each time step uses Newton's iteration with the tangent stiffness of the contact. The energy balance closes
+// to the tolerance of Newton's iteration. SI units.
+//   fretting_newmark_cpp [cells along a side, default 48] [time steps, default 160]
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 constexpr double MASS = 1.0, LOAD = 100.0, AMPLITUDE = 20.0;
 constexpr int STEPS_PER_CYCLE = 40;
 
-// The contact below the mass: its force on the mass is against the motion.
+// Contact below the mass; its force on the mass opposes the motion.
 class Joint {
   public:
     explicit Joint(std::size_t n) : history_(make(n)), before_(history_), cycle_(history_) {
@@ -29,7 +30,7 @@ class Joint {
     void end_step() { cycle_.add(history_); }
     stickslip_cycle_result cycle() const { return cycle_.result(); }
 
-    // Moves the mass to a place, from where it was before the time step.
+    // Moves the mass to a place, starting from its place before the time step.
     stickslip_step_result move(double place) {
         history_.set_state(before_);
         return history_.step(stickslip::step(stickslip::held_pressure(), stickslip::shift(place)));
@@ -39,7 +40,7 @@ class Joint {
     static stickslip::History make(std::size_t n) {
         const stickslip::Grid grid = {n, n, 0.30e-3 / double(n), 0.30e-3 / double(n)};
         const auto steel = stickslip::elastic(213e9, 0.29);
-        const stickslip::HalfSpace bodies(grid, steel, steel); // the history keeps what it needs of it
+        const stickslip::HalfSpace bodies(grid, steel, steel); // the history keeps the parts it needs
         auto options = stickslip_history_options_default();
         options.settings.tolerance = 1e-10;
         return {bodies, stickslip::sphere(grid, 3.5e-3), stickslip::coulomb(0.5), options};
@@ -52,7 +53,7 @@ class Joint {
 
 bool run(std::size_t n, int steps) {
     Joint joint(n);
-    // Driven at half of the frequency that the contact has while it sticks.
+    // The mass is driven at half of the natural frequency of the sticking contact.
     const double pulsation = 0.5 * std::sqrt(joint.stuck_stiffness() / MASS);
     const double dt = 2.0 * std::acos(-1.0) / pulsation / STEPS_PER_CYCLE;
     double x = 0.0, v = 0.0, a = 0.0, pull = 0.0, given = 0.0, dissipated = 0.0, stored = 0.0;

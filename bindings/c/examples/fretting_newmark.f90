@@ -1,6 +1,7 @@
-! A mass on a contact with friction, driven to and fro: Newmark's rule of average acceleration, and in each time step
-! Newton's iteration with the tangent stiffness of the contact. Energy is balanced to the tolerance of Newton. SI units.
-! fretting_newmark_f [cells along a side, default 48] [time steps, default 160]
+! A mass on a contact with friction under an alternating force. Time integration uses Newmark's rule of average
+! acceleration. Each time step uses Newton's iteration with the tangent stiffness of the contact. The energy balance closes
+! to the tolerance of Newton's iteration. SI units.
+!   fretting_newmark_f [cells along a side, default 48] [time steps, default 160]
 program fretting_newmark
     use stickslip
     implicit none
@@ -45,7 +46,7 @@ contains
         call history%new(bodies, ball, stickslip_coulomb(0.5d0), options)
         call history%step(stickslip_load_step(normal=stickslip_normal_load(STICKSLIP_FORCE, load)))
 
-        ! Driven at half of the frequency that the contact has while it sticks.
+        ! The mass is driven at half of the natural frequency of the sticking contact.
         slope = history%stiffness()
         pulsation = 0.5d0 * sqrt(slope%tangential%reversal(1, 1) / mass)
         dt = 2 * acos(-1d0) / pulsation / steps_per_cycle
@@ -56,7 +57,7 @@ contains
             call before%keep(history)
             new_x = x + dt * v + 0.25d0 * dt**2 * a
             do iteration = 0, 30
-                ! From the state before the time step, whatever the last iteration tried.
+                ! Each iteration starts from the state before the time step.
                 call history%set_state(before)
                 call history%step(stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, new_x)))
                 now = history%result()

@@ -1,5 +1,5 @@
-/* A steel ball on steel, pressed and sheared, beside Hertz and Cattaneo-Mindlin. SI units.
- * press_and_shear [cells along a side, default 128] */
+/* A steel ball on steel, pressed and sheared, compared with the solutions of Hertz and of Cattaneo and Mindlin. SI units.
+ *   press_and_shear [cells along a side, default 128] */
 
 #include <math.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@ static void need(stickslip_status status) {
     }
 }
 
-/* Prints a number beside its closed form, and returns whether they agree. */
+/* Prints a number and its closed-form value, and returns whether they agree. */
 static int agrees(const char *name, double found, double exact, double tolerance) {
     double error = found / exact - 1.0;
     printf("%-16s %.6e  closed form %.6e  difference %+.1e\n", name, found, exact, error);
@@ -51,7 +51,7 @@ int main(int argc, char **argv) {
     need(stickslip_tangential_solution_new(shearer, &sheared));
     need(stickslip_tangential_solver_solve(shearer, sheared, NULL));
 
-    /* The fields are where the solutions have them. */
+    /* The pointers refer to the fields of the solutions; nothing is copied. */
     size_t count;
     const double *pressure = stickslip_normal_solution_field(pressed, STICKSLIP_PRESSURE, &count);
     double largest = 0.0;
@@ -71,7 +71,7 @@ int main(int argc, char **argv) {
     double peak = 1.5 * load / (acos(-1.0) * a * a);
     double stick = cbrt(1.0 - drag / (mu * load));
     double shift = 3.0 * mu * load / (16.0 * pair.tangential_modulus * a) * (1.0 - stick * stick);
-    /* The grid resolves pressure and shift to a fraction of a cell, the stick zone to cells. */
+    /* The grid resolves pressure and shift to a fraction of a cell, and the stick zone to whole cells. */
     double cells = a / grid.dx;
     int good = agrees("approach", normal.approach, a * a / radius, 0.3 / (cells * cells));
     good &= agrees("largest pressure", largest, peak, 3.0 / (cells * cells));
@@ -79,7 +79,7 @@ int main(int argc, char **argv) {
     good &= agrees("stick ratio", shear.stick_ratio, stick * stick, 0.6 / cells);
     good &= report.energy_error_bound <= 1e-8;
 
-    /* More than friction holds is refused, with the limit. */
+    /* A force above the friction capacity is rejected; the error contains the limit. */
     stickslip_error error;
     pull.x.value = 60.0;
     good &= stickslip_tangential_solver_set_load(shearer, &pull) == STICKSLIP_BEYOND_FRICTION_CAPACITY;

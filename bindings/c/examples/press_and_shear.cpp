@@ -1,5 +1,5 @@
-// A steel ball on steel, pressed and sheared, beside Hertz and Cattaneo-Mindlin. SI units.
-// press_and_shear_cpp [cells along a side, default 128]
+// A steel ball on steel, pressed and sheared, compared with the solutions of Hertz and of Cattaneo and Mindlin. SI units.
+//   press_and_shear_cpp [cells along a side, default 128]
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace {
 
-// Prints a number beside its closed form, and returns whether they agree.
+// Prints a number and its closed-form value, and returns whether they agree.
 bool agrees(const char *name, double found, double exact, double tolerance) {
     const double error = found / exact - 1.0;
     std::printf("%-16s %.6e  closed form %.6e  difference %+.1e\n", name, found, exact, error);
@@ -30,14 +30,14 @@ bool run(std::size_t n) {
                                         stickslip::tangential(stickslip::force(drag)));
     const auto sheared = shearer.solve();
 
-    const auto pressure = pressed.pressure(); // where the solution has it
+    const auto pressure = pressed.pressure(); // a view of the solution, not a copy
     const double largest = *std::max_element(pressure.begin(), pressure.end());
     const auto pair = bodies.pair();
     const double a = std::cbrt(0.75 * load * radius / pair.contact_modulus);
     const double peak = 1.5 * load / (std::acos(-1.0) * a * a);
     const double stick = std::cbrt(1.0 - drag / (mu * load));
     const double shift = 3.0 * mu * load / (16.0 * pair.tangential_modulus * a) * (1.0 - stick * stick);
-    // The grid resolves pressure and shift to a fraction of a cell, the stick zone to cells.
+    // The grid resolves pressure and shift to a fraction of a cell, and the stick zone to whole cells.
     const double cells = a / grid.dx;
     bool good = agrees("approach", pressed.result().approach, a * a / radius, 0.3 / (cells * cells));
     good &= agrees("largest pressure", largest, peak, 3.0 / (cells * cells));
@@ -46,7 +46,7 @@ bool run(std::size_t n) {
     const auto zones = sheared.zones();
     good &= std::count(zones.begin(), zones.end(), STICKSLIP_STICK) > 0 && looks > 0;
 
-    // More than friction holds is refused, with the limit.
+    // A force above the friction capacity is rejected; the error contains the limit.
     try {
         shearer.set_load(stickslip::tangential(stickslip::force(60.0)));
         good = false;
@@ -54,7 +54,7 @@ bool run(std::size_t n) {
         std::printf("refused: %s\n", error.what());
         good &= error.code() == STICKSLIP_BEYOND_FRICTION_CAPACITY && error.numbers().value == 60.0;
     }
-    // What an observer throws comes out of the solve.
+    // An exception of the observer propagates out of the solve.
     try {
         shearer.reset();
         shearer.solve([](const stickslip::Iteration &) -> bool { throw std::string("enough"); });

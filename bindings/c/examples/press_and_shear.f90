@@ -1,5 +1,5 @@
-! A steel ball on steel, pressed and sheared, beside Hertz and Cattaneo-Mindlin. SI units.
-! press_and_shear_f [cells along a side, default 128]
+! A steel ball on steel, pressed and sheared, compared with the solutions of Hertz and of Cattaneo and Mindlin. SI units.
+!   press_and_shear_f [cells along a side, default 128]
 program press_and_shear
     use stickslip
     implicit none
@@ -45,7 +45,7 @@ contains
         call shearer%new(bodies, pressed, stickslip_coulomb(mu), pull_of(drag))
         call shearer%solve(sheared)
 
-        pressure => pressed%field(STICKSLIP_PRESSURE) ! where the solution has it
+        pressure => pressed%field(STICKSLIP_PRESSURE) ! a pointer into the solution, not a copy
         normal = pressed%result()
         shear = sheared%result()
         report = sheared%report()
@@ -54,7 +54,7 @@ contains
         peak = 1.5d0 * load / (acos(-1d0) * a**2)
         stick = (1 - drag / (mu * load))**(1 / 3d0)
         shift = 3 * mu * load / (16 * pair%tangential_modulus * a) * (1 - stick**2)
-        ! The grid resolves pressure and shift to a fraction of a cell, the stick zone to cells.
+        ! The grid resolves pressure and shift to a fraction of a cell, and the stick zone to whole cells.
         cells = a / grid%dx
         call compare('approach', normal%approach, a**2 / radius, 0.3d0 / cells**2)
         call compare('largest pressure', maxval(pressure), peak, 3 / cells**2)
@@ -62,7 +62,7 @@ contains
         call compare('stick ratio', shear%stick_ratio, stick**2, 0.6d0 / cells)
         good = good .and. report%energy_error_bound <= 1d-8
 
-        ! More than friction holds is refused, with the limit.
+        ! A force above the friction capacity is rejected; the message contains the limit.
         call shearer%set_load(pull_of(60d0), status)
         told = stickslip_last_error(error)
         print '(a)', 'refused: ' // stickslip_message()
@@ -75,7 +75,7 @@ contains
         pull = stickslip_tangential_load(x=stickslip_control(STICKSLIP_FORCE, force))
     end function pull_of
 
-    ! Prints a number beside its closed form, and remembers if they do not agree.
+    ! Prints a number and its closed-form value, and records a disagreement.
     subroutine compare(name, found, exact, tolerance)
         character(len=*), intent(in) :: name
         real(c_double), intent(in) :: found, exact, tolerance

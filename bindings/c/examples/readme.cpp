@@ -1,4 +1,4 @@
-// The example of the README.
+// Example of the README.
 #include <cmath>
 // begin
 #include <cstdio>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes stickslip_bindings.f90, the interface of include/stickslip.h for Fortran: make_bindings.py HEADER > MODULE.
+"""Writes stickslip_bindings.f90, the Fortran interface of include/stickslip.h: make_bindings.py HEADER > MODULE.
 
-It knows the C that cbindgen writes, no other, and fails on a type that it does not know."""
+The script parses only C written by cbindgen, and fails on an unsupported type."""
 
 import re
 import sys
@@ -16,12 +16,12 @@ NUMBERS = {
     "double": "real(c_double)",
     "char": "character(kind=c_char)",
 }
-# Parameters that point to many entries; all others point to one.
+# Parameters that point to arrays; all other pointers refer to one value.
 ARRAYS = {
     "gap", "pressure", "depth", "buffer", "bytes", "histories", "loads", "codes",
     "depths", "points", "forces", "responses", "values", "heights", "labels", "layers_1", "layers_2", "slip_distance", "centres", "means",
 }
-# Members of structs whose default is not zero, as ..._default() has them; tests/reach.f90 compares the two.
+# Members of structs with a nonzero default, as ..._default() returns them; tests/reach.f90 compares the two.
 INFINITE = "transfer(int(z'7FF0000000000000', c_int64_t), 0.0_c_double)"
 NOT_A_NUMBER = "transfer(int(z'7FF8000000000000', c_int64_t), 0.0_c_double)"
 DEFAULTS = {
@@ -38,13 +38,13 @@ DEFAULTS = {
     ("stickslip_self_affine", "skewness"): NOT_A_NUMBER,
     ("stickslip_self_affine", "kurtosis"): NOT_A_NUMBER,
 }
-# Fortran does not tell the constant from the function.
+# Fortran ignores case, so the constant needs a name that differs from the function.
 RENAMED = {"STICKSLIP_ABI_VERSION": "STICKSLIP_ABI_VERSION_COMPILED"}
 WIDTH = 120
 
 
 def wrapped(text, indent):
-    """A line of Fortran, continued where it is too long."""
+    """Returns a line of Fortran, split into continuation lines if it is too long."""
     lines, rest = [], " " * indent + text
     while len(rest) > WIDTH:
         cut = rest.rindex(",", 0, WIDTH - 2) + 1
@@ -61,7 +61,7 @@ class Header:
         self.functions = {m for m in re.findall(r"^typedef \w+ \(\*(stickslip_\w+)\)", text, re.M)}
 
     def member(self, declared):
-        """A member of a struct: its type, its name, its shape."""
+        """Returns the type, the name and the shape of a member of a struct."""
         found = re.fullmatch(r"(const )?(\w+) (\*?)(\w+)((?:\[\w+\])*)", declared)
         kind, pointer, name, shape = found[2], found[3], found[4], re.findall(r"\[(\w+)\]", found[5])
         if pointer:
@@ -70,11 +70,11 @@ class Header:
             kind = "type(c_funptr)"
         else:
             kind = NUMBERS.get(kind) or self.struct(kind)
-        # The first index is the fastest in Fortran, the last in C.
+        # The first index varies fastest in Fortran, the last index in C.
         return kind, name, f"({', '.join(reversed(shape))})" if shape else ""
 
     def defaulted(self, struct, declared):
-        """A member with the value that it has where none is given; structs in structs have those of their own members."""
+        """Returns a member with its default value; a struct within a struct uses the defaults of its own members."""
         kind, name, shape = self.member(declared)
         zeros = {"type(c_ptr)": "c_null_ptr", "type(c_funptr)": "c_null_funptr", NUMBERS["char"]: "c_null_char"}
         zero = zeros.get(kind, "" if kind.startswith("type") else "0")
@@ -87,7 +87,7 @@ class Header:
         return f"type({kind})"
 
     def parameter(self, declared):
-        """A parameter of a function: its name and declaration."""
+        """Returns the name and the declaration of a parameter of a function."""
         found = re.fullmatch(r"(const )?(\w+) (\*const \*|\**)(\w+)", declared)
         is_const, kind, stars, name = found[1], found[2], found[3], found[4]
         many = "(*)" if name in ARRAYS else ""
@@ -99,9 +99,9 @@ class Header:
                 return name, f"{handle}, value :: {name}"
             return name, f"{handle}, intent({'in' if many else 'out'}) :: {name}{many}"
         base = NUMBERS.get(kind) or self.struct(kind)
-        # An array of no known length cannot be given default values.
+        # An assumed-size array cannot have default initialisation.
         intent = "in" if is_const else "inout" if many else "out"
-        # What is left out is NULL.
+        # An omitted argument is passed as NULL.
         optional = "" if kind == "double" and many else ", optional"
         return name, f"{base}, intent({intent}){optional} :: {name}{many}"
 
@@ -164,10 +164,10 @@ def main():
             constants += []
             types.setdefault("public", []).append(f"    public :: {name}")
     public = types.pop("public")
-    print("! The interface of stickslip.h for Fortran, made from it by make_bindings.py: do not edit. The rules at the head of")
-    print("! stickslip.h hold here too. Each kind of object has a type, the pointer of C; an optional argument that is left out is")
-    print("! NULL; a matrix has its column first. Members of structs begin with their defaults. The module stickslip has types that")
-    print("! free themselves.")
+    print("! Fortran interface of stickslip.h, generated from it by make_bindings.py: do not edit. The rules at the head of")
+    print("! stickslip.h apply here too. Each kind of object has a type that contains the C pointer. An omitted optional")
+    print("! argument is passed as NULL. A matrix has its column index first. Members of structs have default values. The module")
+    print("! stickslip has types that free themselves.")
     print("module stickslip_bindings")
     print("    use, intrinsic :: iso_c_binding")
     print("    implicit none")

@@ -1,4 +1,4 @@
-! Contacts of dissimilar bodies, pressure and traction found together.
+! Contacts of dissimilar bodies with coupled pressure and traction.
 module stickslip_coupled
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -8,7 +8,7 @@ module stickslip_coupled
 
     public :: coupled_solver, coupled_solution
 
-    ! Solves coupled contacts again and again, each from rest in one step.
+    ! Solver for repeated coupled contacts, each loaded from rest in one step.
     type, extends(stickslip_object) :: coupled_solver
         type(stickslip_coupled_solver) :: handle
         type(stickslip_grid) :: grid
@@ -25,7 +25,7 @@ module stickslip_coupled
         final :: coupled_solver_final
     end type coupled_solver
 
-    ! A solved coupled contact; made by the first solve into it.
+    ! Solution of a coupled contact; the first solve into it creates it.
     type, extends(stickslip_object) :: coupled_solution
         type(stickslip_coupled_solution) :: handle
         type(stickslip_grid) :: grid
@@ -46,7 +46,8 @@ module stickslip_coupled
 
 contains
 
-    ! relative is a displacement of body 1 relative to body 2 that the contact does not cause, such as that of bulk strain.
+    ! Creates a solver. relative is a displacement of body 1 relative to body 2 that the contact does not cause, for example
+    ! due to bulk strain.
     subroutine coupled_solver_new(this, bodies, gap, friction, normal, tangential, hardness, settings, relative, &
             status)
         class(coupled_solver), intent(inout) :: this
@@ -97,7 +98,7 @@ contains
         call report_status(stickslip_coupled_solver_set_settings(this%handle, settings), status)
     end subroutine coupled_solver_set_settings
 
-    ! Forgets the last answer: the next solve starts as the first did.
+    ! Discards the last solution: the next solve starts as the first solve did.
     subroutine coupled_solver_reset(this, status)
         class(coupled_solver), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -119,7 +120,7 @@ contains
         call report_status(code, status)
     end subroutine coupled_solver_solve
 
-    ! STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
+    ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
     function coupled_solution_field(this, which, status) result(samples)
         class(coupled_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -131,7 +132,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function coupled_solution_field
 
-    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    ! Returns the zone of every cell: STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
     function coupled_solution_zones(this, status) result(zones)
         class(coupled_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -142,7 +143,7 @@ contains
         zones => map_of_zones(first, count, this%grid, status)
     end function coupled_solution_zones
 
-    ! The numbers of both halves.
+    ! Returns the scalar results of the normal and the tangential part.
     subroutine coupled_solution_results(this, normal, tangential, status)
         class(coupled_solution), intent(in) :: this
         type(stickslip_normal_result), intent(out), optional :: normal
@@ -158,7 +159,7 @@ contains
         call report_status(stickslip_coupled_solution_report(this%handle, report), status)
     end function coupled_solution_report
 
-    ! Diagnostics that may mislead; warning_text has the message of each.
+    ! Returns the warnings about the solution; warning_text returns the message of each.
     subroutine coupled_solution_warnings(this, warnings, status)
         class(coupled_solution), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -173,7 +174,7 @@ contains
         call report_status(code, status)
     end subroutine coupled_solution_warnings
 
-    ! With the friction it was solved for.
+    ! Returns the stiffness; bodies and friction must be those of the solve.
     function coupled_solution_stiffness(this, bodies, friction, observer, status) result(stiffness)
         class(coupled_solution), intent(in) :: this
         class(half_space), intent(in) :: bodies
@@ -185,14 +186,15 @@ contains
             observer, stiffness), status)
     end function coupled_solution_stiffness
 
-    ! The edges inside the cells, the magnitude of the traction at the centres of the cells and its means over them.
+    ! Returns the edges inside the cells, the magnitude of the traction at the centres of the cells, and its means over the
+    ! cells.
     subroutine coupled_solution_edges(this, friction, edges, centres, means, status)
         class(coupled_solution), intent(in) :: this
         type(stickslip_friction), intent(in) :: friction
         type(stickslip_edges), intent(out) :: edges
         real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
         integer(c_int32_t), intent(out), optional :: status
-        ! Not those of the caller: gfortran does not pass on one that is absent.
+        ! Local arrays replace the arguments, because gfortran does not pass on an absent allocatable argument.
         real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
         integer(c_size_t) :: cells
         integer(c_int32_t) :: code
@@ -205,13 +207,13 @@ contains
         call report_status(code, status)
     end subroutine coupled_solution_edges
 
-    ! The edge of the contact alone, with the pressure at the centres of the cells and its means over them.
+    ! Returns the edge of the contact, the pressure at the centres of the cells, and its means over the cells.
     subroutine coupled_solution_pressure_edges(this, edges, centres, means, status)
         class(coupled_solution), intent(in) :: this
         type(stickslip_edges), intent(out) :: edges
         real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
         integer(c_int32_t), intent(out), optional :: status
-        ! Not those of the caller: gfortran does not pass on one that is absent.
+        ! Local arrays replace the arguments, because gfortran does not pass on an absent allocatable argument.
         real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
         integer(c_size_t) :: cells
         integer(c_int32_t) :: code
@@ -224,7 +226,7 @@ contains
         call report_status(code, status)
     end subroutine coupled_solution_pressure_edges
 
-    ! Of the error that the cells leave in pressure and traction; NaN of what there is not.
+    ! Returns the estimates of the discretisation errors of pressure and traction; NaN without contact or without traction.
     subroutine coupled_solution_discretisation_estimates(this, pressure, traction, status)
         class(coupled_solution), intent(in) :: this
         real(c_double), intent(out) :: pressure, traction
@@ -232,7 +234,7 @@ contains
         call report_status(stickslip_coupled_solution_discretisation_estimates(this%handle, pressure, traction), status)
     end subroutine coupled_solution_discretisation_estimates
 
-    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine coupled_solver_take(this, made, grid, made_with, status)
         class(coupled_solver), intent(inout) :: this
         type(stickslip_coupled_solver), intent(in) :: made
@@ -257,7 +259,7 @@ contains
         address = this%handle%address
     end function coupled_solver_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine coupled_solver_free(this)
         class(coupled_solver), intent(inout) :: this
         if (stickslip_coupled_solver_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_coupled_solver()
@@ -274,7 +276,7 @@ contains
         address = this%handle%address
     end function coupled_solution_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine coupled_solution_free(this)
         class(coupled_solution), intent(inout) :: this
         if (stickslip_coupled_solution_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_coupled_solution()

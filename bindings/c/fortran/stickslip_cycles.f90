@@ -1,4 +1,4 @@
-! Cycles of histories, and loads in short steps.
+! Cycles of histories, and adaptive load steps.
 module stickslip_cycles
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -9,7 +9,7 @@ module stickslip_cycles
 
     public :: contact_cycle, adaptive_steps
 
-    ! What the steps of a history add up to.
+    ! Sums over the steps of a history.
     type, extends(stickslip_object) :: contact_cycle
         type(stickslip_cycle) :: handle
         type(stickslip_grid) :: grid
@@ -24,7 +24,7 @@ module stickslip_cycles
         final :: cycle_final
     end type contact_cycle
 
-    ! Takes loads in steps short enough for a tolerance of the tractions.
+    ! Applies loads in steps that are short enough for a tolerance of the tractions.
     type, extends(stickslip_object) :: adaptive_steps
         type(stickslip_adaptive_steps) :: handle
     contains
@@ -38,7 +38,7 @@ module stickslip_cycles
 
 contains
 
-    ! Begins at the present state of a history.
+    ! Starts the cycle at the current state of a history.
     subroutine cycle_begin(this, history, status)
         class(contact_cycle), intent(inout) :: this
         class(contact_history), intent(in) :: history
@@ -68,7 +68,8 @@ contains
         call report_status(stickslip_cycle_result_of(this%handle, found), status)
     end function cycle_result
 
-    ! STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE or a STICKSLIP_SLIP_AMPLITUDE.
+    ! Returns a field: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE or a
+    ! STICKSLIP_SLIP_AMPLITUDE.
     function cycle_field(this, which, status) result(samples)
         class(contact_cycle), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -80,7 +81,8 @@ contains
         samples => plane(first, count, this%grid, status)
     end function cycle_field
 
-    ! How many cycles like this one may be jumped over, not rounded, where it removed this depth.
+    ! Returns the number of cycles like this one that a jump may skip, not rounded; depth is the depth that the cycle
+    ! removed.
     function cycle_jump(this, bodies, depth, limits, status) result(cycles)
         class(contact_cycle), intent(in) :: this
         class(half_space), intent(in) :: bodies
@@ -94,7 +96,7 @@ contains
             cycles), status)
     end function cycle_jump
 
-    ! For histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
+    ! Creates the buffers for histories on the grid of this history, with a tolerance in (0, 1) for a whole load.
     subroutine steps_new(this, history, tolerance, status)
         class(adaptive_steps), intent(inout) :: this
         class(contact_history), intent(in) :: history
@@ -106,7 +108,7 @@ contains
         call steps_take(this, made, code, status)
     end subroutine steps_new
 
-    ! Takes a load, in so many steps.
+    ! Applies a load; taken is the number of steps.
     subroutine steps_step(this, history, load, taken, status)
         class(adaptive_steps), intent(in) :: this
         class(contact_history), intent(in) :: history
@@ -116,7 +118,7 @@ contains
         call report_status(stickslip_adaptive_steps_step(this%handle, history%handle, load, taken), status)
     end subroutine steps_step
 
-    ! The error that one step would make with a load.
+    ! Returns the error that one step would make with a load.
     function steps_error(this, history, load, status) result(error)
         class(adaptive_steps), intent(in) :: this
         class(contact_history), intent(in) :: history
@@ -132,7 +134,7 @@ contains
         address = this%handle%address
     end function cycle_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine cycle_free(this)
         class(contact_cycle), intent(inout) :: this
         if (stickslip_cycle_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_cycle()
@@ -143,7 +145,7 @@ contains
         call this%free()
     end subroutine cycle_final
 
-    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine steps_take(this, made, made_with, status)
         class(adaptive_steps), intent(inout) :: this
         type(stickslip_adaptive_steps), intent(in) :: made
@@ -166,7 +168,7 @@ contains
         address = this%handle%address
     end function steps_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine steps_free(this)
         class(adaptive_steps), intent(inout) :: this
         if (stickslip_adaptive_steps_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_adaptive_steps()

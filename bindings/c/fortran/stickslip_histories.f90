@@ -1,4 +1,4 @@
-! Contacts that are loaded step by step, and their states.
+! Contacts that are loaded step by step, and their saved states.
 module stickslip_histories
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -8,7 +8,7 @@ module stickslip_histories
 
     public :: contact_history, contact_state
 
-    ! A contact that is loaded step by step.
+    ! Contact that is loaded step by step, with memory of slip.
     type, extends(stickslip_object) :: contact_history
         type(stickslip_history) :: handle
         type(stickslip_grid) :: grid
@@ -42,7 +42,7 @@ module stickslip_histories
         final :: history_final
     end type contact_history
 
-    ! A state that a history may return to.
+    ! Saved state of a history; a history can return to it.
     type, extends(stickslip_object) :: contact_state
         type(stickslip_state) :: handle
     contains
@@ -68,7 +68,7 @@ contains
         call history_take(this, made, bodies%grid, code, status)
     end subroutine history_new
 
-    ! Makes copy one of this history, independent of it.
+    ! Makes copy an independent copy of this history.
     subroutine history_clone(this, copy, status)
         class(contact_history), intent(in) :: this
         class(contact_history), intent(inout) :: copy
@@ -87,8 +87,8 @@ contains
         call report_status(stickslip_history_step(this%handle, load, observer), status)
     end subroutine history_step
 
-    ! Takes a load in as many steps as a tolerance needs, and writes their number to taken. A contact of dissimilar bodies must
-    ! be pressed so.
+    ! Applies a load in as many steps as a tolerance requires, and writes their number to taken. Contacts of dissimilar
+    ! bodies must be pressed with this procedure.
     subroutine history_press(this, load, tolerance, taken, observer, status)
         class(contact_history), intent(in) :: this
         type(stickslip_load_step), intent(in) :: load
@@ -121,7 +121,8 @@ contains
         call report_status(stickslip_history_set_settings(this%handle, settings), status)
     end subroutine history_set_settings
 
-    ! A displacement of body 1 relative to body 2 that the contact does not cause, such as that of bulk strain.
+    ! Sets the pattern of a displacement of body 1 relative to body 2 that the contact does not cause, for example due to
+    ! bulk strain.
     subroutine history_set_relative_displacement(this, x, y, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), target, contiguous :: x(:, :), y(:, :)
@@ -161,7 +162,8 @@ contains
         call report_status(stickslip_history_friction_capacity(this%handle, capacity), status)
     end function history_friction_capacity
 
-    ! How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held.
+    ! Returns the reports of the pressure and the traction of the last step; their status is STICKSLIP_UNSOLVED if the
+    ! pressure was held.
     subroutine history_reports(this, normal, tangential, status)
         class(contact_history), intent(in) :: this
         type(stickslip_report), intent(out) :: normal, tangential
@@ -169,7 +171,7 @@ contains
         call report_status(stickslip_history_reports(this%handle, normal, tangential), status)
     end subroutine history_reports
 
-    ! Diagnostics that may mislead; warning_text has the message of each.
+    ! Returns the warnings about the last step; warning_text returns the message of each.
     subroutine history_warnings(this, warnings, status)
         class(contact_history), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -192,8 +194,8 @@ contains
         call report_status(stickslip_history_stiffness_observed(this%handle, observer, stiffness), status)
     end function history_stiffness
 
-    ! The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came into
-    ! contact in the last step, and cells at their limit continue to slip.
+    ! Returns the stiffness of a next step from the current state: stick cells resist fully, including those that came into
+    ! contact in the last step, and cells at their friction limit continue to slip.
     function history_next_stiffness(this, observer, status) result(stiffness)
         class(contact_history), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer
@@ -202,7 +204,7 @@ contains
         call report_status(stickslip_history_next_stiffness(this%handle, observer, stiffness), status)
     end function history_next_stiffness
 
-    ! A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements.
+    ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements.
     function history_field(this, which, status) result(samples)
         class(contact_history), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -214,7 +216,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function history_field
 
-    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    ! Returns the zone of every cell: STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
     function history_zones(this, status) result(zones)
         class(contact_history), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -225,7 +227,7 @@ contains
         zones => map_of_zones(first, count, this%grid, status)
     end function history_zones
 
-    ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+    ! Returns the contact spots and, for every cell, the number of its spot: counted from one, zero outside the contact.
     subroutine history_spots(this, spots, labels, status)
         class(contact_history), intent(in) :: this
         type(stickslip_spot), allocatable, intent(out) :: spots(:)
@@ -248,7 +250,8 @@ contains
         call report_status(code, status)
     end subroutine history_spots
 
-    ! Adds to depth what Archard's law removes in the last step: a coefficient for all cells, or one for each.
+    ! Adds to depth the depth that Archard's law removes in the last step; the coefficient is one value for all cells or a
+    ! value for each cell.
     subroutine wear_archard_uniform(this, coefficient, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
@@ -270,7 +273,7 @@ contains
             status)
     end subroutine wear_archard_of_cells
 
-    ! The same of the energy law.
+    ! Adds to depth the depth that the energy law removes in the last step, with the same forms of the coefficient.
     subroutine wear_energy_uniform(this, coefficient, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
@@ -317,7 +320,7 @@ contains
         call history_take(this, made, bodies%grid, code, status)
     end subroutine history_from_bytes
 
-    ! Keeps the present state of a history.
+    ! Saves the current state of a history.
     subroutine state_keep(this, history, status)
         class(contact_state), intent(inout) :: this
         class(contact_history), intent(in) :: history
@@ -331,7 +334,7 @@ contains
         call report_status(code, status)
     end subroutine state_keep
 
-    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine history_take(this, made, grid, made_with, status)
         class(contact_history), intent(inout) :: this
         type(stickslip_history), intent(in) :: made
@@ -356,7 +359,7 @@ contains
         address = this%handle%address
     end function history_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine history_free(this)
         class(contact_history), intent(inout) :: this
         if (stickslip_history_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_history()
@@ -373,7 +376,7 @@ contains
         address = this%handle%address
     end function state_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine state_free(this)
         class(contact_state), intent(inout) :: this
         if (stickslip_state_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_state()

@@ -8,7 +8,7 @@ module stickslip_normal
 
     public :: normal_solver, normal_solution
 
-    ! Solves normal contacts again and again.
+    ! Solver for repeated normal contacts.
     type, extends(stickslip_object) :: normal_solver
         type(stickslip_normal_solver) :: handle
         type(stickslip_grid) :: grid
@@ -24,7 +24,7 @@ module stickslip_normal
         final :: normal_solver_final
     end type normal_solver
 
-    ! A solved normal contact; made by the first solve into it.
+    ! Solution of a normal contact; the first solve into it creates it.
     type, extends(stickslip_object) :: normal_solution
         type(stickslip_normal_solution) :: handle
         type(stickslip_grid) :: grid
@@ -81,7 +81,7 @@ contains
         call report_status(stickslip_normal_solver_set_settings(this%handle, settings), status)
     end subroutine normal_solver_set_settings
 
-    ! Forgets the last answer: the next solve starts as the first did.
+    ! Discards the last solution: the next solve starts as the first solve did.
     subroutine normal_solver_reset(this, status)
         class(normal_solver), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -103,7 +103,7 @@ contains
         call report_status(code, status)
     end subroutine normal_solver_solve
 
-    ! STICKSLIP_PRESSURE or STICKSLIP_GAP.
+    ! Returns STICKSLIP_PRESSURE or STICKSLIP_GAP.
     function normal_solution_field(this, which, status) result(samples)
         class(normal_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -129,7 +129,7 @@ contains
         call report_status(stickslip_normal_solution_report(this%handle, report), status)
     end function normal_solution_report
 
-    ! Diagnostics that may mislead; warning_text has the message of each.
+    ! Returns the warnings about the solution; warning_text returns the message of each.
     subroutine normal_solution_warnings(this, warnings, status)
         class(normal_solution), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -153,7 +153,7 @@ contains
         call report_status(stickslip_normal_solution_stiffness_observed(this%handle, bodies%handle, observer, stiffness), status)
     end function normal_solution_stiffness
 
-    ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+    ! Returns the contact spots and, for every cell, the number of its spot: counted from one, zero outside the contact.
     subroutine normal_solution_spots(this, spots, labels, status)
         class(normal_solution), intent(in) :: this
         type(stickslip_spot), allocatable, intent(out) :: spots(:)
@@ -176,13 +176,14 @@ contains
         call report_status(code, status)
     end subroutine normal_solution_spots
 
-    ! The edge of the contact inside the cells, the pressure at the centres of the cells and its means over them.
+    ! Returns the edge of the contact inside the cells, the pressure at the centres of the cells, and its means over the
+    ! cells.
     subroutine normal_solution_edges(this, edges, centres, means, status)
         class(normal_solution), intent(in) :: this
         type(stickslip_edges), intent(out) :: edges
         real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
         integer(c_int32_t), intent(out), optional :: status
-        ! Not those of the caller: gfortran does not pass on one that is absent.
+        ! Local arrays replace the arguments, because gfortran does not pass on an absent allocatable argument.
         real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
         integer(c_size_t) :: cells
         integer(c_int32_t) :: code
@@ -195,7 +196,7 @@ contains
         call report_status(code, status)
     end subroutine normal_solution_edges
 
-    ! Of the error that the cells leave; NaN without contact.
+    ! Returns the estimate of the discretisation error; NaN without contact.
     function normal_solution_discretisation_estimate(this, status) result(estimate)
         class(normal_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -203,7 +204,7 @@ contains
         call report_status(stickslip_normal_solution_discretisation_estimate(this%handle, estimate), status)
     end function normal_solution_discretisation_estimate
 
-    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine normal_solver_take(this, made, grid, made_with, status)
         class(normal_solver), intent(inout) :: this
         type(stickslip_normal_solver), intent(in) :: made
@@ -228,7 +229,7 @@ contains
         address = this%handle%address
     end function normal_solver_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine normal_solver_free(this)
         class(normal_solver), intent(inout) :: this
         if (stickslip_normal_solver_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_normal_solver()
@@ -245,7 +246,7 @@ contains
         address = this%handle%address
     end function normal_solution_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine normal_solution_free(this)
         class(normal_solution), intent(inout) :: this
         if (stickslip_normal_solution_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_normal_solution()

@@ -1,10 +1,10 @@
-! What all objects have, and two bodies on a grid. The module stickslip passes on what programs need of it.
+! Common parts of all objects, and two bodies on a grid. The module stickslip re-exports the parts that programs need.
 module stickslip_objects
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
     implicit none
 
-    ! What all objects have: an address, by which they are told to be made.
+    ! Base type of all objects: the address shows whether the object has been created.
     type, abstract :: stickslip_object
     contains
         procedure(address_of), deferred :: address
@@ -13,7 +13,7 @@ module stickslip_objects
     end type stickslip_object
 
     abstract interface
-        ! The address of what C has made; NULL before.
+        ! Returns the address of the C object; NULL before it is created.
         function address_of(this) result(address)
             import
             class(stickslip_object), intent(in) :: this
@@ -21,7 +21,7 @@ module stickslip_objects
         end function address_of
     end interface
 
-    ! Two bodies on a grid.
+    ! Two elastic half-spaces on a grid.
     type, extends(stickslip_object) :: half_space
         type(stickslip_half_space) :: handle
         type(stickslip_grid) :: grid
@@ -37,13 +37,14 @@ module stickslip_objects
 
 contains
 
-    ! The message of the last failure in C on this thread; the refusals of these modules have their code alone.
+    ! Returns the message of the last failure in C on this thread. Errors that these modules detect themselves have only a
+    ! code.
     function stickslip_message() result(message)
         character(len=:), allocatable :: message
         message = text_of(stickslip_last_error_message())
     end function stickslip_message
 
-    ! The version of the library.
+    ! Returns the version of the library.
     function stickslip_version_text() result(version)
         character(len=:), allocatable :: version
         version = text_of(stickslip_version())
@@ -73,7 +74,7 @@ contains
         end if
     end subroutine report_status
 
-    ! Refuses what C does not see; the message is shown where there is no status.
+    ! Reports an error that C does not detect. Without status the message is shown and the program stops.
     subroutine refuse(code, message, status)
         integer(c_int32_t), intent(in) :: code
         character(len=*), intent(in) :: message
@@ -89,7 +90,8 @@ contains
             error stop 'stickslip: an object cannot be assigned'
     end subroutine refuse_copy
 
-    ! Whether an array has the shape of the grid; if not, that is the failure. An object without a grid is refused by C.
+    ! Returns whether an array has the shape of the grid, and reports an error if it does not. C rejects an object without a
+    ! grid.
     function fits(name, found, grid, status) result(does)
         character(len=*), intent(in) :: name
         integer, intent(in) :: found(2)
@@ -104,15 +106,15 @@ contains
         call refuse(STICKSLIP_LENGTH, trim(message), status)
     end function fits
 
-    ! A quantity with a value for each cell, such as a coefficient of friction or a hardness. The values are not copied: the
-    ! array, which has the attribute target, stays until the call that gets them.
+    ! Returns a quantity with a value for each cell, for example a coefficient of friction or a hardness. The values are not
+    ! copied: the array needs the attribute target and must remain valid until the call that uses the quantity.
     function per_cell(values) result(quantity)
         real(c_double), intent(in), target, contiguous :: values(:, :)
         type(stickslip_per_cell) :: quantity
         quantity = stickslip_per_cell(cells=c_loc(values), count=size(values, kind=c_size_t))
     end function per_cell
 
-    ! The message of a warning.
+    ! Returns the message of a warning.
     function warning_text(warning) result(text)
         type(stickslip_warning), intent(in) :: warning
         character(len=:), allocatable :: text
@@ -124,7 +126,7 @@ contains
         end do
     end function warning_text
 
-    ! A field on the grid; not associated on failure.
+    ! Returns a field on the grid; not associated on failure.
     function plane(first, count, grid, status) result(samples)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
@@ -135,7 +137,7 @@ contains
         if (is_field(first, count, grid, status)) call c_f_pointer(first, samples, [grid%nx, grid%ny])
     end function plane
 
-    ! The zones of all cells, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; not associated on failure.
+    ! Returns the zones of all cells, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; not associated on failure.
     function map_of_zones(first, count, grid, status) result(zones)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
@@ -146,7 +148,7 @@ contains
         if (is_field(first, count, grid, status)) call c_f_pointer(first, zones, [grid%nx, grid%ny])
     end function map_of_zones
 
-    ! Whether C has told where a field of all cells of the grid is.
+    ! Returns whether C has returned a field with all cells of the grid, and reports an error if it has not.
     function is_field(first, count, grid, status) result(is)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
@@ -167,7 +169,7 @@ contains
         end if
     end function is_field
 
-    ! Without a boundary the surroundings are unloaded half-space.
+    ! Creates the half-spaces; without a boundary the surroundings are unloaded half-space.
     subroutine half_space_new(this, grid, body_1, body_2, boundary, status)
         class(half_space), intent(inout) :: this
         type(stickslip_grid), intent(in) :: grid
@@ -180,7 +182,8 @@ contains
         call half_space_take(this, grid, made, code, status)
     end subroutine half_space_new
 
-    ! The same of bodies under layers, each the outermost first, at most eight; of no layers an array of size zero.
+    ! Creates coated half-spaces. The layers of each body are listed from the outermost inwards, eight at most; an uncoated
+    ! body has an array of size zero.
     subroutine half_space_new_coated(this, grid, body_1, layers_1, body_2, layers_2, boundary, status)
         class(half_space), intent(inout) :: this
         type(stickslip_grid), intent(in) :: grid
@@ -195,7 +198,7 @@ contains
         call half_space_take(this, grid, made, code, status)
     end subroutine half_space_new_coated
 
-    ! Takes over what was made, unless it failed or this one is in use.
+    ! Replaces the object by the new one. If made_code is a failure or the old object is in use, the old object remains.
     subroutine half_space_take(this, grid, made, made_code, status)
         class(half_space), intent(inout) :: this
         type(stickslip_grid), intent(in) :: grid
@@ -214,7 +217,8 @@ contains
         call report_status(code, status)
     end subroutine half_space_take
 
-    ! STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
+    ! Sets the meaning of cell values, STICKSLIP_UNIFORM (default) or STICKSLIP_CENTRE, for objects that are created
+    ! afterwards.
     subroutine half_space_set_cell_value(this, value, status)
         class(half_space), intent(inout) :: this
         integer(c_int32_t), intent(in) :: value
@@ -235,7 +239,7 @@ contains
         address = this%handle%address
     end function half_space_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine half_space_free(this)
         class(half_space), intent(inout) :: this
         if (stickslip_half_space_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_half_space()

@@ -9,7 +9,7 @@ module stickslip_rolling
 
     public :: rolling_solver, rolling_solution, coupled_rolling_solver, coupled_rolling_solution
 
-    ! Solves steady rolling for one creepage, force or spin after the other.
+    ! Solver for steady rolling with a sequence of creepages, forces or spins.
     type, extends(stickslip_object) :: rolling_solver
         type(stickslip_rolling_solver) :: handle
         type(stickslip_grid) :: grid
@@ -32,7 +32,7 @@ module stickslip_rolling
         final :: rolling_solver_final
     end type rolling_solver
 
-    ! A solved rolling contact; made by the first solve into it.
+    ! Solution of a rolling contact; the first solve into it creates it.
     type, extends(stickslip_object) :: rolling_solution
         type(stickslip_rolling_solution) :: handle
         type(stickslip_grid) :: grid
@@ -48,7 +48,7 @@ module stickslip_rolling
         final :: rolling_solution_final
     end type rolling_solution
 
-    ! Solves rolling of dissimilar bodies, with pressure and traction coupled both ways.
+    ! Solver for rolling of dissimilar bodies with full coupling of pressure and traction.
     type, extends(stickslip_object) :: coupled_rolling_solver
         type(stickslip_coupled_rolling_solver) :: handle
         type(stickslip_grid) :: grid
@@ -67,7 +67,7 @@ module stickslip_rolling
         final :: coupled_rolling_solver_final
     end type coupled_rolling_solver
 
-    ! A solved rolling contact of dissimilar bodies; made by the first solve into it.
+    ! Solution of a rolling contact of dissimilar bodies; the first solve into it creates it.
     type, extends(stickslip_object) :: coupled_rolling_solution
         type(stickslip_coupled_rolling_solution) :: handle
         type(stickslip_grid) :: grid
@@ -83,7 +83,7 @@ module stickslip_rolling
 
 contains
 
-    ! Under the pressure of a solved normal contact; without a load no creepage and no spin.
+    ! Creates a solver under the pressure of a solved normal contact; without a load there is no creepage and no spin.
     subroutine rolling_solver_new(this, bodies, normal, friction, load, options, status)
         class(rolling_solver), intent(inout) :: this
         class(half_space), intent(in) :: bodies
@@ -126,7 +126,7 @@ contains
         call report_status(stickslip_rolling_solver_set_normal(this%handle, normal%handle), status)
     end subroutine rolling_solver_set_normal
 
-    ! Without the entry rule only.
+    ! Sets the pressure of the next solve; requires STICKSLIP_WHOLE_STEP.
     subroutine rolling_solver_set_pressure(this, pressure, status)
         class(rolling_solver), intent(in) :: this
         real(c_double), intent(in), contiguous :: pressure(:, :)
@@ -135,7 +135,7 @@ contains
         call report_status(stickslip_rolling_solver_set_pressure(this%handle, pressure, size(pressure, kind=c_size_t)), status)
     end subroutine rolling_solver_set_pressure
 
-    ! Copies the solver that finds the pressure of a new normal load.
+    ! Copies the solver that computes the pressure of a new normal load.
     subroutine rolling_solver_set_normal_solver(this, normal, status)
         class(rolling_solver), intent(in) :: this
         class(normal_solver), intent(in) :: normal
@@ -143,7 +143,7 @@ contains
         call report_status(stickslip_rolling_solver_set_normal_solver(this%handle, normal%handle), status)
     end subroutine rolling_solver_set_normal_solver
 
-    ! Solves for the pressure of a normal load; needs a normal solver.
+    ! Solves for the pressure of a normal load; requires a normal solver.
     subroutine rolling_solver_set_normal_load(this, load, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_normal_load), intent(in) :: load
@@ -158,7 +158,7 @@ contains
         call report_status(stickslip_rolling_solver_friction_capacity(this%handle, capacity), status)
     end function rolling_solver_friction_capacity
 
-    ! Forgets the last answer.
+    ! Discards the last solution: the next solve starts as the first solve did.
     subroutine rolling_solver_reset(this, status)
         class(rolling_solver), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -187,7 +187,8 @@ contains
         call report_status(code, status)
     end subroutine rolling_solver_solve
 
-    ! Forces and moment by creepages and spin about the last answer, slopes(column, row): the loads are the rows.
+    ! Returns the derivatives of the forces and the moment with respect to creepages and spin at the last solution. The
+    ! indices are slopes(column, row): rows are loads.
     function rolling_solver_stiffness(this, observer, status) result(stiffness)
         class(rolling_solver), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer
@@ -196,7 +197,7 @@ contains
         call report_status(stickslip_rolling_solver_stiffness_observed(this%handle, observer, stiffness), status)
     end function rolling_solver_stiffness
 
-    ! A creep curve or a creep surface, the loads of each point; the last point stays prescribed.
+    ! Returns the loads at the points of a creep curve or a creep surface; afterwards the last point is the prescribed load.
     subroutine rolling_solver_creep_forces(this, points, forces, observer, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_creep_point), intent(in), contiguous :: points(:)
@@ -208,7 +209,7 @@ contains
             size(points, kind=c_size_t), observer, forces), status)
     end subroutine rolling_solver_creep_forces
 
-    ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.
+    ! Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y.
     function rolling_solution_field(this, which, status) result(samples)
         class(rolling_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -220,7 +221,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function rolling_solution_field
 
-    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    ! Returns the zone of every cell: STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
     function rolling_solution_zones(this, status) result(zones)
         class(rolling_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -231,7 +232,7 @@ contains
         zones => map_of_zones(first, count, this%grid, status)
     end function rolling_solution_zones
 
-    ! Energy that slip dissipates in each cell for each length rolled.
+    ! Returns the energy that slip dissipates in each cell for each length rolled.
     subroutine rolling_solution_dissipation(this, values, status)
         class(rolling_solution), intent(in) :: this
         real(c_double), intent(inout), contiguous :: values(:, :)
@@ -254,7 +255,7 @@ contains
         call report_status(stickslip_rolling_solution_report(this%handle, report), status)
     end function rolling_solution_report
 
-    ! Diagnostics that may mislead; warning_text has the message of each.
+    ! Returns the warnings about the solution; warning_text returns the message of each.
     subroutine rolling_solution_warnings(this, warnings, status)
         class(rolling_solution), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -275,7 +276,7 @@ contains
         address = this%handle%address
     end function rolling_solver_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine rolling_solver_free(this)
         class(rolling_solver), intent(inout) :: this
         if (stickslip_rolling_solver_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_rolling_solver()
@@ -292,7 +293,7 @@ contains
         address = this%handle%address
     end function rolling_solution_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine rolling_solution_free(this)
         class(rolling_solution), intent(inout) :: this
         if (stickslip_rolling_solution_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_rolling_solution()
@@ -303,7 +304,7 @@ contains
         call this%free()
     end subroutine rolling_solution_final
 
-    ! Without a load no creepage and no spin.
+    ! Creates a solver; without a load there is no creepage and no spin.
     subroutine coupled_rolling_solver_new(this, bodies, gap, friction, normal, load, options, status)
         class(coupled_rolling_solver), intent(inout) :: this
         class(half_space), intent(in) :: bodies
@@ -364,7 +365,7 @@ contains
         call report_status(stickslip_coupled_rolling_solver_set_settings(this%handle, settings), status)
     end subroutine coupled_rolling_solver_set_settings
 
-    ! Forgets the last answer.
+    ! Discards the last solution: the next solve starts as the first solve did.
     subroutine coupled_rolling_solver_reset(this, status)
         class(coupled_rolling_solver), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -386,8 +387,8 @@ contains
         call report_status(code, status)
     end subroutine coupled_rolling_solver_solve
 
-    ! Forces and moment by creepages and spin about the last answer, slopes(column, row): the loads are the rows. The
-    ! pressure follows the tractions.
+    ! Returns the derivatives of the forces and the moment with respect to creepages and spin at the last solution,
+    ! including the change of the pressure with the tractions. The indices are slopes(column, row): rows are loads.
     function coupled_rolling_solver_stiffness(this, observer, status) result(stiffness)
         class(coupled_rolling_solver), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer
@@ -396,7 +397,8 @@ contains
         call report_status(stickslip_coupled_rolling_solver_stiffness(this%handle, observer, stiffness), status)
     end function coupled_rolling_solver_stiffness
 
-    ! STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.
+    ! Returns STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
+    ! STICKSLIP_SLIP_Y.
     function coupled_rolling_solution_field(this, which, status) result(samples)
         class(coupled_rolling_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -408,7 +410,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function coupled_rolling_solution_field
 
-    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    ! Returns the zone of every cell: STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
     function coupled_rolling_solution_zones(this, status) result(zones)
         class(coupled_rolling_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -419,7 +421,7 @@ contains
         zones => map_of_zones(first, count, this%grid, status)
     end function coupled_rolling_solution_zones
 
-    ! The numbers of both halves.
+    ! Returns the scalar results of the normal and the rolling part.
     subroutine coupled_rolling_solution_results(this, normal, rolling, status)
         class(coupled_rolling_solution), intent(in) :: this
         type(stickslip_normal_result), intent(out), optional :: normal
@@ -441,7 +443,7 @@ contains
         address = this%handle%address
     end function coupled_rolling_solver_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine coupled_rolling_solver_free(this)
         class(coupled_rolling_solver), intent(inout) :: this
         if (stickslip_coupled_rolling_solver_free(this%handle) == STICKSLIP_OK) then
@@ -460,7 +462,7 @@ contains
         address = this%handle%address
     end function coupled_rolling_solution_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine coupled_rolling_solution_free(this)
         class(coupled_rolling_solution), intent(inout) :: this
         if (stickslip_coupled_rolling_solution_free(this%handle) == STICKSLIP_OK) then

@@ -8,7 +8,7 @@ module stickslip_stresses
 
     public :: stress_planes, stress_at_points
 
-    ! Planes at chosen depths below each body; its fields are those of the plane solved last.
+    ! Planes at chosen depths below each body; the fields are those of the last solved plane.
     type, extends(stickslip_object) :: stress_planes
         type(stickslip_planes) :: handle
         type(stickslip_grid) :: grid
@@ -24,7 +24,7 @@ module stickslip_stresses
 
 contains
 
-    ! Where the arrays are: of use within one call, as a pointer to them may be handed on as a copy.
+    ! Returns pointers to the arrays. They are valid within one call only, because the compiler may have passed a copy.
     function tractions_of(pressure, x, y) result(tractions)
         real(c_double), intent(in), target, contiguous :: pressure(:, :)
         real(c_double), intent(in), target, contiguous, optional :: x(:, :), y(:, :)
@@ -34,7 +34,7 @@ contains
         if (present(y)) tractions%y = c_loc(y)
     end function tractions_of
 
-    ! Whether all of them have the shape of the grid.
+    ! Returns whether all arrays have the shape of the grid, and reports an error if one does not.
     function all_fit(grid, pressure, x, y, status) result(all_do)
         type(stickslip_grid), intent(in) :: grid
         real(c_double), intent(in) :: pressure(:, :)
@@ -46,8 +46,8 @@ contains
         if (all_do .and. present(y)) all_do = fits('y', shape(y), grid, status)
     end function all_fit
 
-    ! Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each, under a pressure,
-    ! with tractions x and y or without.
+    ! Computes displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each point, under
+    ! a pressure with optional tractions x and y.
     subroutine stress_at_points(bodies, body, points, responses, pressure, x, y, observer, status)
         class(half_space), intent(in) :: bodies
         integer(c_int32_t), intent(in) :: body
@@ -84,8 +84,8 @@ contains
         call report_status(code, status)
     end subroutine planes_new
 
-    ! The plane at the depth of number index, counted from one, under a pressure, with tractions x and y or without;
-    ! STICKSLIP_LENGTH for an index without a depth.
+    ! Solves the plane at the depth with number index, counted from one, under a pressure with optional tractions x and y.
+    ! Returns STICKSLIP_LENGTH if no depth has this number.
     subroutine planes_solve(this, index, body, pressure, x, y, observer, status)
         class(stress_planes), intent(in) :: this
         integer, intent(in) :: index
@@ -103,7 +103,7 @@ contains
             tractions_of(pressure, x, y), observer), status)
     end subroutine planes_solve
 
-    ! STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or a displacement.
+    ! Returns STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ, or a displacement.
     function planes_field(this, which, status) result(samples)
         class(stress_planes), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -115,7 +115,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function planes_field
 
-    ! STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
+    ! Returns STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
     subroutine planes_measure(this, which, values, status)
         class(stress_planes), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -131,7 +131,7 @@ contains
         address = this%handle%address
     end function planes_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine planes_free(this)
         class(stress_planes), intent(inout) :: this
         if (stickslip_planes_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_planes()

@@ -1,4 +1,4 @@
-! Tangential contacts under a pressure that is given.
+! Tangential contacts under a given pressure.
 module stickslip_tangential
     use, intrinsic :: iso_c_binding
     use stickslip_bindings
@@ -9,7 +9,7 @@ module stickslip_tangential
 
     public :: tangential_solver, tangential_solution
 
-    ! Solves tangential contacts again and again.
+    ! Solver for repeated tangential contacts.
     type, extends(stickslip_object) :: tangential_solver
         type(stickslip_tangential_solver) :: handle
         type(stickslip_grid) :: grid
@@ -30,7 +30,7 @@ module stickslip_tangential
         final :: tangential_solver_final
     end type tangential_solver
 
-    ! A solved tangential contact; made by the first solve into it.
+    ! Solution of a tangential contact; the first solve into it creates it.
     type, extends(stickslip_object) :: tangential_solution
         type(stickslip_tangential_solution) :: handle
         type(stickslip_grid) :: grid
@@ -51,7 +51,7 @@ module stickslip_tangential
 
 contains
 
-    ! Under the pressure of a solved normal contact.
+    ! Creates a solver under the pressure of a solved normal contact.
     subroutine tangential_solver_new(this, bodies, normal, friction, load, options, status)
         class(tangential_solver), intent(inout) :: this
         class(half_space), intent(in) :: bodies
@@ -66,7 +66,7 @@ contains
         call tangential_solver_take(this, made, bodies%grid, code, status)
     end subroutine tangential_solver_new
 
-    ! Under a pressure from elsewhere.
+    ! Creates a solver under a given pressure.
     subroutine tangential_solver_new_under(this, bodies, pressure, friction, load, options, status)
         class(tangential_solver), intent(inout) :: this
         class(half_space), intent(in) :: bodies
@@ -112,7 +112,7 @@ contains
         call report_status(stickslip_tangential_solver_set_pressure(this%handle, pressure, size(pressure, kind=c_size_t)), status)
     end subroutine tangential_solver_set_pressure
 
-    ! A displacement of body 1 relative to body 2 that the contact does not cause, such as that of bulk strain.
+    ! Sets a displacement of body 1 relative to body 2 that the contact does not cause, for example due to bulk strain.
     subroutine tangential_solver_set_relative_displacement(this, x, y, status)
         class(tangential_solver), intent(in) :: this
         real(c_double), intent(in), target, contiguous :: x(:, :), y(:, :)
@@ -131,7 +131,7 @@ contains
         call report_status(stickslip_tangential_solver_set_settings(this%handle, settings), status)
     end subroutine tangential_solver_set_settings
 
-    ! Forgets the last answer: the next solve starts as the first did.
+    ! Discards the last solution: the next solve starts as the first solve did.
     subroutine tangential_solver_reset(this, status)
         class(tangential_solver), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -160,7 +160,7 @@ contains
         call report_status(code, status)
     end subroutine tangential_solver_solve
 
-    ! STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y.
+    ! Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y.
     function tangential_solution_field(this, which, status) result(samples)
         class(tangential_solution), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -172,7 +172,7 @@ contains
         samples => plane(first, count, this%grid, status)
     end function tangential_solution_field
 
-    ! The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
+    ! Returns the zone of every cell: STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
     function tangential_solution_zones(this, status) result(zones)
         class(tangential_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -197,7 +197,7 @@ contains
         call report_status(stickslip_tangential_solution_report(this%handle, report), status)
     end function tangential_solution_report
 
-    ! Diagnostics that may mislead; warning_text has the message of each.
+    ! Returns the warnings about the solution; warning_text returns the message of each.
     subroutine tangential_solution_warnings(this, warnings, status)
         class(tangential_solution), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -222,7 +222,7 @@ contains
             stiffness), status)
     end function tangential_solution_stiffness
 
-    ! The contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+    ! Returns the contact spots and, for every cell, the number of its spot: counted from one, zero outside the contact.
     subroutine tangential_solution_spots(this, normal, spots, labels, status)
         class(tangential_solution), intent(in) :: this
         class(normal_solution), intent(in) :: normal
@@ -246,7 +246,8 @@ contains
         call report_status(code, status)
     end subroutine tangential_solution_spots
 
-    ! The edges inside the cells, the magnitude of the traction at the centres of the cells and its means over them.
+    ! Returns the edges inside the cells, the magnitude of the traction at the centres of the cells, and its means over the
+    ! cells.
     subroutine tangential_solution_edges(this, normal, friction, edges, centres, means, status)
         class(tangential_solution), intent(in) :: this
         class(normal_solution), intent(in) :: normal
@@ -254,7 +255,7 @@ contains
         type(stickslip_edges), intent(out) :: edges
         real(c_double), allocatable, intent(out), optional :: centres(:, :), means(:, :)
         integer(c_int32_t), intent(out), optional :: status
-        ! Not those of the caller: gfortran does not pass on one that is absent.
+        ! Local arrays replace the arguments, because gfortran does not pass on an absent allocatable argument.
         real(c_double), allocatable :: at_centres(:, :), over_cells(:, :)
         integer(c_size_t) :: cells
         integer(c_int32_t) :: code
@@ -267,7 +268,7 @@ contains
         call report_status(code, status)
     end subroutine tangential_solution_edges
 
-    ! Of the error that the cells leave; NaN without contact.
+    ! Returns the estimate of the discretisation error; NaN without contact.
     function tangential_solution_discretisation_estimate(this, status) result(estimate)
         class(tangential_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -275,7 +276,7 @@ contains
         call report_status(stickslip_tangential_solution_discretisation_estimate(this%handle, estimate), status)
     end function tangential_solution_discretisation_estimate
 
-    ! Puts what was made in the place of the one that was there, which stays if code is a failure or it is in use.
+    ! Replaces the object by the new one. If made_with is a failure or the old object is in use, the old object remains.
     subroutine tangential_solver_take(this, made, grid, made_with, status)
         class(tangential_solver), intent(inout) :: this
         type(stickslip_tangential_solver), intent(in) :: made
@@ -300,7 +301,7 @@ contains
         address = this%handle%address
     end function tangential_solver_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine tangential_solver_free(this)
         class(tangential_solver), intent(inout) :: this
         if (stickslip_tangential_solver_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_tangential_solver()
@@ -317,7 +318,7 @@ contains
         address = this%handle%address
     end function tangential_solution_address
 
-    ! One in use by another thread stays.
+    ! Frees the object unless another thread is using it.
     subroutine tangential_solution_free(this)
         class(tangential_solution), intent(inout) :: this
         if (stickslip_tangential_solution_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_tangential_solution()

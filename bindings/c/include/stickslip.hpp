@@ -1,8 +1,8 @@
-// stickslip.h with destructors and exceptions: C++17, nothing to link but the library.
+// Interface of stickslip.h with destructors and exceptions, for C++17. Header only: programs link only the library.
 //
-// Objects are moved, not copied (a history has clone()), and free themselves. Every failure is a stickslip::Error with its
-// code, message and numbers. Fields are views of what the object holds: valid until it is changed or destroyed. NULL in the
-// C interface is nullptr or an argument left out here.
+// Objects can be moved but not copied (a history has clone()), and they free themselves. Every failure throws a
+// stickslip::Error with its code, message and numbers. Fields are views into an object and remain valid until the object is
+// changed or destroyed. A NULL argument of the C interface corresponds to nullptr or an omitted argument.
 
 #ifndef STICKSLIP_HPP
 #define STICKSLIP_HPP

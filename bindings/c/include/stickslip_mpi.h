@@ -10,8 +10,8 @@
 
 #include "stickslip.h"
 
-/* A stickslip_swap whose data is a pointer to a communicator. Whatever fails in it ends all ranks: a message that is half
- * sent cannot be taken back. */
+/* A stickslip_swap whose data is a pointer to a communicator. Any failure ends all ranks, because a message that has been
+ * partly sent cannot be withdrawn. */
 static inline int32_t stickslip_mpi_swap(const uint64_t *block, size_t words, size_t to, size_t from,
                                          stickslip_block *received, void *user) {
     MPI_Comm comm = *(const MPI_Comm *)user;
@@ -36,9 +36,10 @@ static inline int32_t stickslip_mpi_swap(const uint64_t *block, size_t words, si
     return 0;
 }
 
-/* The ranks of a communicator in which nothing else is sent: the duplicate of another. The variable that comm points to stays
- * until all that was made of the bodies is freed. MPI must grant at least MPI_THREAD_SERIALIZED, as calls may come from
- * threads of the library. A rank that ends without MPI's knowledge makes the others wait. */
+/* Returns the ranks of a communicator that is used for nothing else: pass a duplicate. The variable that comm points to
+ * must remain valid until all objects created from the bodies are freed. MPI must provide at least MPI_THREAD_SERIALIZED,
+ * because calls may come from threads of the library. If a rank ends without notifying MPI, the other ranks wait forever.
+ */
 static inline stickslip_ranks stickslip_mpi_ranks(MPI_Comm *comm) {
     stickslip_ranks ranks;
     int rank = 0, size = 1;

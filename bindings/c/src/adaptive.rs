@@ -1,4 +1,4 @@
-//! Loads in steps short enough for a tolerance.
+//! Adaptive load steps with a tolerance.
 
 use stickslip_rs::history::AdaptiveSteps;
 
@@ -9,29 +9,29 @@ use crate::loads::stickslip_load_step;
 use crate::pointer::{Place, answer, input};
 use crate::status::stickslip_status;
 
-/// Takes loads in steps short enough for a tolerance of the tractions: a step is compared with the same in two halves. For
-/// histories on one grid.
+/// Applies loads in steps that are short enough for a tolerance of the tractions. The error of a step is its difference
+/// from two half steps. The object can be used for every history on the same grid.
 pub struct stickslip_adaptive_steps(Handle<AdaptiveSteps>);
 
 opaque!(stickslip_adaptive_steps holds AdaptiveSteps, named "adaptive steps");
 
-/// The error that one step makes with a load: its difference from the same in two halves.
+/// Error of one load step: its difference from the same load in two half steps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_step_error {
-    /// That of the traction, relative; what the tolerance is for.
+    /// Relative error of the traction, to which the tolerance applies.
     pub traction: f64,
-    /// That of the tangential force.
+    /// Error of the tangential force.
     pub force: [f64; 2],
-    /// That of the shift (lengths).
+    /// Error of the shift (lengths).
     pub shift: [f64; 2],
-    /// That of the energy dissipated.
+    /// Error of the dissipated energy.
     pub dissipated_energy: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Makes the buffers for histories on the grid of this one, with a tolerance in (0, 1) for a whole load.
+/// Creates the buffers for histories on the grid of this history, with a tolerance in (0, 1) for a whole load.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     history: *const stickslip_history,
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     })
 }
 
-/// Frees the buffers; nothing for NULL.
+/// Frees the buffers; does nothing if steps is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_free(
     steps: *mut stickslip_adaptive_steps,
@@ -56,8 +56,9 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_free(
     call(|| unsafe { free(steps) })
 }
 
-/// Takes a load in as many steps as it needs, and writes how many to taken (may be NULL). After a failure, which may be
-/// STICKSLIP_STEP_TOO_LONG, the state of the history is as it was; its last step is that of the last attempt.
+/// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A failure,
+/// for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged; its last step is then the step of the
+/// last attempt.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     steps: *mut stickslip_adaptive_steps,
@@ -78,8 +79,8 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     })
 }
 
-/// The error that stickslip_history_step would make with a load. The state of the history is as it was; its last step is
-/// the second half of this one.
+/// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged; its last
+/// step is the second half of the trial step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_error(
     steps: *mut stickslip_adaptive_steps,

@@ -1,4 +1,4 @@
-//! Closed forms, to check results by.
+//! Closed-form solutions for checking results.
 
 use stickslip_rs::analytical::{
     BentallJohnson, Carter, CattaneoMindlin, HertzEllipse, HertzLine, HertzSphere,
@@ -11,7 +11,7 @@ use crate::pointer::Place;
 use crate::status::stickslip_status;
 use crate::text_fields::tell;
 
-/// The contact of a sphere and a plane without friction, by Hertz.
+/// Hertz solution for the frictionless contact of a sphere and a plane.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_hertz {
@@ -21,7 +21,7 @@ pub struct stickslip_hertz {
     pub max_pressure: f64,
     /// Approach of the bodies (a length): a^2/R.
     pub approach: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -36,8 +36,8 @@ impl From<&HertzSphere> for stickslip_hertz {
     }
 }
 
-/// Hertz' contact of a sphere of this radius (a length) under this normal force on the materials of the bodies.
-/// STICKSLIP_NOT_POSITIVE if radius, force or a result is not positive and finite.
+/// Computes the Hertz contact of a sphere with the given radius (a length) under a normal force, for the materials of the
+/// bodies. Returns STICKSLIP_NOT_POSITIVE if the radius, the force or a result is not positive and finite.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_hertz_sphere(
     half_space: *const stickslip_half_space,
@@ -53,27 +53,27 @@ pub unsafe extern "C" fn stickslip_hertz_sphere(
     }
 }
 
-/// The contact of a sphere and a plane that is pressed and then loaded tangentially, by Cattaneo and Mindlin.
+/// Cattaneo-Mindlin solution for a sphere and a plane that are pressed and then loaded tangentially.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_cattaneo_mindlin {
-    /// The normal contact.
+    /// Normal contact.
     pub hertz: stickslip_hertz,
-    /// Radius of the circle that sticks (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
+    /// Radius of the circular stick zone (a length): c = a (1 - |Q|/(mu W))^(1/3), with the tangential force Q; 0 without
     /// friction.
     pub stick_radius: f64,
     /// Shift (a length), with the sign of the force: 3 mu W/(16 a G*) (1 - c^2/a^2), with G* of
     /// stickslip_pair.
     pub shift: f64,
-    /// Energy dissipated as the force grows from zero (a force times a length), zero or positive.
+    /// Energy dissipated while the force grows from zero (a force times a length), zero or positive.
     pub dissipated_energy: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Cattaneo and Mindlin's contact of a sphere under a normal force, with a coefficient of friction, under a tangential force
-/// of either sign; STICKSLIP_BEYOND_FRICTION_CAPACITY if friction does not carry it. The coupling of pressure and traction of
-/// dissimilar bodies is neglected.
+/// Computes the Cattaneo-Mindlin contact of a sphere under a normal force and a tangential force of either sign, with a
+/// coefficient of friction. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if friction cannot carry the tangential force. The
+/// coupling of pressure and traction between dissimilar bodies is neglected.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
     half_space: *const stickslip_half_space,
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
     }
 }
 
-/// A cylinder that rolls steadily on a plane with longitudinal creepage, in plane strain, by Carter.
+/// Carter solution for a cylinder that rolls steadily on a plane with longitudinal creepage, in plane strain.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_carter {
@@ -107,18 +107,18 @@ pub struct stickslip_carter {
     pub half_width: f64,
     /// Pressure at the centre: p0 = 2 P/(pi a).
     pub max_pressure: f64,
-    /// The creepage from which on the whole contact slips (dimensionless): 2 mu p0/E*.
+    /// Smallest creepage at which the whole contact slips (dimensionless): 2 mu p0/E*.
     pub sliding_creepage: f64,
-    /// Half-width of the strip that sticks, at the leading edge x = a (a length): c = a (1 - |creepage|/sliding_creepage).
+    /// Half-width of the stick strip at the leading edge x = a (a length): c = a (1 - |creepage|/sliding_creepage).
     pub stick_half_width: f64,
     /// Tangential force on body 1 (a force per length), with the sign of the creepage: mu P (1 - c^2/a^2).
     pub force: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Carter's contact of a cylinder of this radius under this force per length, with a coefficient of friction, at a creepage
-/// of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs' beta is not zero.
+/// Computes the Carter contact of a cylinder with the given radius under a force per length, with a coefficient of friction
+/// and a creepage of either sign. Returns STICKSLIP_COUPLED_MATERIALS if Dundurs' beta of the bodies is not zero.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_carter_cylinder(
     half_space: *const stickslip_half_space,
@@ -145,9 +145,9 @@ pub unsafe extern "C" fn stickslip_carter_cylinder(
     }
 }
 
-/// Cylinders of different materials that roll freely, in plane strain and with little friction, by Bentall and Johnson: the
-/// limit of a friction much less than the size of Dundurs' beta. The leading edge is at the largest x; with that at the
-/// smallest the creepage has the other sign.
+/// Bentall-Johnson solution for cylinders of different materials that roll freely, in plane strain. It is the limit of a
+/// friction coefficient much smaller than the magnitude of Dundurs' beta. The leading edge is at the largest x; with the
+/// leading edge at the smallest x, the creepage has the opposite sign.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_bentall_johnson {
@@ -155,18 +155,18 @@ pub struct stickslip_bentall_johnson {
     pub half_width: f64,
     /// Pressure at the centre: p0 = 2 P/(pi a).
     pub max_pressure: f64,
-    /// The creepage without a tangential force (dimensionless): 0.9148 beta a/R.
+    /// Creepage without a tangential force (dimensionless): 0.9148 beta a/R.
     pub creepage: f64,
-    /// Half-width of the middle strip, at whose ends the slip reverses (a length): 0.4040 a.
+    /// Half-width of the middle strip (a length): 0.4040 a. The slip changes its sign at the ends of this strip.
     pub reversal: f64,
-    /// Energy that slip dissipates for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+    /// Energy dissipated by slip for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
     pub dissipation: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Bentall and Johnson's contact of a cylinder of this radius that rolls freely under this force per length, with a
-/// coefficient of friction. Between bodies whose Dundurs' beta is zero nothing slips.
+/// Computes the Bentall-Johnson contact of a cylinder with the given radius that rolls freely under a force per length,
+/// with a coefficient of friction. Bodies whose Dundurs' beta is zero do not slip.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_bentall_johnson_cylinder(
     half_space: *const stickslip_half_space,
@@ -192,22 +192,22 @@ pub unsafe extern "C" fn stickslip_bentall_johnson_cylinder(
     }
 }
 
-/// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x with creepages so small that it sticks,
-/// but at its trailing edge. With semi-axes a along x and b along y, c = (a b)^(1/2) and the shear modulus G of two equal
-/// bodies the creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
+/// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x. The creepages are so small that the
+/// contact sticks except at its trailing edge. Here a and b are the semi-axes along x and y, c = (a b)^(1/2), and G is the
+/// shear modulus of both bodies. The creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
 /// F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_kalker {
-    /// Force along x by the creepage along x.
+    /// Coefficient of the force along x due to the creepage along x.
     pub c11: f64,
-    /// Force along y by the creepage along y.
+    /// Coefficient of the force along y due to the creepage along y.
     pub c22: f64,
-    /// Force along y by the spin; minus the moment by the creepage along y.
+    /// Coefficient of the force along y due to the spin, and of minus the moment due to the creepage along y.
     pub c23: f64,
-    /// Moment by the spin.
+    /// Coefficient of the moment due to the spin.
     pub c33: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -223,9 +223,9 @@ impl From<&KalkerCoefficients> for stickslip_kalker {
     }
 }
 
-/// Kalker's coefficients of an ellipse of this ratio a/b of its semi-axes, along the rolling direction and across it, from
-/// 1/16 to 16, and of this Poisson's ratio, from 0 to 1/2. STICKSLIP_BELOW_MINIMUM for a ratio beyond the table or a negative
-/// Poisson's ratio, STICKSLIP_POISSON_RATIO for one above 1/2.
+/// Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
+/// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside the
+/// table or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_kalker_coefficients(
     ratio: f64,
@@ -240,8 +240,8 @@ pub unsafe extern "C" fn stickslip_kalker_coefficients(
     })
 }
 
-/// An elliptic contact that rolls along x with creepages, without spin, by Vermeulen and Johnson with Kalker's slope: a few
-/// percent less than what is solved.
+/// Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. It uses Kalker's
+/// slope, and its forces are a few percent smaller than numerical solutions.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_vermeulen_johnson {
@@ -249,20 +249,22 @@ pub struct stickslip_vermeulen_johnson {
     pub semi_axes: [f64; 2],
     /// Pressure at the centre.
     pub max_pressure: f64,
-    /// The coefficients of the contact without slip.
+    /// Kalker's coefficients of the contact.
     pub coefficients: stickslip_kalker,
-    /// The force that the creepages would cause without slip, over the friction limit (dimensionless): x, from 3 on all
-    /// slips.
+    /// Ratio x of the force that the creepages would cause without slip to the friction limit (dimensionless); the whole
+    /// contact slips if x is 3 or more.
     pub relative_creepage: f64,
-    /// Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) along that without slip, with the normal force W.
+    /// Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) in the direction of the force without slip, with
+    /// the normal force W.
     pub force: [f64; 2],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Vermeulen and Johnson's contact of a body with the radii of curvature radius_x and radius_y (lengths) under this normal
-/// force, with a coefficient of friction, at creepages of either sign. STICKSLIP_COUPLED_MATERIALS for bodies whose Dundurs'
-/// beta is not zero, STICKSLIP_BELOW_MINIMUM for a contact longer than 16 times its width or the other way about.
+/// Computes the Vermeulen-Johnson contact of a body with the radii of curvature radius_x and radius_y (lengths) under a
+/// normal force, with a coefficient of friction and creepages of either sign. Returns STICKSLIP_COUPLED_MATERIALS if
+/// Dundurs' beta of the bodies is not zero. Returns STICKSLIP_BELOW_MINIMUM if one semi-axis of the contact exceeds 16 times the
+/// other.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_vermeulen_johnson_ellipse(
     half_space: *const stickslip_half_space,

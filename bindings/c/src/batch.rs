@@ -11,12 +11,13 @@ use crate::pointer::{entries, entries_mut};
 use crate::status::{STICKSLIP_OK, stickslip_status};
 use crate::threads::enter_always;
 
-/// Takes a step of each of count histories, the i-th load for the i-th history, on the threads of stickslip_set_num_threads.
-/// Contacts of at most 4096 cells are solved on one thread each. Each comes to the bits that it has alone.
+/// Takes a step of each of count histories on the threads of stickslip_set_num_threads; the i-th load belongs to the i-th
+/// history. A contact of at most 4096 cells is solved on one thread. Results are bitwise identical to separate steps.
 ///
-/// codes (may be NULL) gets what stickslip_history_step would return for each. STICKSLIP_SOME_FAILED if any failed: these
-/// are as they were, and the last error is that of the first of them; the others have taken their step. A history that
-/// occurs twice is STICKSLIP_BUSY the second time.
+/// codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
+/// STICKSLIP_SOME_FAILED if any step failed. Histories whose step failed are unchanged, and the last error belongs to the
+/// first of them; all other histories have taken their step. If a history occurs twice, the second occurrence fails with
+/// STICKSLIP_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_step_all(
     histories: *const *mut stickslip_history,

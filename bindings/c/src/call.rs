@@ -1,4 +1,4 @@
-//! The border: what every exported function runs in.
+//! Entry point of every exported function.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -10,11 +10,12 @@ use crate::handle::{Opaque, cells_of};
 use crate::status::{STICKSLIP_OK, STICKSLIP_PANIC, stickslip_status};
 use crate::threads::enter;
 
-/// What the inside of a function comes to.
+/// Result of the body of an exported function.
 pub(crate) type Outcome<T = ()> = Result<T, Failure>;
 
-/// Runs the inside of a function: a failure is remembered for this thread and becomes its code. Nothing unwinds into C, and
-/// what the caller has set of floating-point arithmetic is neither met nor changed.
+/// Runs the body of an exported function and returns its code; a failure is stored for the calling thread. Panics do not
+/// unwind into C. The body runs in the default floating-point environment, and the environment of the caller is restored
+/// afterwards.
 pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
     let _environment = Environment::enter();
     match caught(work) {
@@ -27,10 +28,10 @@ pub(crate) fn call(work: impl FnOnce() -> Outcome) -> stickslip_status {
     }
 }
 
-/// What is carried to another thread, while this one waits.
+/// Work that runs on another thread while the calling thread waits.
 struct PanicPayload<F>(F);
 
-// SAFETY: the pointers of a call obey the rule until it ends, whichever thread does its work.
+// SAFETY: the pointers of a call follow the rule until the call ends, on every thread that works for the call.
 unsafe impl<F> Send for PanicPayload<F> {}
 
 impl<F: FnOnce() -> Outcome> PanicPayload<F> {
@@ -39,18 +40,19 @@ impl<F: FnOnce() -> Outcome> PanicPayload<F> {
     }
 }
 
-/// The same on the threads for an object of so many cells, which is an argument of the function.
+/// Like [`call`], but runs on the threads for the number of cells of an object, which is an argument of the exported
+/// function.
 pub(crate) fn call_on<T: Opaque>(
     object: *const T,
     work: impl FnOnce() -> Outcome,
 ) -> stickslip_status {
-    // SAFETY: an argument of a function that asks for the rule for pointers.
+    // SAFETY: the object is an argument of a function whose safety contract is the rule for pointers.
     let cells = unsafe { cells_of(object) };
     let work = PanicPayload(work);
     call(move || enter(cells, move || work.run()))
 }
 
-/// The same for a function that returns a pointer, NULL if it fails.
+/// Runs the body of an exported function that returns a pointer; returns NULL if the body fails.
 pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T {
     caught(work).unwrap_or_else(|failure| {
         remember(failure);
@@ -58,8 +60,9 @@ pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T 
     })
 }
 
-/// Work outside of the threads of this interface stays on the thread that calls: rayon's own, which it would start, do not
-/// live on in a forked process. A panic is a failure of its own. What was being changed is not trusted to be whole, but safe to be freed.
+/// Runs work and turns a panic into a failure. Work outside the threads of this interface stays on the calling thread,
+/// because the threads that rayon would start itself do not survive a fork. After a panic, an object that was being changed
+/// can be freed but is not trusted otherwise.
 pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
     disable_global_pool();
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {

@@ -1,4 +1,4 @@
-//! Pressure and traction of dissimilar bodies found together.
+//! Coupled pressure and traction of dissimilar bodies.
 
 use stickslip_rs::coupled::CoupledReport;
 use stickslip_rs::{
@@ -23,32 +23,33 @@ use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
 use crate::text_fields::{show, tell, warn};
 
-/// Solves coupled contacts again and again, each from rest in one step, beginning with the last answer.
+/// Solver for repeated coupled contacts, each loaded from rest in one step. Each solve starts from the last solution.
 pub struct stickslip_coupled_solver(Handle<Solver<CoupledSolver>>);
 
 opaque!(stickslip_coupled_solver holds Solver<CoupledSolver>, named "coupled solver");
 
-/// Pressure, tractions and displacements of a coupled contact. Its fields are read without a copy, and are valid until the
-/// next solve into it, or until it is freed.
+/// Pressure, tractions and displacements of a coupled contact. Fields are read without a copy and remain valid until the
+/// next solve into the solution or until it is freed.
 pub struct stickslip_coupled_solution(Handle<CoupledSolution>);
 
 opaque!(stickslip_coupled_solution holds CoupledSolution, named "coupled solution");
 
-/// How a coupled solve ended. The whole error is bounded where friction is weak; else its halves are certified.
+/// Report of a coupled solve. The error of pressure and traction together has a bound if friction is weak; otherwise only
+/// the errors of the two halves are certified.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_coupled_report {
-    /// The work; its duality gap is infinite.
+    /// Report of the whole solve; its duality gap is infinite.
     pub work: stickslip_report,
-    /// Bound of the error of the pressure in the energy norm, at tractions as they are.
+    /// Bound on the error of the pressure in the energy norm, for the tractions of the solution.
     pub pressure_error_bound: f64,
-    /// Bound of the error of the tractions, at the pressure as it is.
+    /// Bound on the error of the tractions, for the pressure of the solution.
     pub traction_error_bound: f64,
-    /// Bounds of the errors of pressure and traction as a whole; NaN where there are none.
+    /// Bounds on the total errors of pressure and traction; NaN if no bounds exist.
     pub error_bounds: [f64; 2],
-    /// What the errors of pressure and traction as a whole are likely to be; NaN where that is not known.
+    /// Estimates of the total errors of pressure and traction; NaN if no estimates exist.
     pub error_estimate: [f64; 2],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -66,8 +67,8 @@ impl From<&CoupledReport> for stickslip_coupled_report {
     }
 }
 
-/// Makes a solver of a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and settings
-/// (the defaults) may be NULL.
+/// Creates a solver for a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and
+/// settings (the defaults) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_new(
     half_space: *const stickslip_half_space,
@@ -113,7 +114,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
     })
 }
 
-/// Frees a solver; nothing for NULL.
+/// Frees a solver; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_free(
     solver: *mut stickslip_coupled_solver,
@@ -122,21 +123,21 @@ pub unsafe extern "C" fn stickslip_coupled_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Both loads, checked.
+/// Returns both loads after checking them.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 unsafe fn loads(
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
 ) -> Outcome<(NormalControl, TangentialLoad)> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (normal, tangential) =
         unsafe { (input("normal", normal)?, input("tangential", tangential)?) };
     Ok((normal.checked()?, tangential.checked()?))
 }
 
-/// Changes the normal and the tangential load of the next solve.
+/// Sets the normal and the tangential load of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     solver: *mut stickslip_coupled_solver,
@@ -150,7 +151,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     })
 }
 
-/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+/// Sets the gap before loading of the next solve (lengths, count entries, copied).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     solver: *mut stickslip_coupled_solver,
@@ -161,7 +162,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledSolver::set_gap) }
 }
 
-/// Changes the friction of the next solve.
+/// Sets the friction of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     solver: *mut stickslip_coupled_solver,
@@ -171,7 +172,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     unsafe { solver::set_friction(solver, friction, CoupledSolver::set_friction) }
 }
 
-/// Changes method, tolerance and limits of the next solve.
+/// Sets the method, the tolerance and the limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
     solver: *mut stickslip_coupled_solver,
@@ -181,7 +182,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
     unsafe { solver::set_settings(solver, settings) }
 }
 
-/// Forgets the last answer: the next solve starts as the first did.
+/// Discards the last solution: the next solve starts as the first solve did.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
@@ -190,8 +191,9 @@ pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     unsafe { solver::reset(solver, CoupledSolver::reset) }
 }
 
-/// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. With
-/// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report; after any other failure it is as it was.
+/// Solves into a solution of stickslip_coupled_solution_new for the same bodies. observer may be NULL. After
+/// STICKSLIP_NOT_CONVERGED the solution contains the last iterate and its report. Any other failure leaves the solution
+/// unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_solve(
     solver: *mut stickslip_coupled_solver,
@@ -202,7 +204,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_solve(
     unsafe { solver::solve(solver, solution, observer) }
 }
 
-/// Makes an empty solution of the right size for a solver.
+/// Creates an empty solution of the right size for a solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_new(
     solver: *const stickslip_coupled_solver,
@@ -212,7 +214,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_new(
     unsafe { solver::new_solution(solver, solution) }
 }
 
-/// Frees a solution; nothing for NULL.
+/// Frees a solution; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_free(
     solution: *mut stickslip_coupled_solution,
@@ -221,7 +223,8 @@ pub unsafe extern "C" fn stickslip_coupled_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-/// A field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+/// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z, and writes its number of cells to count (may be NULL);
+/// returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_field(
     solution: *const stickslip_coupled_solution,
@@ -242,7 +245,7 @@ fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&Field> {
     }
 }
 
-/// The zone of every cell; NULL on failure.
+/// Returns the zone of every cell; NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     solution: *const stickslip_coupled_solution,
@@ -252,7 +255,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.tangential().zones())).cast() }
 }
 
-/// The numbers of both halves; either may be NULL.
+/// Writes the scalar results of the normal and the tangential part; either may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_results(
     solution: *const stickslip_coupled_solution,
@@ -274,7 +277,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_results(
     })
 }
 
-/// How it was solved.
+/// Writes the report of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_report(
     solution: *const stickslip_coupled_solution,
@@ -284,7 +287,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_report(
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
-/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+/// Writes the warnings about the solution, like stickslip_normal_solution_warnings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
     solution: *const stickslip_coupled_solution,
@@ -302,7 +305,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
     }
 }
 
-/// The stiffness of a coupled contact on the bodies and with the friction it was solved for.
+/// Computes the stiffness of a coupled contact. Bodies and friction must be those of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_stiffness(
     solution: *const stickslip_coupled_solution,
@@ -319,8 +322,8 @@ pub unsafe extern "C" fn stickslip_coupled_solution_stiffness(
     }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+/// Computes the stiffness with an observer (may be NULL). The observer is called before every product with the operator and
+/// may end the call: the function then returns STICKSLIP_NOT_CONVERGED and leaves stiffness unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_stiffness_observed(
     solution: *const stickslip_coupled_solution,

@@ -1,4 +1,4 @@
-//! Steady rolling of dissimilar bodies with pressure and traction coupled both ways.
+//! Steady rolling of dissimilar bodies with full coupling of pressure and traction.
 
 use stickslip_rs::rolling::{
     CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution, CoupledRollingSolver,
@@ -24,36 +24,37 @@ use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell, warn};
 
-/// Solves coupled steady rolling for one load after the other, each from the last answer.
+/// Solver for coupled steady rolling under a sequence of loads. Each solve starts from the last solution.
 pub struct stickslip_coupled_rolling_solver(Handle<Solver<CoupledRollingSolver>>);
 
 opaque!(stickslip_coupled_rolling_solver holds Solver<CoupledRollingSolver>, named "coupled rolling solver");
 
-/// Pressure, traction, slip and creepage of coupled steady rolling. Its fields are read without a copy, and are valid until
-/// the next solve into it, or until it is freed.
+/// Pressure, traction, slip and creepage of coupled steady rolling. Fields are read without a copy and remain valid until
+/// the next solve into the solution or until it is freed.
 pub struct stickslip_coupled_rolling_solution(Handle<CoupledRollingSolution>);
 
 opaque!(stickslip_coupled_rolling_solution holds CoupledRollingSolution, named "coupled rolling solution");
 
-/// Report of coupled rolling: ending, cost, passes and certified errors.
+/// Report of a coupled rolling solve: status, cost, passes and certified errors.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_coupled_rolling_report {
-    /// The work of all passes; its duality gap is infinite for coupled bodies.
+    /// Report of all passes together; its duality gap is infinite for coupled bodies.
     pub work: stickslip_report,
     /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
     pub passes: usize,
-    /// Residual of the coupling: lift within the contact that the last pass has added, over the largest normal displacement.
+    /// Residual of the coupling: the lift within the contact that the last pass added, relative to the largest normal
+    /// displacement.
     pub coupling_residual: f64,
-    /// Change of the pressure in the last pass, over the pressure (root mean squares).
+    /// Change of the pressure in the last pass relative to the pressure (root mean squares).
     pub pressure_change: f64,
-    /// Bound of the relative error of the pressure in the energy norm, for the tractions of the solution.
+    /// Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
     pub pressure_error_bound: f64,
-    /// Bound of the relative error of the tractions, for the pressure of the solution.
+    /// Bound on the relative error of the tractions, for the pressure of the solution.
     pub traction_error_bound: f64,
-    /// Estimate of the relative error of the pressure as a whole; NaN if there is none.
+    /// Estimate of the total relative error of the pressure; NaN if no estimate exists.
     pub error_estimate: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -72,8 +73,8 @@ impl From<&CoupledRollingReport> for stickslip_coupled_rolling_report {
     }
 }
 
-/// Makes a solver of a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no spin)
-/// and options (the defaults) may be NULL.
+/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no
+/// spin) and options (the defaults) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -112,7 +113,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     })
 }
 
-/// Frees a solver; nothing for NULL.
+/// Frees a solver; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_free(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -121,7 +122,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes the normal load of the next solve.
+/// Sets the normal load of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -139,7 +140,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
     }
 }
 
-/// Changes creepages, forces, spin or moment of the next solve.
+/// Sets the creepages, forces, spin or moment of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -150,7 +151,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
-/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+/// Sets the gap before loading of the next solve (lengths, count entries, copied).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_gap(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -161,7 +162,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_gap(
     unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledRollingSolver::set_gap) }
 }
 
-/// Changes the friction of the next solve.
+/// Sets the friction of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_friction(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -171,7 +172,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_friction(
     unsafe { solver::set_friction(solver, friction, CoupledRollingSolver::set_friction) }
 }
 
-/// Changes method, tolerance and limits of the next solve.
+/// Sets the method, the tolerance and the limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_settings(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -181,7 +182,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_settings(
     unsafe { solver::set_settings(solver, settings) }
 }
 
-/// Forgets the last answer: the next solve starts as the first did.
+/// Discards the last solution: the next solve starts as the first solve did.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_reset(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -190,8 +191,8 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_reset(
     unsafe { solver::reset(solver, CoupledRollingSolver::reset) }
 }
 
-/// Solves into a solution of stickslip_coupled_rolling_solution_new for the same bodies. observer may be NULL. With
-/// STICKSLIP_NOT_CONVERGED the solution holds the last iterate and its report.
+/// Solves into a solution of stickslip_coupled_rolling_solution_new for the same bodies. observer may be NULL. After
+/// STICKSLIP_NOT_CONVERGED the solution contains the last iterate and its report.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_solve(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -202,8 +203,8 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_solve(
     unsafe { solver::solve(solver, solution, observer) }
 }
 
-/// The slopes of the loads about the last answer, with the pressure that follows the tractions. observer may be NULL.
-/// STICKSLIP_NOT_CONVERGED before the first solve.
+/// Computes the derivatives of the loads at the last solution, including the change of the pressure with the tractions.
+/// observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_stiffness(
     solver: *mut stickslip_coupled_rolling_solver,
@@ -223,7 +224,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_stiffness(
     })
 }
 
-/// Makes an empty solution of the right size for a solver.
+/// Creates an empty solution of the right size for a solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_new(
     solver: *const stickslip_coupled_rolling_solver,
@@ -233,7 +234,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_new(
     unsafe { solver::new_solution(solver, solution) }
 }
 
-/// Frees a solution; nothing for NULL.
+/// Frees a solution; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_free(
     solution: *mut stickslip_coupled_rolling_solution,
@@ -249,8 +250,9 @@ fn own_field(solution: &CoupledRollingSolution, which: i32) -> Outcome<&Field> {
     }
 }
 
-/// STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count
-/// may be NULL); NULL on failure. The slip is the slip for each length rolled (dimensionless).
+/// Returns STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
+/// STICKSLIP_SLIP_Y, and writes its number of cells to count (may be NULL); returns NULL on failure. The slip is the slip
+/// for each length rolled (dimensionless).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
     solution: *const stickslip_coupled_rolling_solution,
@@ -261,7 +263,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
     unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
 }
 
-/// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
     solution: *const stickslip_coupled_rolling_solution,
@@ -271,7 +273,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.rolling().zones())).cast() }
 }
 
-/// The numbers of both halves; either may be NULL.
+/// Writes the scalar results of the normal and the rolling part; either may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_results(
     solution: *const stickslip_coupled_rolling_solution,
@@ -293,7 +295,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_results(
     })
 }
 
-/// Report of the solve.
+/// Writes the report of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_report(
     solution: *const stickslip_coupled_rolling_solution,
@@ -303,7 +305,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_report(
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
-/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+/// Writes the warnings about the solution, like stickslip_normal_solution_warnings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_warnings(
     solution: *const stickslip_coupled_rolling_solution,

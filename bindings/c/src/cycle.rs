@@ -1,4 +1,4 @@
-//! Sums over a cycle: energy, amplitudes, regime.
+//! Sums over a load cycle: energies, amplitudes and regime.
 
 use stickslip_rs::Field;
 use stickslip_rs::history::{Cycle, Regime};
@@ -12,39 +12,40 @@ use crate::pointer::Place;
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell};
 
-/// What the steps of a history add up to since the cycle began.
+/// Sums over the steps of a history since the start of the cycle.
 pub struct stickslip_cycle(Handle<Cycle>);
 
 opaque!(stickslip_cycle holds Cycle, named "cycle");
 
-/// No cell slipped.
+/// Regime in which no cell slipped.
 pub const STICKSLIP_FULL_STICK: i32 = 0;
-/// Some cells slipped, but some stuck at the end of each step.
+/// Regime in which some cells slipped, but some cells stuck at the end of each step.
 pub const STICKSLIP_PARTIAL_SLIP: i32 = 1;
-/// The whole contact was at its friction limit at the end of a step.
+/// Regime in which the whole contact was at its friction limit at the end of a step.
 pub const STICKSLIP_GROSS_SLIP: i32 = 2;
 
-/// Numbers of a cycle.
+/// Scalar results of a cycle.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_cycle_result {
-    /// Steps since it began.
+    /// Number of steps since the start of the cycle.
     pub steps: usize,
-    /// STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
+    /// Regime: STICKSLIP_FULL_STICK, STICKSLIP_PARTIAL_SLIP or STICKSLIP_GROSS_SLIP.
     pub regime: i32,
-    /// Energy dissipated over the area of the rectangle around the loop of force and shift.
+    /// Ratio of the dissipated energy to the area of the rectangle around the loop of force and shift.
     pub energy_ratio: f64,
-    /// How far the traction at the end is from that at the beginning, relative to the largest: zero if the loop repeats.
+    /// Difference between the tractions at the end and at the start, relative to the largest traction; zero if the loop
+    /// closes.
     pub cyclic_residual: f64,
     /// Amplitude of the tangential force.
     pub force_amplitude: [f64; 2],
     /// Amplitude of the shift (lengths).
     pub shift_amplitude: [f64; 2],
-    /// Least and largest stick ratio at the end of a step.
+    /// Smallest and largest stick ratio at the end of a step.
     pub stick_ratios: [f64; 2],
-    /// Energies of all its steps.
+    /// Energies of all steps of the cycle.
     pub energy: stickslip_energy,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -68,7 +69,7 @@ impl From<&Cycle> for stickslip_cycle_result {
     }
 }
 
-/// Begins a cycle at the present state of a history.
+/// Starts a cycle at the current state of a history.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_new(
     history: *const stickslip_history,
@@ -82,14 +83,14 @@ pub unsafe extern "C" fn stickslip_cycle_new(
     })
 }
 
-/// Frees a cycle; nothing for NULL.
+/// Frees a cycle; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_free(cycle: *mut stickslip_cycle) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call(|| unsafe { free(cycle) })
 }
 
-/// Begins the cycle anew, at the present state of a history.
+/// Restarts the cycle at the current state of a history.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_begin(
     cycle: *mut stickslip_cycle,
@@ -102,7 +103,8 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     })
 }
 
-/// Adds the last step of the history, which must be new (else STICKSLIP_STEP_ALREADY_COUNTED).
+/// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED if the history has taken no step since the last added
+/// step or since the start of the cycle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_add(
     cycle: *mut stickslip_cycle,
@@ -115,7 +117,7 @@ pub unsafe extern "C" fn stickslip_cycle_add(
     })
 }
 
-/// The numbers of the cycle.
+/// Writes the scalar results of the cycle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_result_of(
     cycle: *const stickslip_cycle,
@@ -125,8 +127,8 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
     unsafe { tell(cycle, ("result", result), |of| Ok(of.into())) }
 }
 
-/// A field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
-/// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. It is valid until the next call that changes the cycle.
+/// Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
+/// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. The field is valid until the next call that changes the cycle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_field(
     cycle: *const stickslip_cycle,

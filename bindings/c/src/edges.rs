@@ -1,4 +1,4 @@
-//! The edges of contacts and stick zones inside the cells, and estimates of what the cells leave of the error.
+//! Edges of contacts and stick zones inside the cells, and estimates of the discretisation error.
 
 use stickslip_rs::edges::{Edges, TangentialEdges};
 use stickslip_rs::{Field, Grid};
@@ -13,15 +13,15 @@ use crate::status::stickslip_status;
 use crate::tangential::stickslip_tangential_solution;
 use crate::text_fields::tell;
 
-/// The edges of a contact and of its stick zone, found inside the cells. Numbers of the stick zone and of the traction are NaN
-/// for a contact that is pressed only.
+/// Edges of a contact and of its stick zone, located inside the cells. The members for the stick zone and the traction are
+/// NaN for a contact without a tangential load.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_edges {
-    /// Area of the contact, with the parts of the cells at its edge (a length squared).
+    /// Area of the contact, including the covered parts of the edge cells (a length squared).
     pub contact_area: f64,
-    /// The part of the cells at the edge of the contact whose fit was refused: these count as a mean part, and have their own
-    /// pressure.
+    /// Fraction of the cells at the edge of the contact whose fit was rejected. Such a cell contributes a mean fraction of
+    /// its area and keeps its own pressure.
     pub unfitted_fraction: f64,
     /// Largest pressure at the centre of a cell (a pressure).
     pub peak_pressure: f64,
@@ -29,13 +29,13 @@ pub struct stickslip_edges {
     pub stick_area: f64,
     /// Area of the slip zone (a length squared).
     pub slip_area: f64,
-    /// Stick area over contact area; zero without contact.
+    /// Ratio of stick area to contact area; zero without contact.
     pub stick_ratio: f64,
-    /// The part of the cells at the edge of the stick zone whose fit was refused.
+    /// Fraction of the cells at the edge of the stick zone whose fit was rejected.
     pub stick_unfitted_fraction: f64,
     /// Largest magnitude of the traction at the centre of a cell (a pressure).
     pub peak_traction: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -68,13 +68,13 @@ impl From<&TangentialEdges> for stickslip_edges {
     }
 }
 
-/// Where C wants edges: the numbers, the values at the centres and their means, each of so many cells.
+/// Output of the edge functions: the edges, the values at the centres, the means, and the number of cells.
 type EdgeOutputs = (*mut stickslip_edges, [*mut f64; 2], usize);
 
-/// Writes edges and the fields that belong to them.
+/// Writes edges and the corresponding fields.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 unsafe fn put<E>(
     (edges, fields, cells): EdgeOutputs,
     grid: Grid,
@@ -85,7 +85,7 @@ where
     for<'e> stickslip_edges: From<&'e E>,
 {
     let names = ["centres", "means"];
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (place, [centres, means]) = unsafe {
         let place = Place::new("edges", edges)?;
         let asked = |k: usize| -> Outcome<Option<&mut [f64]>> {
@@ -107,10 +107,10 @@ where
     Ok(())
 }
 
-/// The edge of the contact inside the cells, and the pressure there.
+/// Computes the edge of the contact inside the cells, and the pressure corrected for it.
 ///
-/// centres and means, which have cells entries, get the pressure at the centres of the cells and its means over the cells; each
-/// may be NULL. Most accurate with STICKSLIP_CENTRE.
+/// centres and means have cells entries and receive the pressure at the centres of the cells and its means over the cells;
+/// each may be NULL. The results are most accurate with STICKSLIP_CENTRE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_edges(
     solution: *const stickslip_normal_solution,
@@ -127,11 +127,11 @@ pub unsafe extern "C" fn stickslip_normal_solution_edges(
     })
 }
 
-/// The edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the problem. They are
-/// those of a contact loaded once.
+/// Computes the edges of the contact and of the stick zone inside the cells. The normal solution and the friction must be
+/// those of the problem. The method assumes a contact that is loaded once.
 ///
-/// centres and means, which have cells entries, get the magnitude of the traction at the centres of the cells and its means over
-/// the cells; each may be NULL.
+/// centres and means have cells entries and receive the magnitude of the traction at the centres of the cells and its means
+/// over the cells; each may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_edges(
     solution: *const stickslip_tangential_solution,
@@ -153,8 +153,8 @@ pub unsafe extern "C" fn stickslip_tangential_solution_edges(
     })
 }
 
-/// The edges of a contact whose pressure and traction were found together: as stickslip_tangential_solution_edges. The pressure
-/// comes from stickslip_coupled_solution_pressure_edges.
+/// Computes the edges of a coupled contact, like stickslip_tangential_solution_edges. The corresponding pressure comes from
+/// stickslip_coupled_solution_pressure_edges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_edges(
     solution: *const stickslip_coupled_solution,
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_edges(
     })
 }
 
-/// The edge of the contact alone, with its pressure: as stickslip_normal_solution_edges.
+/// Computes the edge of a coupled contact with its pressure, like stickslip_normal_solution_edges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_pressure_edges(
     solution: *const stickslip_coupled_solution,
@@ -202,8 +202,8 @@ fn tractions(found: &TangentialEdges) -> [&Field; 2] {
     [found.traction(), found.mean_traction()]
 }
 
-/// An estimate of the relative error that the cells leave in the pressure: the sum over cells of the error of its means. NaN
-/// without contact.
+/// Estimates the relative discretisation error of the pressure, summed over the errors of the cell means. The estimate is
+/// NaN without contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
     solution: *const stickslip_normal_solution,
@@ -217,7 +217,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
     }
 }
 
-/// The same of the traction; NaN without any.
+/// Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate; NaN
+/// without traction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_discretisation_estimate(
     solution: *const stickslip_tangential_solution,
@@ -231,7 +232,8 @@ pub unsafe extern "C" fn stickslip_tangential_solution_discretisation_estimate(
     }
 }
 
-/// The same of pressure and traction that were found together; NaN of what there is not.
+/// Estimates the relative discretisation errors of the pressure and the traction of a coupled contact. An estimate is NaN
+/// without contact or without traction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_discretisation_estimates(
     solution: *const stickslip_coupled_solution,

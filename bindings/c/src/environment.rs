@@ -1,34 +1,35 @@
-//! The floating-point environment of a call.
+//! Floating-point environment of a call.
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 use std::arch::asm;
 use std::marker::PhantomData;
 
-/// Control and status of the processor's arithmetic: rounding, traps, what becomes of tiny numbers, and which exceptions have
-/// been seen.
+/// Control and status of the floating-point unit: rounding mode, traps, treatment of subnormal numbers, and exception
+/// flags.
 type Word = u64;
 
-/// Rounding to nearest, no traps, tiny numbers kept, nothing seen.
+/// Default environment: rounding to nearest, no traps, subnormal numbers kept, no exception flags set.
 #[cfg(target_arch = "x86_64")]
 const DEFAULT: Word = 0x1f80;
 #[cfg(not(target_arch = "x86_64"))]
 const DEFAULT: Word = 0;
 
-/// The environment of the caller, which gets it back when this is dropped.
+/// Saved environment of the caller, which is restored on drop.
 ///
-/// Compiled Rust is made for the default environment: it divides ahead of a condition that would not let it, as nobody sees
-/// that. A program that traps divisions by zero (`gfortran -ffpe-trap=zero`) would be ended by that, and one that rounds
-/// otherwise or drops tiny numbers (`-ffast-math`) would get other bits. The threads of the library begin within a call, and
-/// take the environment from there.
+/// Compiled Rust assumes the default environment. It may execute a division before the condition that guards it, because
+/// the result is not observable. Such a division would end a program that traps divisions by zero (`gfortran
+/// -ffpe-trap=zero`). A program with a different rounding mode, or one that flushes subnormal numbers to zero
+/// (`-ffast-math`), would get different results. The threads of the library start within a call and inherit the environment
+/// of the call.
 #[derive(Debug)]
 pub(crate) struct Environment {
     caller: Word,
-    /// It belongs to its thread.
+    /// Marker that keeps the environment on its thread.
     thread: PhantomData<*const ()>,
 }
 
 impl Environment {
-    /// Keeps the environment of the caller, and takes the default.
+    /// Saves the environment of the caller and sets the default.
     pub(crate) fn enter() -> Self {
         let caller = word();
         set_word(DEFAULT);
@@ -48,7 +49,7 @@ impl Drop for Environment {
 #[cfg(target_arch = "x86_64")]
 fn word() -> Word {
     let mut word = 0_u32;
-    // SAFETY: writes the register to these four bytes.
+    // SAFETY: the instruction writes the register to these four bytes.
     unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut word, options(nostack, preserves_flags)) };
     word.into()
 }
@@ -56,15 +57,15 @@ fn word() -> Word {
 #[cfg(target_arch = "x86_64")]
 fn set_word(word: Word) {
     let word = u32::try_from(word).unwrap_or(0x1f80);
-    // SAFETY: reads the register from these four bytes, and these are a word that it has had or its default. Within a call the
-    // environment is that which Rust expects, outside that of the caller.
+    // SAFETY: the instruction reads the register from these four bytes, which are a former value of the register or its
+    // default. Rust runs in the default environment within a call; outside the call the environment is that of the caller.
     unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const word, options(nostack, preserves_flags)) };
 }
 
 #[cfg(target_arch = "aarch64")]
 fn word() -> Word {
     let (control, status): (Word, Word);
-    // SAFETY: reads two registers.
+    // SAFETY: the instructions read two registers.
     unsafe {
         asm!("mrs {}, fpcr", "mrs {}, fpsr", out(reg) control, out(reg) status, options(nomem, nostack, preserves_flags));
     }
@@ -74,8 +75,8 @@ fn word() -> Word {
 #[cfg(target_arch = "aarch64")]
 fn set_word(word: Word) {
     let (control, status) = (word >> 32, word & 0xffff_ffff);
-    // SAFETY: writes two registers, what they have had or their default. Within a call the environment is that which Rust
-    // expects, outside that of the caller.
+    // SAFETY: the instructions write former values of two registers or their defaults. Rust runs in the default environment
+    // within a call; outside the call the environment is that of the caller.
     unsafe {
         asm!("msr fpcr, {}", "msr fpsr, {}", in(reg) control, in(reg) status, options(nostack, preserves_flags));
     }

@@ -1,4 +1,4 @@
-//! The last failure of a thread.
+//! Last failure of a thread.
 
 use std::cell::{Cell, RefCell};
 use std::ffi::c_char;
@@ -10,27 +10,27 @@ use crate::pointer::answer;
 use crate::results::stickslip_report;
 use crate::status::*;
 
-/// The numbers of the last failure on this thread; zero where they have no meaning.
+/// Numbers that describe the last failure on this thread; members without a meaning for the failure are zero.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default)]
 pub struct stickslip_error {
-    /// What the function returned, STICKSLIP_OK before any failure.
+    /// Return value of the function; STICKSLIP_OK before any failure.
     pub code: stickslip_status,
-    /// The offending value.
+    /// Invalid value.
     pub value: f64,
-    /// The limit that it violates.
+    /// Limit that the value violates.
     pub limit: f64,
-    /// The index of the offending sample, or the place in a batch.
+    /// Index of the invalid sample, or position in a batch.
     pub index: usize,
-    /// Entries needed.
+    /// Number of entries required.
     pub expected: usize,
-    /// Entries given.
+    /// Number of entries supplied.
     pub found: usize,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 4],
 }
 
-/// Why a function fails.
+/// Failure of an exported function.
 #[derive(Debug)]
 pub(crate) struct Failure {
     pub(crate) code: stickslip_status,
@@ -52,7 +52,7 @@ impl Failure {
         }
     }
 
-    /// An entry, argument or handle that must be there is not.
+    /// Creates the failure for an entry, an argument or a handle that is required but missing.
     pub(crate) fn pointer(name: &str) -> Self {
         Self::new(
             STICKSLIP_BAD_POINTER,
@@ -67,7 +67,7 @@ impl Failure {
         )
     }
 
-    /// A number that no constant of the kind has.
+    /// Creates the failure for a number that is not a constant of its kind.
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
             STICKSLIP_UNKNOWN_OPTION,
@@ -98,7 +98,7 @@ impl Failure {
         })
     }
 
-    /// As that of a place in a batch.
+    /// Adds a position in a batch to the failure.
     pub(crate) fn at(mut self, index: usize) -> Self {
         self.code = STICKSLIP_SOME_FAILED;
         self.message = format!("contact {index}: {}", self.message);
@@ -261,10 +261,10 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
     }
 }
 
-/// Bytes of a message, with the zero at its end; a longer message is cut.
+/// Size of a message in bytes, including the zero at its end; longer messages are truncated.
 const LONGEST: usize = 4096;
 
-/// The last failure, as C reads it.
+/// Last failure in the form that C reads.
 struct Last {
     numbers: stickslip_error,
     report: Option<stickslip_report>,
@@ -275,11 +275,11 @@ thread_local! {
         numbers: stickslip_error { code: STICKSLIP_OK, value: 0.0, limit: 0.0, index: 0, expected: 0, found: 0, reserved: [0; 4] },
         report: None,
     }) };
-    /// The message of the last failure, always at the same place: a pointer to it stays valid until the thread ends.
+    /// Message of the last failure. Its address never changes, so that a pointer to it stays valid until the thread ends.
     static MESSAGE: [Cell<u8>; LONGEST] = const { [const { Cell::new(0) }; LONGEST] };
 }
 
-/// Keeps a failure for the functions below.
+/// Stores a failure for the functions below.
 pub(crate) fn remember(failure: Failure) {
     let mut end = failure.message.len().min(LONGEST - 1);
     while !failure.message.is_char_boundary(end) {
@@ -288,7 +288,7 @@ pub(crate) fn remember(failure: Failure) {
     let text = failure.message[..end].bytes().chain([0]);
     let _ =
         MESSAGE.try_with(|message| message.iter().zip(text).for_each(|(to, from)| to.set(from)));
-    // A thread that is ending has nobody left to ask.
+    // Access fails only while the thread is ending, when no function can read the failure any more.
     let _ = LAST.try_with(|last| {
         last.replace(Last {
             numbers: failure.numbers,
@@ -297,8 +297,8 @@ pub(crate) fn remember(failure: Failure) {
     });
 }
 
-/// The message of the last failure on this thread, in English, UTF-8; empty before any. The pointer is the same for every
-/// failure of a thread, and valid until the thread ends.
+/// Returns the message of the last failure on this thread, in English and UTF-8; the message is empty before any failure.
+/// The pointer is the same for all failures of a thread and valid until the thread ends.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_last_error_message() -> *const c_char {
     MESSAGE
@@ -306,7 +306,7 @@ pub extern "C" fn stickslip_last_error_message() -> *const c_char {
         .unwrap_or(c"".as_ptr())
 }
 
-/// The numbers of the last failure on this thread.
+/// Writes the numbers that describe the last failure on this thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> stickslip_status {
     // SAFETY: the rule for pointers.
@@ -318,7 +318,8 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
     })
 }
 
-/// The report of the last failure on this thread, if that was STICKSLIP_NOT_CONVERGED; else STICKSLIP_INVALID_ARGUMENT.
+/// Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED; returns STICKSLIP_INVALID_ARGUMENT
+/// otherwise.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,

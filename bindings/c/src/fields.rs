@@ -1,4 +1,4 @@
-//! The fields of solutions and histories, by number.
+//! Constants for the fields of solutions and histories.
 
 use stickslip_rs::{Field, NormalSolution, TangentialSolution};
 
@@ -13,22 +13,23 @@ pub const STICKSLIP_GAP: i32 = 1;
 pub const STICKSLIP_TRACTION_X: i32 = 2;
 /// Shear traction along y.
 pub const STICKSLIP_TRACTION_Y: i32 = 3;
-/// Slip along x (lengths), the motion of the surface of body 1 over that of body 2; of a history the sum of all steps.
+/// Slip along x (lengths): the motion of the surface of body 1 relative to body 2. The slip of a history is the sum over
+/// all steps.
 pub const STICKSLIP_SLIP_X: i32 = 4;
 /// Slip along y.
 pub const STICKSLIP_SLIP_Y: i32 = 5;
-/// Displacement by pressure and tractions together along x (lengths): of coupled solutions that of body 1 relative to body 2,
-/// of planes below the surface that of the body.
+/// Displacement along x due to pressure and tractions (lengths). For coupled solutions it is the displacement of body 1
+/// relative to body 2, and for planes below the surface the displacement of the body.
 pub const STICKSLIP_DISPLACEMENT_X: i32 = 6;
-/// The same along y.
+/// Displacement along y due to pressure and tractions (lengths).
 pub const STICKSLIP_DISPLACEMENT_Y: i32 = 7;
-/// The same along z; of coupled solutions the sum of both bodies.
+/// Displacement along z due to pressure and tractions (lengths); for coupled solutions the sum over both bodies.
 pub const STICKSLIP_DISPLACEMENT_Z: i32 = 8;
-/// Length of the path slipped, in all steps of a history or in those of a cycle (lengths).
+/// Length of the slip path over all steps of a history or of a cycle (lengths).
 pub const STICKSLIP_SLIP_DISTANCE: i32 = 9;
-/// Energy that each cell has dissipated, in all steps of a history or in those of a cycle.
+/// Energy dissipated in each cell over all steps of a history or of a cycle.
 pub const STICKSLIP_DISSIPATED_ENERGY: i32 = 10;
-/// Gap of a history before loading, as last set (lengths).
+/// Last prescribed gap of a history before loading (lengths).
 pub const STICKSLIP_INITIAL_GAP: i32 = 11;
 /// Slip along x of the last step of a history (lengths).
 pub const STICKSLIP_STEP_SLIP_X: i32 = 12;
@@ -36,17 +37,18 @@ pub const STICKSLIP_STEP_SLIP_X: i32 = 12;
 pub const STICKSLIP_STEP_SLIP_Y: i32 = 13;
 /// Length of the slip of the last step.
 pub const STICKSLIP_STEP_SLIP_DISTANCE: i32 = 14;
-/// Energy that each cell dissipated in the last step, by its traction at the end.
+/// Energy dissipated in each cell in the last step, computed with the traction at the end of the step.
 pub const STICKSLIP_STEP_DISSIPATED_ENERGY: i32 = 15;
-/// Energy that each cell dissipated in the last step, by the mean of its tractions: the measure that closes the balance.
+/// Energy dissipated in each cell in the last step, computed with the mean traction of the step; this value closes the
+/// energy balance.
 pub const STICKSLIP_STEP_MID_DISSIPATED_ENERGY: i32 = 16;
-/// What has yielded for good, added to the gap (lengths); histories with a permanent set only.
+/// Permanent set added to the gap (lengths); only for histories with a permanent set.
 pub const STICKSLIP_YIELDED_DEPTH: i32 = 17;
-/// Mean pressure while slipping, weighted by the slip; cycles only.
+/// Mean pressure during slip, weighted by the slip; only for cycles.
 pub const STICKSLIP_SLIP_PRESSURE: i32 = 18;
-/// Amplitude of the slip along x; cycles only (lengths).
+/// Amplitude of the slip along x (lengths); only for cycles.
 pub const STICKSLIP_SLIP_AMPLITUDE_X: i32 = 19;
-/// Amplitude of the slip along y; cycles only.
+/// Amplitude of the slip along y (lengths); only for cycles.
 pub const STICKSLIP_SLIP_AMPLITUDE_Y: i32 = 20;
 /// Stress xx on a plane below the surface (pressures, positive in tension).
 pub const STICKSLIP_STRESS_XX: i32 = 21;
@@ -60,9 +62,10 @@ pub const STICKSLIP_STRESS_XY: i32 = 24;
 pub const STICKSLIP_STRESS_XZ: i32 = 25;
 /// Stress yz on a plane.
 pub const STICKSLIP_STRESS_YZ: i32 = 26;
-/// Von Mises' equivalent stress (pressures), for stickslip_planes_measure.
+/// Von Mises equivalent stress (pressures), for stickslip_planes_measure.
 pub const STICKSLIP_VON_MISES: i32 = 27;
-/// Largest shear stress (pressures), for stickslip_planes_measure: half the difference of the largest and the smallest principal stress.
+/// Largest shear stress (pressures), for stickslip_planes_measure: half the difference between the largest and the smallest
+/// principal stress.
 pub const STICKSLIP_MAX_SHEAR: i32 = 28;
 /// Mean of the normal stresses (pressures, positive in tension), for stickslip_planes_measure.
 pub const STICKSLIP_HYDROSTATIC: i32 = 29;
@@ -74,7 +77,7 @@ pub const STICKSLIP_STICK: u8 = 1;
 /// Zone of a cell in contact, at the friction limit.
 pub const STICKSLIP_SLIP: u8 = 2;
 
-/// A number that is no field of this object.
+/// Creates the failure for a number that is not a field of the object.
 pub(crate) fn none(field: i32) -> Failure {
     Failure::option("field of this object:", field)
 }

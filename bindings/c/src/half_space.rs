@@ -1,4 +1,4 @@
-//! The two bodies on their grid.
+//! Two elastic half-spaces on a grid.
 
 use std::sync::Arc;
 
@@ -17,8 +17,8 @@ use crate::status::stickslip_status;
 use crate::text_fields::tell;
 use crate::threads::enter;
 
-/// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep what
-/// they need of it: it may be freed before them. Many threads may use one at once.
+/// Two elastic half-spaces on a grid, with the operators that all contacts on them share. Solvers and histories keep the
+/// parts they need, so the half-spaces may be freed first. Many threads may use the same object simultaneously.
 pub struct stickslip_half_space(Handle<HalfSpace>);
 
 opaque!(stickslip_half_space holds HalfSpace, named "half-space");
@@ -29,17 +29,18 @@ opaque!(stickslip_half_space holds HalfSpace, named "half-space");
 pub struct stickslip_pair {
     /// E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
     pub contact_modulus: f64,
-    /// G* of Mindlin (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2; a circle of radius a that sticks has 8 G* a.
+    /// Mindlin's G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a circular stick
+    /// contact of radius a is 8 G* a.
     pub tangential_modulus: f64,
-    /// Dundurs' second parameter; zero where pressure and traction are not coupled.
+    /// Dundurs' second parameter; zero if pressure and traction are not coupled.
     pub dundurs_beta: f64,
-    /// Not zero if pressure and traction are coupled.
+    /// Nonzero if pressure and traction are coupled.
     pub is_coupled: i32,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Makes the bodies: nothing is computed yet. A NULL boundary is STICKSLIP_NON_PERIODIC.
+/// Creates the half-spaces; nothing is computed yet. A NULL boundary means STICKSLIP_NON_PERIODIC.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new(
     grid: *const stickslip_grid,
@@ -57,7 +58,8 @@ pub unsafe extern "C" fn stickslip_half_space_new(
     }
 }
 
-/// The same of bodies under layers, each the outermost first, at most eight; no layers leave a body as it is.
+/// Creates coated half-spaces. The layers of each body are listed from the outermost inwards, eight at most; a body with
+/// zero layers is uncoated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_coated(
     grid: *const stickslip_grid,
@@ -93,12 +95,14 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
     }
 }
 
-/// The same of bodies whose rows are dealt out to ranks, which solve together to the bits of one: every rank makes them of the
-/// whole grid, and then the same calls in the same order. The grid of the bodies is that of the rows of this rank, from
-/// stickslip_half_space_first_row on, as are all arrays and labels; sums, reports and spots are those of the whole contact.
+/// Creates half-spaces whose rows are distributed over ranks, which solve contacts together. Results are bitwise identical
+/// to those of one process. Every rank passes the whole grid, and all ranks then make the same calls in the same order. The
+/// grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
+/// and labels contain the local cells; sums, reports and spots describe the whole contact.
 ///
-/// Of the functions that return or take a grid alone none knows that it is a part: gaps are made by the program. Where ranks are
-/// threads of one process, stickslip_set_num_threads(1) must keep each in its own: else they wait for the same threads for ever.
+/// Functions that return or take only a grid do not account for the distribution, so the program computes the local gap
+/// itself. If the ranks are threads of one process, stickslip_set_num_threads(1) must keep the work of each rank on its own
+/// thread; otherwise the ranks wait for the same threads forever.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     grid: *const stickslip_grid,
@@ -142,7 +146,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     })
 }
 
-/// The first row of the whole grid that this rank has; zero where no ranks share it.
+/// Writes the first local row, as a row number of the whole grid; zero without ranks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_first_row(
     half_space: *const stickslip_half_space,
@@ -152,8 +156,8 @@ pub unsafe extern "C" fn stickslip_half_space_first_row(
     unsafe { tell(half_space, ("row", row), |of| Ok(of.grid().rows().start)) }
 }
 
-/// Chooses the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is
-/// made of the bodies from now on. On a grid with STICKSLIP_PERIODIC values are those at the centres in any case.
+/// Sets the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (default) or STICKSLIP_CENTRE, for
+/// objects that are created afterwards. On a grid with STICKSLIP_PERIODIC the values are always those at the centres.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_set_cell_value(
     half_space: *mut stickslip_half_space,
@@ -169,7 +173,7 @@ pub unsafe extern "C" fn stickslip_half_space_set_cell_value(
     })
 }
 
-/// The meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
+/// Writes the meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_cell_value(
     half_space: *const stickslip_half_space,
@@ -186,7 +190,7 @@ pub unsafe extern "C" fn stickslip_half_space_cell_value(
     }
 }
 
-/// Frees the bodies; nothing for NULL.
+/// Frees the half-spaces; does nothing if the pointer is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_free(
     half_space: *mut stickslip_half_space,
@@ -195,7 +199,7 @@ pub unsafe extern "C" fn stickslip_half_space_free(
     call(|| unsafe { free(half_space) })
 }
 
-/// The grid.
+/// Writes the grid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_grid(
     half_space: *const stickslip_half_space,
@@ -205,7 +209,7 @@ pub unsafe extern "C" fn stickslip_half_space_grid(
     unsafe { tell(half_space, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
-/// The constants of the pair.
+/// Writes the constants of the pair of materials.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_pair(
     half_space: *const stickslip_half_space,

@@ -1,4 +1,4 @@
-//! Objects that C holds by pointer, with a count of who is using them.
+//! Objects that C refers to by pointer, with a count of their users.
 
 use std::cell::UnsafeCell;
 use std::ops::{Deref, DerefMut};
@@ -11,14 +11,14 @@ use crate::error::Failure;
 use crate::pointer::{Place, input};
 use crate::scratch::Spare;
 
-/// A value that several may read at once, or one may change.
+/// Value with many simultaneous readers or one writer.
 #[derive(Debug)]
 pub(crate) struct Handle<T> {
-    /// Those who read it now; -1 while one changes it.
+    /// Number of current readers; -1 during a change.
     users: AtomicIsize,
-    /// Cells of its grid.
+    /// Number of cells of the grid.
     cells: usize,
-    /// Memory for its calls.
+    /// Memory for calls on the object.
     spare: Spare,
     value: UnsafeCell<T>,
 }
@@ -31,7 +31,7 @@ impl<T> Handle<T> {
         let outcome = self
             .users
             .fetch_update(Ordering::Acquire, Ordering::Relaxed, enter);
-        // Not made where it may not be: to drop it gives the value back.
+        // The guard is created only after the count was raised, because dropping it lowers the count.
         outcome.is_ok().then(|| Reading(self))
     }
 
@@ -43,12 +43,12 @@ impl<T> Handle<T> {
     }
 }
 
-/// The value, while it is read.
+/// Shared access to a value.
 #[derive(Debug)]
 pub(crate) struct Reading<'a, T>(&'a Handle<T>);
 
 impl<'a, T> Reading<'a, T> {
-    /// Memory for this call.
+    /// Returns the memory for this call.
     pub(crate) fn spare(&self) -> &'a Spare {
         &self.0.spare
     }
@@ -58,7 +58,7 @@ impl<T> Deref for Reading<'_, T> {
     type Target = T;
 
     fn deref(&self) -> &T {
-        // SAFETY: while this is counted, nobody changes the value.
+        // SAFETY: the value does not change while this reader is counted.
         unsafe { &*self.0.value.get() }
     }
 }
@@ -69,15 +69,15 @@ impl<T> Drop for Reading<'_, T> {
     }
 }
 
-/// The value, while one changes it.
+/// Exclusive access to a value.
 #[derive(Debug)]
 pub(crate) struct Changing<'a, T>(&'a Handle<T>);
 
-// SAFETY: it is the only way to the value while it lives, as a mutable reference is.
+// SAFETY: the guard is the only access to the value during its lifetime, like a mutable reference.
 unsafe impl<T: Send> Send for Changing<'_, T> {}
 
 impl<'a, T> Changing<'a, T> {
-    /// Memory for this call.
+    /// Returns the memory for this call.
     pub(crate) fn spare(&self) -> &'a Spare {
         &self.0.spare
     }
@@ -87,14 +87,14 @@ impl<T> Deref for Changing<'_, T> {
     type Target = T;
 
     fn deref(&self) -> &T {
-        // SAFETY: nobody else has the value.
+        // SAFETY: the guard has exclusive access to the value.
         unsafe { &*self.0.value.get() }
     }
 }
 
 impl<T> DerefMut for Changing<'_, T> {
     fn deref_mut(&mut self) -> &mut T {
-        // SAFETY: nobody else has the value.
+        // SAFETY: the guard has exclusive access to the value.
         unsafe { &mut *self.0.value.get() }
     }
 }
@@ -105,17 +105,17 @@ impl<T> Drop for Changing<'_, T> {
     }
 }
 
-/// A type that C knows by name alone.
+/// Opaque type of the C interface.
 pub(crate) trait Opaque: From<Handle<Self::Value>> {
-    /// What it holds. Threads may share it, since each use of a handle is of one of them.
+    /// Value behind the handle. Threads may share it, since any thread may use a handle.
     type Value: Send + Sync;
-    /// What it is called in messages.
+    /// Name of the object in messages.
     const NAME: &'static str;
 
     fn handle(&self) -> &Handle<Self::Value>;
 }
 
-/// Makes a struct of one handle an opaque type.
+/// Implements [`Opaque`] for a struct with one handle.
 macro_rules! opaque {
     ($type:ident holds $value:ty, named $name:literal) => {
         impl From<crate::handle::Handle<$value>> for $type {
@@ -137,7 +137,7 @@ macro_rules! opaque {
 
 pub(crate) use opaque;
 
-/// Hands a new object over to C, with the number of cells of its grid.
+/// Passes a new object to C, with the number of cells of its grid.
 pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usize) -> Outcome {
     let object = T::from(Handle {
         users: AtomicIsize::new(0),
@@ -145,7 +145,8 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
         spare: Spare::default(),
         value: UnsafeCell::new(value),
     });
-    // A slice of one, since a box aborts where memory runs out; it is freed as a box of the object, whose layout it has.
+    // A vector of one element reports a failed allocation, whereas a box aborts. The object is freed as a box, which has
+    // the same layout.
     let mut one = Vec::new();
     one.try_reserve_exact(1).map_err(|_| Error::Memory {
         quantity: T::NAME,
@@ -156,36 +157,36 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
     Ok(())
 }
 
-/// Cells of the grid of an object, whoever uses it; none without one.
+/// Returns the number of cells of the grid of an object, also while other threads use it; zero for an invalid pointer.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
-    // SAFETY: as of this function; the number of cells never changes.
+    // SAFETY: the safety contract of this function; the number of cells never changes.
     let object = unsafe { input(T::NAME, pointer) };
     object.map_or(0, |object| object.handle().cells)
 }
 
-/// An object to be read.
+/// Returns shared access to an object.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn reading<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Reading<'a, T::Value>> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let object = unsafe { input(T::NAME, pointer)? };
     object.handle().read().ok_or_else(|| Failure::busy(T::NAME))
 }
 
-/// An object to be changed.
+/// Returns exclusive access to an object.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn changing<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Changing<'a, T::Value>> {
-    // SAFETY: as of this function; what changes is behind the count of users.
+    // SAFETY: the safety contract of this function; the count of users protects the value.
     let object = unsafe { input(T::NAME, pointer)? };
     object
         .handle()
@@ -193,17 +194,18 @@ pub(crate) unsafe fn changing<'a, T: Opaque + 'a>(
         .ok_or_else(|| Failure::busy(T::NAME))
 }
 
-/// Frees an object; nothing for NULL. One in use is not freed.
+/// Frees an object; does nothing for NULL. An object in use is not freed.
 ///
 /// # Safety
-/// The rule for pointers; the pointer came from [`give`], and is not used again if this succeeds.
+/// The caller follows the rule for pointers of [`crate::pointer`]. The pointer comes from [`give`] and is not used again if
+/// this function succeeds.
 pub(crate) unsafe fn free<T: Opaque>(pointer: *mut T) -> Outcome {
     if pointer.is_null() {
         return Ok(());
     }
-    // SAFETY: as of this function. The mark of use is not taken back: there is no object left to use.
+    // SAFETY: the safety contract of this function. The count of users is not restored, because no object remains.
     std::mem::forget(unsafe { changing(pointer.cast_const())? });
-    // SAFETY: from the box of `give`, and given up by the caller.
+    // SAFETY: the box comes from `give`, and the caller no longer uses it.
     drop(unsafe { Box::from_raw(pointer) });
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Histories: steps with memory of slip.
+//! Load histories: steps with memory of slip.
 
 use stickslip_rs::history::EntryRule;
 use stickslip_rs::stiffness::StiffnessWorkspace;
@@ -21,20 +21,21 @@ use crate::status::stickslip_status;
 use crate::stiffness::stickslip_stiffness;
 use crate::text_fields::tell;
 
-/// A contact that is loaded step by step, with memory of slip. A step that fails leaves it bit for bit as it was. Its
-/// fields are read without a copy, and are valid until the next call that changes it.
+/// Contact that is loaded step by step, with memory of slip. A failed step leaves the history bitwise unchanged. Fields are
+/// read without a copy and remain valid until the next call that changes the history.
 pub struct stickslip_history(Handle<History>);
 
 opaque!(stickslip_history holds History, named "history");
 
-/// Along x.
+/// Axis x.
 pub const STICKSLIP_X: i32 = 0;
-/// Along y.
+/// Axis y.
 pub const STICKSLIP_Y: i32 = 1;
 
-/// A cell that touches within a step follows its motion as far as it would if all that grows stuck (default).
+/// Touch rule: a cell that comes into contact within a step follows the motion from its first touch, in proportion to the
+/// growth of its own pressure (default).
 pub const STICKSLIP_SINCE_TOUCH: i32 = 0;
-/// It follows all of the motion of the step.
+/// Touch rule: such a cell follows the whole motion of the step.
 pub const STICKSLIP_WHOLE_STEP: i32 = 1;
 
 /// Options of a history; stickslip_history_options_default() has the defaults.
@@ -43,25 +44,27 @@ pub const STICKSLIP_WHOLE_STEP: i32 = 1;
 pub struct stickslip_history_options {
     /// Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
     pub axis: i32,
-    /// STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+    /// Model of the traction: STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
     pub model: i32,
-    /// STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+    /// Coupling of pressure and traction: STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; relevant only
+    /// for dissimilar bodies.
     pub coupling: i32,
-    /// STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    /// Touch rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     pub entry_rule: i32,
-    /// Largest pressure that the cells carry, or NULL (default).
+    /// Largest pressure that the cells can carry, or NULL (default, no limit).
     pub hardness: *const stickslip_per_cell,
-    /// Not zero if what yields stays (default 0).
+    /// Nonzero if yielding leaves a permanent set (default 0).
     pub permanent_set: i32,
-    /// Pattern of a displacement that the contact does not cause, or NULL (default); steps reach an amount of it.
+    /// Pattern of a displacement that the contact does not cause, or NULL (default). Each step prescribes a multiple of the
+    /// pattern.
     pub relative_displacement: *const stickslip_relative_displacement,
-    /// Method, tolerance and limits.
+    /// Method, tolerance and limits of the solves.
     pub settings: stickslip_settings,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// The options that histories have by default.
+/// Returns the default options of a history.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_history_options_default() -> stickslip_history_options {
     stickslip_history_options {
@@ -77,8 +80,8 @@ pub extern "C" fn stickslip_history_options_default() -> stickslip_history_optio
     }
 }
 
-/// Makes a history of a gap before loading (lengths, count entries, copied); nothing touches before the first step. options
-/// may be NULL (the defaults).
+/// Creates a history for a gap before loading (lengths, count entries, copied); the bodies do not touch before the first
+/// step. options may be NULL (the defaults).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_new(
     half_space: *const stickslip_half_space,
@@ -142,7 +145,7 @@ pub(crate) fn entry_rule(value: i32) -> Outcome<EntryRule> {
     }
 }
 
-/// Makes a copy of a history, independent of it: steps of one do not change the other.
+/// Creates an independent copy of a history.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_clone(
     history: *const stickslip_history,
@@ -156,7 +159,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
     })
 }
 
-/// Frees a history; nothing for NULL.
+/// Frees a history; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_free(
     history: *mut stickslip_history,
@@ -165,8 +168,8 @@ pub unsafe extern "C" fn stickslip_history_free(
     call(|| unsafe { free(history) })
 }
 
-/// Takes a step. observer may be NULL. After a failure the history is as it was; after STICKSLIP_NOT_CONVERGED
-/// stickslip_last_error_report has the report.
+/// Takes a step. observer may be NULL. A failure leaves the history unchanged; after STICKSLIP_NOT_CONVERGED,
+/// stickslip_last_error_report writes the report.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_step(
     history: *mut stickslip_history,
@@ -184,11 +187,12 @@ pub unsafe extern "C" fn stickslip_history_step(
     })
 }
 
-/// Takes a load in as many steps of equal growth of the contact as a tolerance in (0, 1) needs, and writes their number to
-/// taken (may be NULL). A contact of dissimilar bodies must be pressed so. It takes the load in 1, 2, 4, 8, ... steps from the
-/// present state, until the tractions change by no more than the tolerance times the friction limits: 0.01 is a good choice.
-/// observer may be NULL; it receives the iterations of all steps. After a failure, which may be STICKSLIP_STEP_TOO_LONG, the
-/// state of the history is unchanged; its last step is the last one that succeeded.
+/// Applies a load in as many steps of equal growth of the contact as a tolerance in (0, 1) requires, and writes their
+/// number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies the load in
+/// 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
+/// friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the iterations of
+/// all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged; its last step is
+/// the last successful step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_press(
     history: *mut stickslip_history,
@@ -210,8 +214,8 @@ pub unsafe extern "C" fn stickslip_history_press(
     })
 }
 
-/// Changes the gap before loading (lengths, count entries, copied), as wear does. The pressure stays until a step that
-/// gives a normal load again.
+/// Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
+/// a step prescribes a normal load.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_gap(
     history: *mut stickslip_history,
@@ -228,7 +232,7 @@ pub unsafe extern "C" fn stickslip_history_set_gap(
     })
 }
 
-/// Changes the friction from the next step on.
+/// Sets the friction of the following steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_friction(
     history: *mut stickslip_history,
@@ -243,7 +247,7 @@ pub unsafe extern "C" fn stickslip_history_set_friction(
     })
 }
 
-/// Changes method, tolerance and limits from the next step on.
+/// Sets the method, the tolerance and the limits of the following steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_settings(
     history: *mut stickslip_history,
@@ -256,7 +260,7 @@ pub unsafe extern "C" fn stickslip_history_set_settings(
     })
 }
 
-/// Changes the pattern of the relative displacement from the next step on.
+/// Sets the pattern of the relative displacement of the following steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
     history: *mut stickslip_history,
@@ -270,7 +274,8 @@ pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
     })
 }
 
-/// The stiffness of the contact after the last step: normal, tangential on loading and at reversal.
+/// Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and at
+/// reversal.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,
@@ -280,8 +285,8 @@ pub unsafe extern "C" fn stickslip_history_stiffness(
     unsafe { stickslip_history_stiffness_observed(history, std::ptr::null(), stiffness) }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+/// Computes the stiffness with an observer (may be NULL). The observer is called before every product with an operator and
+/// may end the call: the function then returns STICKSLIP_NOT_CONVERGED and leaves stiffness unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_stiffness_observed(
     history: *const stickslip_history,
@@ -297,9 +302,9 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
     }
 }
 
-/// The stiffness of a next step that starts from the present state. In loading and by_approach cells that stick resist fully,
-/// also those that came into contact in the last step, and cells at their limit continue to slip. A host that shears the contact
-/// further under the same normal load needs this. observer may be NULL.
+/// Computes the stiffness of a next step from the current state. In loading and by_approach, stick cells resist fully,
+/// including those that came into contact in the last step, and cells at their friction limit continue to slip. Use it to
+/// shear the contact further under the same normal load. observer may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_next_stiffness(
     history: *const stickslip_history,

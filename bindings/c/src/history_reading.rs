@@ -1,4 +1,4 @@
-//! What a history tells of its state and of its last step.
+//! State and last step of a history.
 
 use stickslip_rs::history::EnergyBalance;
 use stickslip_rs::{Field, History};
@@ -19,21 +19,21 @@ use crate::text_fields::{show, tell, warn};
 pub struct stickslip_energy {
     /// Work of the tangential load.
     pub work: f64,
-    /// Elastic energy of shear before.
+    /// Elastic energy of shear before the step or the cycle.
     pub elastic_before: f64,
-    /// Elastic energy of shear after.
+    /// Elastic energy of shear after the step or the cycle.
     pub elastic_after: f64,
-    /// Energy dissipated, by the tractions at the ends of steps.
+    /// Energy dissipated, computed with the tractions at the ends of steps.
     pub dissipated_energy: f64,
-    /// Energy dissipated, by the mean tractions of steps, which closes the balance.
+    /// Energy dissipated, computed with the mean tractions of steps; this value closes the energy balance.
     pub dissipated_energy_midpoint: f64,
-    /// Energy that cells let go as they leave the contact.
+    /// Energy released by the tractions of cells that leave the contact.
     pub released: f64,
-    /// Work on the motion that the tolerance leaves in stick cells.
+    /// Work on the residual motion that the tolerance permits in stick cells.
     pub residual: f64,
-    /// What is missing in the balance: round-off.
+    /// Imbalance of the energies; round-off.
     pub imbalance: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -53,7 +53,7 @@ impl From<&EnergyBalance> for stickslip_energy {
     }
 }
 
-/// Numbers of a history after its last step.
+/// Scalar results of a history after its last step.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_step_result {
@@ -69,17 +69,18 @@ pub struct stickslip_step_result {
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start (radians).
     pub twist: f64,
-    /// Stick cells over contact cells after the last step; zero without contact.
+    /// Ratio of stick cells to contact cells after the last step; zero without contact.
     pub stick_ratio: f64,
-    /// Not zero if the whole contact is at its friction limit after the last step.
+    /// Nonzero if the whole contact is at its friction limit after the last step.
     pub is_gross_slip: i32,
-    /// Steps taken since the start.
+    /// Number of steps since the start.
     pub steps: u64,
     /// Energies of the last step.
     pub energy: stickslip_energy,
-    /// The creepages along x and y of the last step, given or caused by the force (dimensionless); zero if it did not roll.
+    /// Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
+    /// not roll.
     pub creepage: [f64; 2],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 6],
 }
 
@@ -103,8 +104,8 @@ impl From<&History> for stickslip_step_result {
     }
 }
 
-/// The numbers of the state. Stick ratio, gross slip, energies and creepages are those of the last step taken, zero before
-/// any and after the history was made from bytes.
+/// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero before
+/// the first step and after the history was created from bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_result(
     history: *const stickslip_history,
@@ -114,7 +115,7 @@ pub unsafe extern "C" fn stickslip_history_result(
     unsafe { tell(history, ("result", result), |of| Ok(of.into())) }
 }
 
-/// The numbers of the normal contact.
+/// Writes the scalar results of the normal contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_normal_result(
     history: *const stickslip_history,
@@ -124,7 +125,7 @@ pub unsafe extern "C" fn stickslip_history_normal_result(
     unsafe { tell(history, ("result", result), |of| Ok(of.normal().into())) }
 }
 
-/// The grid of all fields.
+/// Writes the grid of all fields.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_grid(
     history: *const stickslip_history,
@@ -134,7 +135,7 @@ pub unsafe extern "C" fn stickslip_history_grid(
     unsafe { tell(history, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
-/// The largest tangential force that friction holds at the present pressure.
+/// Writes the largest tangential force that friction can carry at the current pressure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_friction_capacity(
     history: *const stickslip_history,
@@ -148,8 +149,8 @@ pub unsafe extern "C" fn stickslip_history_friction_capacity(
     }
 }
 
-/// How pressure and traction of the last step were solved; STICKSLIP_UNSOLVED if the pressure was held, or before anything
-/// has touched.
+/// Writes the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the pressure
+/// was held, or before the first contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_reports(
     history: *const stickslip_history,
@@ -169,7 +170,7 @@ pub unsafe extern "C" fn stickslip_history_reports(
     })
 }
 
-/// Diagnostics on the last step: as stickslip_normal_solution_warnings.
+/// Writes the warnings about the last step, like stickslip_normal_solution_warnings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_warnings(
     history: *const stickslip_history,
@@ -185,8 +186,8 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     }
 }
 
-/// A field by its number, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH but displacements, and how many cells it has (count
-/// may be NULL); NULL on failure.
+/// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements, and writes its number of cells to
+/// count (may be NULL); returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_field(
     history: *const stickslip_history,
@@ -218,7 +219,7 @@ fn field(history: &History, which: i32) -> Outcome<&Field> {
     })
 }
 
-/// The zone of every cell after the last step; NULL on failure.
+/// Returns the zone of every cell after the last step; NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_zones(
     history: *const stickslip_history,

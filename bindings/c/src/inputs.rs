@@ -1,4 +1,4 @@
-//! Grids, materials, friction, settings: plain structs that C fills in.
+//! Grids, materials, friction and settings: plain structs that the caller fills in.
 
 use std::time::Duration;
 
@@ -14,14 +14,14 @@ use crate::pointer::{cells, field};
 use crate::reserved::known;
 use crate::scratch::Spare;
 
-/// A grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has
-/// nx * ny entries, row by row with x fastest: that of cell (ix, iy) is at iy * nx + ix.
+/// Grid of nx by ny rectangular cells of sides dx and dy (lengths), centred on the origin. An array of samples has nx * ny
+/// entries, row by row with x fastest; the sample of cell (ix, iy) is at iy * nx + ix.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_grid {
-    /// Cells along x.
+    /// Number of cells along x.
     pub nx: usize,
-    /// Cells along y.
+    /// Number of cells along y.
     pub ny: usize,
     /// Side of a cell along x (a length).
     pub dx: f64,
@@ -46,15 +46,15 @@ impl From<Grid> for stickslip_grid {
     }
 }
 
-/// The material of a body.
+/// Material of a body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_material {
     /// Young's modulus (a pressure); infinite for a rigid body.
     pub youngs_modulus: f64,
-    /// Poisson's ratio, in (-1, 1/2]; of no meaning for a rigid body.
+    /// Poisson's ratio, in (-1, 1/2]; without meaning for a rigid body.
     pub poisson_ratio: f64,
-    /// Indentation hardness (a pressure), for warnings only; 0 or infinite: not known.
+    /// Indentation hardness (a pressure), used only for warnings; 0 or infinite if unknown.
     pub hardness: f64,
 }
 
@@ -72,7 +72,7 @@ impl stickslip_material {
     }
 }
 
-/// An elastic layer bonded to what lies below it.
+/// Elastic layer bonded to the layer or body below it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_layer {
@@ -95,20 +95,20 @@ impl stickslip_layer {
     }
 }
 
-/// The grid is a patch on infinite bodies.
+/// Boundary of a grid that is a patch on infinite bodies.
 pub const STICKSLIP_NON_PERIODIC: i32 = 0;
-/// The grid repeats along x and y.
+/// Boundary of a grid that is periodic along x and y.
 pub const STICKSLIP_PERIODIC: i32 = 1;
-/// The grid repeats along y alone.
+/// Boundary of a grid that is periodic along y only.
 pub const STICKSLIP_PERIODIC_ALONG_Y: i32 = 2;
 
-/// What lies beyond the edge of the grid.
+/// Boundary condition at the edge of the grid.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_boundary {
-    /// STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
+    /// Kind of boundary: STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
     pub kind: i32,
-    /// With STICKSLIP_PERIODIC_ALONG_Y: distance along x at which a line load moves nothing (a length).
+    /// Distance along x at which a line load causes no displacement (a length); only for STICKSLIP_PERIODIC_ALONG_Y.
     pub datum: f64,
 }
 
@@ -123,12 +123,12 @@ impl stickslip_boundary {
     }
 }
 
-/// The traction of a cell is uniform over it.
+/// Cell value: the traction is uniform over the cell.
 pub const STICKSLIP_UNIFORM: i32 = 0;
-/// The traction of a cell is that at its centre, and smooth between the centres.
+/// Cell value: the traction at the centre of the cell; the traction is smooth between the centres.
 pub const STICKSLIP_CENTRE: i32 = 1;
 
-/// The meaning of the value of a cell.
+/// Converts a constant to the meaning of a cell value.
 pub(crate) fn cell_value(chosen: i32) -> Outcome<CellValue> {
     match chosen {
         STICKSLIP_UNIFORM => Ok(CellValue::Uniform),
@@ -137,47 +137,47 @@ pub(crate) fn cell_value(chosen: i32) -> Outcome<CellValue> {
     }
 }
 
-/// A quantity of all cells: one value, or one for each.
+/// Quantity with one value for all cells or a value for each cell.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_per_cell {
-    /// The value of all cells, if cells is NULL.
+    /// Value of all cells; used if cells is NULL.
     pub value: f64,
-    /// A value for each cell, copied by the call; or NULL.
+    /// Value of each cell, copied by the call; or NULL.
     pub cells: *const f64,
-    /// Number of cells, if cells is not NULL.
+    /// Number of cells; used if cells is not NULL.
     pub count: usize,
 }
 
 impl stickslip_per_cell {
-    /// The values of the cells, if there are any.
+    /// Returns the values of the cells; `None` if one value applies to all cells.
     ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn cells(&self, name: &str, grid: Grid) -> Outcome<Option<&[f64]>> {
         if self.cells.is_null() {
             return Ok(None);
         }
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         unsafe { cells(name, grid, self.cells, self.count) }.map(Some)
     }
 
-    /// The same, copied into what `spare` has.
+    /// Returns the values of the cells, copied into memory of `spare`; `None` if one value applies to all cells.
     ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     unsafe fn field(&self, name: &str, grid: Grid, spare: &Spare) -> Outcome<Option<Field>> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         let samples = unsafe { self.cells(name, grid)? };
         samples.map(|samples| spare.copy(grid, samples)).transpose()
     }
 
-    /// As the largest pressure that cells carry.
+    /// Converts the quantity to a hardness, the largest pressure that the cells can carry.
     ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn hardness(&self, grid: Grid) -> Outcome<Hardness> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         Ok(
             match unsafe { self.field("hardness", grid, &Spare::default())? } {
                 None => Hardness::uniform(self.value)?,
@@ -193,31 +193,33 @@ impl stickslip_per_cell {
 pub struct stickslip_friction {
     /// Coefficient of friction, zero or positive.
     pub coefficient: stickslip_per_cell,
-    /// Largest shear traction (a pressure); 0 or infinite: no limit but that of the coefficient.
+    /// Largest shear traction (a pressure); 0 or infinite if only the coefficient limits the traction.
     pub max_shear_stress: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
 impl stickslip_friction {
+    /// Returns the friction after checking it.
+    ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<Friction> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         unsafe { self.checked_in(grid, &Spare::default()) }
     }
 
-    /// Runs work on it, in memory that is kept for the next call.
+    /// Runs work on the friction in reusable memory.
     ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn lend<T>(
         &self,
         grid: Grid,
         spare: &Spare,
         work: impl FnOnce(&Friction) -> stickslip_rs::Result<T>,
     ) -> Outcome<T> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         let friction = unsafe { self.checked_in(grid, spare)? };
         let outcome = work(&friction);
         if let Some(coefficients) = friction.into_coefficients() {
@@ -226,12 +228,14 @@ impl stickslip_friction {
         Ok(outcome?)
     }
 
+    /// Returns the friction after checking it, in memory of `spare`.
+    ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     unsafe fn checked_in(&self, grid: Grid, spare: &Spare) -> Outcome<Friction> {
         known("the friction", &self.reserved)?;
         let name = "coefficient of friction";
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         let friction = match unsafe { self.coefficient.field(name, grid, spare)? } {
             None => Friction::coulomb(self.coefficient.value)?,
             Some(coefficients) => Friction::per_cell(coefficients)?,
@@ -243,24 +247,26 @@ impl stickslip_friction {
     }
 }
 
-/// A tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, such as that of
+/// Tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, for example due to
 /// bulk strain; copied by the call.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_relative_displacement {
-    /// That along x (lengths), for each cell.
+    /// Displacement along x of each cell (lengths).
     pub x: *const f64,
-    /// That along y (lengths), for each cell.
+    /// Displacement along y of each cell (lengths).
     pub y: *const f64,
     /// Number of cells.
     pub count: usize,
 }
 
 impl stickslip_relative_displacement {
+    /// Returns the relative displacement after checking it.
+    ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<RelativeDisplacement> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         let fields = unsafe {
             [
                 field("relative displacement along x", grid, self.x, self.count)?,
@@ -271,26 +277,26 @@ impl stickslip_relative_displacement {
     }
 }
 
-/// Active sets, the default.
+/// Active-set method (default).
 pub const STICKSLIP_ACTIVE_SET: i32 = 0;
-/// The loop of Polonsky and Keer, for pressure or for one traction.
+/// Polonsky-Keer iteration, for the pressure or for one traction.
 pub const STICKSLIP_POLONSKY_KEER: i32 = 1;
 
-/// Method, tolerance and limits of a solve; stickslip_settings_default() has the defaults.
+/// Method, tolerance and limits of a solve; stickslip_settings_default() returns the defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_settings {
-    /// STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
+    /// Method: STICKSLIP_ACTIVE_SET (default) or STICKSLIP_POLONSKY_KEER.
     pub method: i32,
-    /// The error accepted, in (0, 1) (default 1e-8): certified in the energy norm, and as a residual relative to the largest
-    /// displacement.
+    /// Largest accepted error, in (0, 1) (default 1e-8). It limits the certified error in the energy norm, and the residual
+    /// relative to the largest displacement.
     pub tolerance: f64,
-    /// Conjugate-gradient steps allowed (default 10000).
+    /// Largest number of conjugate-gradient iterations (default 10000).
     pub max_iterations: usize,
-    /// Wall time allowed for a solve (seconds); infinite (default): any. A step of a history has two solves, pressure and
-    /// traction.
+    /// Largest wall time of a solve (seconds); infinite (default) for no limit. A step of a history has two solves, one for
+    /// the pressure and one for the traction.
     pub time_limit: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -316,7 +322,7 @@ impl stickslip_settings {
     }
 }
 
-/// The settings that solvers and histories have by default.
+/// Returns the default settings of solvers and histories.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_settings_default() -> stickslip_settings {
     let settings = Settings::default();
@@ -329,7 +335,7 @@ pub extern "C" fn stickslip_settings_default() -> stickslip_settings {
     }
 }
 
-/// Friction with one coefficient for all cells.
+/// Returns a friction with one coefficient for all cells.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_coulomb(coefficient: f64) -> stickslip_friction {
     stickslip_friction {

@@ -1,4 +1,4 @@
-//! How many cycles of wear may be jumped over.
+//! Number of wear cycles that a jump may skip.
 
 use stickslip_rs::history::wear::{self, Coefficient, CycleJump};
 
@@ -11,18 +11,18 @@ use crate::pointer::{answer, cells, input, optional};
 use crate::reserved::known;
 use crate::status::stickslip_status;
 
-/// What limits a jump besides the pressure; stickslip_jump_limits_default() has the defaults.
+/// Limits of a jump in addition to the stability of the pressure; stickslip_jump_limits_default() returns the defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_jump_limits {
-    /// Most depth that is worn off at once (a length); infinite (default): any. A hundredth of the approach keeps the shape
-    /// of a ball.
+    /// Largest depth removed in one jump (a length); infinite (default) for no limit. A hundredth of the approach preserves
+    /// the shape of a ball.
     pub largest_depth: f64,
-    /// Cycles left to simulate; infinite (default): any number.
+    /// Number of cycles left to simulate; infinite (default) for no limit.
     pub cycles_left: f64,
-    /// Largest cyclic_residual of a cycle that stands for those that follow (default 0.25).
+    /// Largest cyclic_residual of a cycle that may represent the following cycles (default 0.25).
     pub max_residual: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -43,7 +43,7 @@ impl stickslip_jump_limits {
     }
 }
 
-/// The limits that jumps have by default.
+/// Returns the default limits of a jump.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
     stickslip_jump_limits {
@@ -54,12 +54,13 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
     }
 }
 
-/// Writes how many cycles like this one may be jumped over to cycles, not rounded: as many as their wear may be taken off at
-/// once without the pressure swinging, and no more than the limits (may be NULL: the defaults) allow; infinite if nothing
-/// limits them.
+/// Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Within this number, removing the
+/// wear in one step does not make the pressure oscillate, and the limits (may be NULL: the defaults) are met. The number is
+/// infinite if nothing limits it.
 ///
-/// depth (lengths, count entries) is what the cycle removed, of both bodies together. STICKSLIP_CYCLE_NOT_CLOSED for a cycle
-/// that does not close, as the first from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit, STICKSLIP_SAMPLE for a depth.
+/// depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
+/// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit;
+/// STICKSLIP_SAMPLE for a depth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_jump(
     half_space: *const stickslip_half_space,
@@ -86,10 +87,10 @@ pub unsafe extern "C" fn stickslip_cycle_jump(
     })
 }
 
-/// Writes to cycles how many cycles of wear may be taken off at once without the pressure swinging up: explicit wear by
-/// Archard's law is stable below. coefficient (one over a pressure) is the sum of both bodies, slip_distance (lengths, count
-/// entries) that of one cycle; for the energy law the coefficient is that of the law times that of friction. Infinite if
-/// nothing slips.
+/// Writes to cycles the number of cycles whose wear may be removed in one step without growing oscillations of the
+/// pressure. Explicit integration of Archard's law is stable below this number. coefficient (one over a pressure) is the
+/// sum over both bodies, and slip_distance (lengths, count entries) is the slip distance of one cycle. For the energy law,
+/// coefficient is the wear coefficient times the coefficient of friction. The number is infinite if no cell slips.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_max_stable_cycles(
     half_space: *const stickslip_half_space,

@@ -1,8 +1,8 @@
-//! The crate `stickslip` for C: opaque handles, plain structs, status codes. The header is made from this source, and
-//! `README.md` has the rules.
+//! C interface of the crate `stickslip`: opaque handles, plain structs and status codes. The header is generated from this
+//! source, and `README.md` states the rules.
 //!
-//! Every exported function is one call of [`call::call`], which turns failures and panics into codes; what it does with
-//! pointers goes through `pointer` and `handle`.
+//! Every exported function passes its body to [`call::call`] or a variant of it, which turns failures and panics into
+//! codes. All access through pointers goes through `pointer` and `handle`.
 
 #![allow(non_camel_case_types, reason = "names of types are those of C")]
 

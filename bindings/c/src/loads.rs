@@ -1,4 +1,4 @@
-//! Loads: plain structs of which zero holds everything.
+//! Loads: plain structs in which zero holds everything.
 
 use stickslip_rs::history::Rolling;
 use stickslip_rs::{Axis, LoadStep, NormalControl, TangentialControl, TangentialLoad};
@@ -8,24 +8,24 @@ use crate::error::Failure;
 use crate::reserved::known;
 use crate::rolling::{STICKSLIP_PLUS_X, leading_edge};
 
-/// Hold: the pressure, the shift as it is.
+/// Holds the current pressure or shift.
 pub const STICKSLIP_HOLD: i32 = 0;
-/// A force.
+/// Prescribes a force.
 pub const STICKSLIP_FORCE: i32 = 1;
-/// The approach of the bodies (a length), from the datum of the gap.
+/// Prescribes the approach of the bodies (a length), measured from the datum of the gap.
 pub const STICKSLIP_APPROACH: i32 = 2;
-/// The shift, the rigid motion of body 2 relative to body 1 (a length), since the unloaded state.
+/// Prescribes the shift, the rigid motion of body 2 relative to body 1 since the unloaded state (a length).
 pub const STICKSLIP_SHIFT: i32 = 3;
-/// A spring that drags body 2: the force is stiffness * (value - shift).
+/// Prescribes a spring that drags body 2: the force is stiffness * (value - shift).
 pub const STICKSLIP_SPRING: i32 = 4;
 
-/// A normal load.
+/// Normal load.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_normal_load {
-    /// STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
+    /// Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
     pub kind: i32,
-    /// The force (zero or positive) or the approach (a length, positive when the bodies come together).
+    /// Force (zero or positive) or approach (a length, positive if the bodies move towards each other).
     pub value: f64,
 }
 
@@ -40,13 +40,13 @@ impl stickslip_normal_load {
     }
 }
 
-/// What is prescribed along one axis.
+/// Prescribed tangential load along one axis.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_control {
-    /// STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
+    /// Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
     pub kind: i32,
-    /// The force that body 2 exerts on body 1, the shift, or the position of the far end of the spring.
+    /// Force that body 2 exerts on body 1, shift, or position of the far end of the spring.
     pub value: f64,
     /// Stiffness of the spring (a force over a length).
     pub stiffness: f64,
@@ -67,17 +67,18 @@ impl stickslip_control {
     }
 }
 
-/// A tangential load from rest.
+/// Tangential load from rest.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_load {
-    /// Along x.
+    /// Load along x.
     pub x: stickslip_control,
-    /// Along y.
+    /// Load along y.
     pub y: stickslip_control,
-    /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); the vector model only.
+    /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, from x to y); only for the vector
+    /// model.
     pub twist: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -91,20 +92,21 @@ impl stickslip_tangential_load {
     }
 }
 
-/// How the bodies roll in a step of a history: the memory of the particles moves through the contact, and body 2 creeps over
-/// body 1 on the way. All zero: they do not roll. A step that rolls names no shift, no spring and no twist; along an axis on
-/// which it names a force the creepage follows, and is zero here.
+/// Rolling in a step of a history: the memory of the particles moves through the contact while body 2 creeps over body 1.
+/// All members are zero if the bodies do not roll. A step with rolling prescribes no shift, no spring and no twist. Along
+/// an axis with a prescribed force, the creepage is a result and must be zero here.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_roll {
-    /// Cells by which the particles of both surfaces move through the contact, one or more.
+    /// Number of cells by which the particles of both surfaces move through the contact, one or more.
     pub cells: u32,
-    /// Where particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    /// Edge at which particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or
+    /// STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// The creepages along x and y, what body 2 moves over body 1 for each length rolled (dimensionless).
+    /// Creepages along x and y: motion of body 2 over body 1 for each length rolled (dimensionless).
     pub creepage: [f64; 2],
-    /// The spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
-    /// length, positive from x to y); the vector model only.
+    /// Spin: rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+    /// positive from x to y); only for the vector model.
     pub spin: f64,
 }
 
@@ -116,7 +118,7 @@ impl stickslip_roll {
             creepage,
             spin,
         } = *self;
-        // Numbers beside no cells are refused with them, not left out.
+        // Creepages and spin without cells are rejected, not ignored.
         let creeps = [creepage[0], creepage[1], spin]
             .iter()
             .any(|part| part.abs() > 0.0 || part.is_nan());
@@ -131,7 +133,7 @@ impl stickslip_roll {
     }
 }
 
-/// A step of a history: what it prescribes at its end. All zero holds everything.
+/// Step of a history: the load prescribed at its end. A step of zeros holds everything.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_load_step {
@@ -141,17 +143,17 @@ pub struct stickslip_load_step {
     pub x: stickslip_control,
     /// Tangential load along y.
     pub y: stickslip_control,
-    /// Not zero: to this twist; else the twist is held.
+    /// Nonzero to prescribe the twist; zero holds it.
     pub has_twist: i32,
     /// Rotation of body 2 relative to body 1 since the start (radians, from x to y).
     pub twist: f64,
-    /// Not zero: to this amount of the relative displacement; else it is held.
+    /// Nonzero to prescribe the amount of the relative displacement; zero holds it.
     pub has_relative_displacement: i32,
     /// Amount of the relative displacement, as a multiple of the pattern of the history.
     pub relative_displacement: f64,
-    /// How the bodies roll; all zero: they do not.
+    /// Rolling of the bodies; all zero if they do not roll.
     pub roll: stickslip_roll,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 4],
 }
 

@@ -1,20 +1,20 @@
-//! Which tractions are found, and how they act on the pressure.
+//! Tangential model and coupling of pressure and traction.
 
 use stickslip_rs::{Coupling, TangentialModel};
 
 use crate::call::Outcome;
 use crate::error::Failure;
 
-/// The traction along the load alone (default).
+/// Model with the traction along the load only (default).
 pub const STICKSLIP_SCALAR: i32 = 0;
-/// Both tractions, under loads of any direction.
+/// Model with both tractions, for loads in any direction.
 pub const STICKSLIP_VECTOR: i32 = 1;
 
-/// Pressure and traction are found together: coupled solvers and histories only.
+/// Full coupling of pressure and traction; only for coupled solvers and histories.
 pub const STICKSLIP_FULL: i32 = 0;
-/// Shear does not change the pressure, but pressure moves the surfaces tangentially.
+/// One-way coupling: the pressure causes tangential displacements, but the tractions do not change the pressure.
 pub const STICKSLIP_ONE_WAY: i32 = 1;
-/// Neither moves the other.
+/// No coupling in either direction.
 pub const STICKSLIP_NEGLECTED: i32 = 2;
 
 pub(crate) fn model(value: i32) -> Outcome<TangentialModel> {

@@ -16,20 +16,20 @@ use crate::status::stickslip_status;
 use crate::stiffness::stickslip_normal_stiffness;
 use crate::text_fields::{show, tell, warn};
 
-/// Solves normal contacts of two bodies again and again, each solve beginning with the last answer.
+/// Solver for repeated normal contacts of two bodies. Each solve starts from the last solution.
 pub struct stickslip_normal_solver(Handle<Solver<NormalSolver>>);
 
 opaque!(stickslip_normal_solver holds Solver<NormalSolver>, named "normal solver");
 
-/// Pressure, gap and approach of a normal contact. Its fields are read without a copy, and are valid until the next solve
-/// into it, or until it is freed.
+/// Pressure, gap and approach of a normal contact. Fields are read without a copy and remain valid until the next solve
+/// into the solution or until it is freed.
 pub struct stickslip_normal_solution(Handle<NormalSolution>);
 
 opaque!(stickslip_normal_solution holds NormalSolution, named "normal solution");
 
-/// Makes a solver of a gap before loading (lengths, count entries, copied) under a load.
+/// Creates a solver for a gap before loading (lengths, count entries, copied) under a load.
 ///
-/// settings may be NULL (the defaults), as may hardness, the largest pressure that the cells carry (no limit).
+/// settings (the defaults) and hardness (the largest pressure that the cells can carry; no limit) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_new(
     half_space: *const stickslip_half_space,
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
     })
 }
 
-/// Frees a solver; nothing for NULL.
+/// Frees a solver; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_free(
     solver: *mut stickslip_normal_solver,
@@ -80,7 +80,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes the load of the next solve.
+/// Sets the load of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_set_load(
     solver: *mut stickslip_normal_solver,
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_load(
     }
 }
 
-/// Changes the gap before loading of the next solve (lengths, count entries, copied).
+/// Sets the gap before loading of the next solve (lengths, count entries, copied).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
     solver: *mut stickslip_normal_solver,
@@ -104,7 +104,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
     unsafe { solver::change_cells(solver, ("gap", gap, count), NormalSolver::set_gap) }
 }
 
-/// Changes method, tolerance and limits of the next solve.
+/// Sets the method, the tolerance and the limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
     solver: *mut stickslip_normal_solver,
@@ -114,7 +114,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
     unsafe { solver::set_settings(solver, settings) }
 }
 
-/// Forgets the last answer: the next solve starts as the first did.
+/// Discards the last solution: the next solve starts as the first solve did.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_reset(
     solver: *mut stickslip_normal_solver,
@@ -125,8 +125,8 @@ pub unsafe extern "C" fn stickslip_normal_solver_reset(
 
 /// Solves into a solution of stickslip_normal_solution_new for the same bodies. observer may be NULL.
 ///
-/// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-/// as it was.
+/// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
+/// the solution unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_solve(
     solver: *mut stickslip_normal_solver,
@@ -137,7 +137,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_solve(
     unsafe { solver::solve(solver, solution, observer) }
 }
 
-/// Makes an empty solution of the right size for a solver.
+/// Creates an empty solution of the right size for a solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_new(
     solver: *const stickslip_normal_solver,
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_new(
     unsafe { solver::new_solution(solver, solution) }
 }
 
-/// Frees a solution; nothing for NULL.
+/// Frees a solution; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_free(
     solution: *mut stickslip_normal_solution,
@@ -156,7 +156,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-/// STICKSLIP_PRESSURE or STICKSLIP_GAP, and how many cells it has (count may be NULL); NULL on failure.
+/// Returns STICKSLIP_PRESSURE or STICKSLIP_GAP, and writes its number of cells to count (may be NULL); returns NULL on
+/// failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_field(
     solution: *const stickslip_normal_solution,
@@ -167,7 +168,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_field(
     unsafe { show(solution, count, |of| Ok(of_normal(of, which)?.as_slice())) }
 }
 
-/// The numbers of the contact.
+/// Writes the scalar results of the contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_result(
     solution: *const stickslip_normal_solution,
@@ -177,7 +178,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_result(
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
-/// How it was solved.
+/// Writes the report of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_report(
     solution: *const stickslip_normal_solution,
@@ -187,8 +188,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_report(
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
-/// Diagnostics that may mislead: writes them to a buffer of capacity entries, and how many there are to count. With
-/// capacity 0 only the number.
+/// Writes the warnings about the solution to a buffer of capacity entries, and their number to count. With a capacity of 0
+/// it writes only the number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_warnings(
     solution: *const stickslip_normal_solution,
@@ -206,7 +207,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_warnings(
     }
 }
 
-/// The stiffness of a normal contact on the bodies it was solved for.
+/// Computes the stiffness of a normal contact. The bodies must be those of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     solution: *const stickslip_normal_solution,
@@ -218,8 +219,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     unsafe { stickslip_normal_solution_stiffness_observed(solution, half_space, nobody, stiffness) }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+/// Computes the stiffness with an observer (may be NULL). The observer is called before every product with the operator and
+/// may end the call: the function then returns STICKSLIP_NOT_CONVERGED and leaves stiffness unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_stiffness_observed(
     solution: *const stickslip_normal_solution,

@@ -1,48 +1,49 @@
-//! What watches a solve and may end it.
+//! Observer of a solve, which may end it.
 
 use std::ffi::c_void;
 use std::ops::ControlFlow;
 
 use stickslip_rs::Iteration;
 
-/// One step of an iteration.
+/// Progress of an iteration.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_iteration {
-    /// Conjugate-gradient steps so far.
+    /// Number of conjugate-gradient iterations so far.
     pub iteration: usize,
-    /// Products in double precision so far.
+    /// Number of products in double precision so far.
     pub double_precision_products: usize,
-    /// Products in single precision so far.
+    /// Number of products in single precision so far.
     pub single_precision_products: usize,
-    /// Largest complementarity residual, relative to the largest displacement, as last measured.
+    /// Last measured value of the largest complementarity residual, relative to the largest displacement.
     pub residual: f64,
-    /// Contact cells of a normal problem, sticking cells of a tangential one.
+    /// Number of contact cells of a normal problem, or of stick cells of a tangential problem.
     pub free: usize,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Called before every product with the operator, also on the coarser grids of a start: returns 0 to end the solve, any other
-/// number to continue. It is called by one thread at a time, on more than 4096 cells possibly another than that which called the
-/// solve. It must not unwind or jump out, nor call functions with handles that the solve uses (STICKSLIP_BUSY).
+/// Function that is called before every product with the operator, also on the coarser grids of a start. It returns 0 to
+/// end the solve and any other number to continue. Only one thread calls it at a time; on more than 4096 cells this thread
+/// may differ from the thread that called the solve. The function must not unwind or jump out, and must not call functions
+/// with handles that the solve uses (STICKSLIP_BUSY).
 pub type stickslip_observe =
     Option<unsafe extern "C" fn(iteration: *const stickslip_iteration, user: *mut c_void) -> i32>;
 
-/// A function that watches a solve, with data of yours.
+/// Observer of a solve: a function with data of the caller.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_observer {
-    /// The function; NULL watches nothing.
+    /// Function; NULL for no observer.
     pub observe: stickslip_observe,
-    /// Passed to the function as it is.
+    /// Data passed unchanged to the function.
     pub user: *mut c_void,
 }
 
-// SAFETY: the header says that the function may be called by another thread, and the caller has agreed.
+// SAFETY: the header states that another thread may call the function, and the caller accepts this.
 unsafe impl Send for stickslip_observer {}
 
-/// The observer as the crate calls it.
+/// Converts the observer to a closure for the crate.
 pub(crate) fn watch(
     observer: Option<&stickslip_observer>,
 ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<> {
@@ -60,7 +61,7 @@ pub(crate) fn watch(
             free: iteration.free,
             reserved: [0; 8],
         };
-        // SAFETY: the caller's function, called as its type says.
+        // SAFETY: the function of the caller is called according to its type.
         match unsafe { observe(&raw const iteration, user) } {
             0 => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),

@@ -1,4 +1,4 @@
-//! Stress and displacement below the surface, on planes.
+//! Stress and displacement on planes below the surface.
 
 use stickslip_rs::subsurface::{Plane, Planes, Stress};
 use stickslip_rs::{Field, Grid};
@@ -14,13 +14,13 @@ use crate::status::{STICKSLIP_INVALID_ARGUMENT, stickslip_status};
 use crate::stress::{body, stickslip_tractions};
 use crate::text_fields::show;
 
-/// Planes at chosen depths below each body, and the one that was solved last. Its fields are read without a copy, and are
-/// valid until the next solve, or until it is freed.
+/// Planes at chosen depths below each body, and the last solved plane. Fields are read without a copy and remain valid
+/// until the next solve or until the planes are freed.
 pub struct stickslip_planes(Handle<Solved>);
 
 opaque!(stickslip_planes holds Solved, named "planes");
 
-/// Planes with the last of them.
+/// Planes and the last solved plane.
 #[derive(Debug)]
 pub struct Solved {
     own: Planes,
@@ -40,9 +40,9 @@ impl Solved {
     }
 }
 
-/// Makes planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
-/// if that is not zero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are made when it is first
-/// solved, and kept.
+/// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
+/// if the argument is nonzero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are computed at
+/// the first solve at that depth and kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_new(
     half_space: *const stickslip_half_space,
@@ -65,16 +65,16 @@ pub unsafe extern "C" fn stickslip_planes_new(
     })
 }
 
-/// Frees planes; nothing for NULL.
+/// Frees planes; does nothing if the pointer is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_free(planes: *mut stickslip_planes) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call(|| unsafe { free(planes) })
 }
 
-/// Solves the plane at the depth of number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by fast
-/// transforms. STICKSLIP_LENGTH for an index that is not less than the number of depths, STICKSLIP_RIGID_BODY for a rigid
-/// body. After a failure the plane solved last is as it was.
+/// Solves the plane at the depth with number index, counted from zero, in body STICKSLIP_BODY_1 or STICKSLIP_BODY_2, by
+/// fast Fourier transforms. Returns STICKSLIP_LENGTH if index is not less than the number of depths, and
+/// STICKSLIP_RIGID_BODY for a rigid body. A failure leaves the last solved plane unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_solve(
     planes: *mut stickslip_planes,
@@ -87,8 +87,9 @@ pub unsafe extern "C" fn stickslip_planes_solve(
     unsafe { stickslip_planes_solve_observed(planes, index, which, tractions, nobody) }
 }
 
-/// The same with an observer (may be NULL), which is called before the kernels are sampled and before each transform of a
-/// kernel and of three components, and may end it: STICKSLIP_NOT_CONVERGED. Watched, it takes memory for another plane.
+/// Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the kernels
+/// are sampled, and before each transform of a kernel and of three components. It may end the call, which then returns
+/// STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_solve_observed(
     planes: *mut stickslip_planes,
@@ -117,8 +118,9 @@ pub unsafe extern "C" fn stickslip_planes_solve_observed(
     })
 }
 
-/// A field of the plane solved last, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, of planes made with displacements,
-/// STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z, and how many cells it has (count may be NULL); NULL on failure.
+/// Returns a field of the last solved plane and writes its number of cells to count (may be NULL); returns NULL on failure.
+/// The field is STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, for planes with displacements, STICKSLIP_DISPLACEMENT_X to
+/// STICKSLIP_DISPLACEMENT_Z.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_field(
     planes: *const stickslip_planes,
@@ -145,7 +147,7 @@ fn field(plane: &Plane, which: i32) -> Outcome<&Field> {
     })
 }
 
-/// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the plane solved last to
+/// Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to
 /// values, which has count entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_measure(

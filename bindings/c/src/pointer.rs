@@ -1,8 +1,8 @@
 //! Plain data by pointer.
 //!
-//! The rule for pointers, on which every `unsafe` of this crate rests and which the head of the header states: a pointer
-//! is NULL, or points to what its type says, for as long as the call (handles: until they are freed); an array has as many
-//! entries as the number beside it says; nothing else writes to what it points to meanwhile.
+//! Every `unsafe` of this crate relies on the rule for pointers, which the head of the header states. A pointer is NULL, or
+//! points to a value of its type for the duration of the call (for handles: until they are freed). An array has as many
+//! entries as the accompanying count. Meanwhile, nothing else writes to the data behind the pointer.
 
 use stickslip_rs::{Error, Field, Grid};
 
@@ -10,46 +10,46 @@ use crate::call::Outcome;
 use crate::error::Failure;
 use crate::status::STICKSLIP_LENGTH;
 
-/// A struct that is needed.
+/// Returns a required struct.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn input<'a, T>(name: &str, pointer: *const T) -> Outcome<&'a T> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     unsafe { optional(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
 }
 
-/// A struct that may be left out.
+/// Returns an optional struct; `None` for NULL.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn optional<'a, T>(name: &str, pointer: *const T) -> Outcome<Option<&'a T>> {
     if !pointer.is_aligned() {
         return Err(Failure::pointer(name));
     }
-    // SAFETY: NULL or valid by the rule, and aligned.
+    // SAFETY: the pointer is NULL or valid by the rule, and it is aligned.
     Ok(unsafe { pointer.as_ref() })
 }
 
-/// A place for an answer. It is checked when it is made, before any work, so that to write to it cannot fail: a call that
-/// has changed something does not fail for want of a place.
+/// Destination of a result. The pointer is checked at construction, before any work, so that writing cannot fail. A call
+/// that has changed an object therefore never fails because of its destination.
 #[derive(Debug)]
 pub(crate) struct Place<T>(*mut T);
 
 impl<T> Place<T> {
-    /// A place that is needed.
+    /// Creates a required destination.
     ///
     /// # Safety
-    /// The rule for pointers, until the answer is put there.
+    /// The caller follows the rule for pointers of [`crate::pointer`] until the result is written.
     pub(crate) unsafe fn new(name: &str, pointer: *mut T) -> Outcome<Self> {
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         unsafe { Self::if_asked(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
     }
 
-    /// A place that may be left out.
+    /// Creates an optional destination; `None` for NULL.
     ///
     /// # Safety
-    /// The rule for pointers, until the answer is put there.
+    /// The caller follows the rule for pointers of [`crate::pointer`] until the result is written.
     pub(crate) unsafe fn if_asked(name: &str, pointer: *mut T) -> Outcome<Option<Self>> {
         if !pointer.is_aligned() {
             return Err(Failure::pointer(name));
@@ -57,32 +57,32 @@ impl<T> Place<T> {
         Ok((!pointer.is_null()).then_some(Self(pointer)))
     }
 
-    /// Writes the answer.
+    /// Writes the result.
     pub(crate) fn put(self, value: T) {
-        // SAFETY: neither NULL nor misaligned, so valid by the rule.
+        // SAFETY: the pointer is neither NULL nor misaligned, so it is valid by the rule.
         unsafe { self.0.write(value) };
     }
 }
 
-/// Writes what is found to a place that is checked before.
+/// Writes the result of a computation to a destination that is checked first.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn answer<T>(
     name: &str,
     pointer: *mut T,
     find: impl FnOnce() -> Outcome<T>,
 ) -> Outcome {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let place = unsafe { Place::new(name, pointer)? };
     place.put(find()?);
     Ok(())
 }
 
-/// An array of so many entries.
+/// Returns an array of `count` entries.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn entries<'a, T>(
     name: &str,
     pointer: *const T,
@@ -97,32 +97,32 @@ pub(crate) unsafe fn entries<'a, T>(
     if pointer.is_null() || !pointer.is_aligned() || !is_possible {
         return Err(Failure::pointer(name));
     }
-    // SAFETY: valid for so many entries by the rule, aligned, and no larger than memory.
+    // SAFETY: the pointer is valid for `count` entries by the rule, aligned, and the array is no larger than memory.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
 
-/// The same, to be written to.
+/// Returns a mutable array of `count` entries.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn entries_mut<'a, T>(
     name: &str,
     pointer: *mut T,
     count: usize,
 ) -> Outcome<&'a mut [T]> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     unsafe { entries(name, pointer.cast_const(), count)? };
     if count == 0 {
         return Ok(&mut []);
     }
-    // SAFETY: checked as an array just now, and nobody else has it by the rule.
+    // SAFETY: the array was checked above, and nothing else accesses it by the rule.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// A number for each cell of a grid.
+/// Returns an array with a number for each cell of a grid.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn cells<'a>(
     name: &str,
     grid: Grid,
@@ -130,14 +130,14 @@ pub(crate) unsafe fn cells<'a>(
     count: usize,
 ) -> Outcome<&'a [f64]> {
     expect_cells(name, grid, count)?;
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     unsafe { entries(name, pointer, count) }
 }
 
-/// The same, to be written to.
+/// Returns a mutable array with a number for each cell of a grid.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn cells_mut<'a>(
     name: &str,
     grid: Grid,
@@ -145,27 +145,27 @@ pub(crate) unsafe fn cells_mut<'a>(
     count: usize,
 ) -> Outcome<&'a mut [f64]> {
     expect_cells(name, grid, count)?;
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     unsafe { entries_mut(name, pointer, count) }
 }
 
-/// The same, copied to keep.
+/// Returns a copy of an array with a number for each cell, as a field.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn field(
     name: &str,
     grid: Grid,
     pointer: *const f64,
     count: usize,
 ) -> Outcome<Field> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let samples = unsafe { cells(name, grid, pointer, count)? };
     let samples = collected(Vec::new(), samples.iter().copied())?;
     Ok(Field::from_vec(grid, samples)?)
 }
 
-/// What an iterator gives, in the place of what an array held.
+/// Collects an iterator into an existing array and reports a failed allocation.
 pub(crate) fn collected<T>(
     mut array: Vec<T>,
     items: impl ExactSizeIterator<Item = T>,
@@ -180,7 +180,7 @@ pub(crate) fn collected<T>(
     Ok(array)
 }
 
-/// `Ok` if an array has an entry for each cell.
+/// Returns an error unless an array has an entry for each cell.
 pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
     let expected = grid.cells();
     if found != expected {
@@ -189,12 +189,12 @@ pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
     Ok(())
 }
 
-/// A field without a copy: its first sample, and how many there are if that is asked for.
+/// Returns a pointer to the first sample of a field, and writes the number of samples if `count` is not NULL.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn samples<T>(samples: &[T], count: *mut usize) -> Outcome<*const T> {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     if let Some(place) = unsafe { Place::if_asked("count", count)? } {
         place.put(samples.len());
     }

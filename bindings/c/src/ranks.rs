@@ -1,4 +1,4 @@
-//! Ranks that C reaches: a function that swaps blocks with others.
+//! Ranks that communicate through a function of the caller.
 
 use std::ffi::c_void;
 use std::ptr::null_mut;
@@ -9,15 +9,15 @@ use crate::call::Outcome;
 use crate::error::Failure;
 use crate::status::STICKSLIP_LENGTH;
 
-/// A block on its way to this rank.
+/// Block that this rank receives.
 #[derive(Debug, Default)]
 pub struct stickslip_block(Vec<u64>);
 
-/// Sends a block of words to the rank `to` and receives one from the rank `from`, neither of which is this one: it asks
-/// stickslip_block_room for the memory, and fills it. Blocks between two ranks keep their order, and are of any length, also
-/// none. Returns 0, or any other number if a rank is lost: nothing more is then asked. It is called by one thread at a time, on
-/// more than 4096 cells possibly another than that which made the call. It must not unwind or jump out, nor call other
-/// functions of this library.
+/// Function that sends a block of words to the rank `to` and receives a block from the rank `from`; neither is the calling
+/// rank. It requests memory for the received block with stickslip_block_room and fills it. Blocks between two ranks keep
+/// their order and may have any length, including zero. The function returns 0, or any other number if a rank is lost; it
+/// is then not called again. Only one thread calls it at a time; on more than 4096 cells this thread may differ from the
+/// thread that made the call. The function must not unwind or jump out, and must not call other functions of this library.
 pub type stickslip_swap = Option<
     unsafe extern "C" fn(
         block: *const u64,
@@ -29,22 +29,22 @@ pub type stickslip_swap = Option<
     ) -> i32,
 >;
 
-/// One of several processes that solve together; stickslip_mpi.h makes it of an MPI communicator. Function and data are
-/// needed until all that was made of the bodies is freed.
+/// One of several processes that solve together; stickslip_mpi.h creates it from an MPI communicator. The function and the
+/// data must remain valid until all objects created from the bodies are freed.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_ranks {
-    /// The number of this one, from zero.
+    /// Number of this rank, counted from zero.
     pub rank: usize,
-    /// How many there are.
+    /// Number of ranks.
     pub size: usize,
-    /// Swaps blocks with others; not called where there are none.
+    /// Function that exchanges blocks with other ranks; not called if there is only one rank.
     pub swap: stickslip_swap,
-    /// Passed to the function as it is.
+    /// Data passed unchanged to the function.
     pub user: *mut c_void,
 }
 
-// SAFETY: the header says that the function may be called by another thread, by one at a time, and the caller has agreed.
+// SAFETY: the header states that another thread may call the function, one thread at a time, and the caller accepts this.
 unsafe impl Send for stickslip_ranks {}
 // SAFETY: as above.
 unsafe impl Sync for stickslip_ranks {}
@@ -74,7 +74,7 @@ impl Ranks for stickslip_ranks {
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure> {
         let mut received = stickslip_block::default();
         let place = &raw mut received;
-        // SAFETY: the caller's function, called as its type says.
+        // SAFETY: the function of the caller is called according to its type.
         let outcome = self
             .swap
             .map(|swap| unsafe { swap(block.as_ptr(), block.len(), to, from, place, self.user) });
@@ -85,14 +85,14 @@ impl Ranks for stickslip_ranks {
     }
 }
 
-/// Room for so many words of a block that is received, to be filled before the swap returns; NULL if there is no memory.
-/// Called by a stickslip_swap alone, on the block that it was given.
+/// Returns room for a given number of words of a received block, which the swap must fill before it returns; NULL if memory
+/// is exhausted. Only a stickslip_swap may call this function, with the block that it was given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_block_room(
     block: *mut stickslip_block,
     words: usize,
 ) -> *mut u64 {
-    // SAFETY: NULL or valid by the rule for pointers.
+    // SAFETY: the pointer is NULL or valid by the rule for pointers.
     let Some(stickslip_block(room)) = (unsafe { block.as_mut() }) else {
         return null_mut();
     };

@@ -1,11 +1,11 @@
-//! Room in structs for members to come. A member that is added takes the place of `reserved` bytes, so that the size of its
-//! struct and the places of the others stay; zero there means what held before there was such a member.
+//! Room in structs for future members. A new member takes bytes of `reserved`, so that the size of the struct and the
+//! offsets of its other members do not change. The value zero of a new member means the behaviour of earlier versions.
 
 use crate::call::Outcome;
 use crate::error::Failure;
 use crate::status::STICKSLIP_UNKNOWN_OPTION;
 
-/// `Ok` if a struct of the caller has no member that this library does not know.
+/// Returns an error if a struct of the caller has a member that this library does not support.
 pub(crate) fn known(name: &str, reserved: &[u64]) -> Outcome {
     if reserved.iter().all(|&word| word == 0) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Reports, warnings and numbers of solutions: plain structs that C reads.
+//! Reports, warnings and scalar results: plain structs that the caller reads.
 
 use std::ffi::c_char;
 
@@ -9,53 +9,53 @@ use crate::error::Failure;
 use crate::pointer::{Place, entries_mut};
 use crate::status::STICKSLIP_BUFFER_TOO_SMALL;
 
-/// Nothing has been solved yet.
+/// Status: nothing has been solved yet.
 pub const STICKSLIP_UNSOLVED: i32 = 0;
-/// A fresh product shows residual and certified error at or below the tolerance.
+/// Status: residual and certified error, from a newly computed product, are at or below the tolerance.
 pub const STICKSLIP_CONVERGED: i32 = 1;
-/// The iteration limit was reached first.
+/// Status: the iteration limit was reached first.
 pub const STICKSLIP_AT_ITERATION_LIMIT: i32 = 2;
-/// The time limit was reached first.
+/// Status: the time limit was reached first.
 pub const STICKSLIP_AT_TIME_LIMIT: i32 = 3;
-/// The residual no longer falls: the tolerance is below round-off.
+/// Status: the residual no longer decreases because the tolerance is below round-off.
 pub const STICKSLIP_STALLED: i32 = 4;
-/// The observer asked to stop.
+/// Status: the observer ended the solve.
 pub const STICKSLIP_CANCELLED: i32 = 5;
 
-/// The smallest eigenvalue of an operator, on which a certified error rests, is not known. The bound of the error is then the
-/// root of the duality gap of the problem, and falls only with the root of the residual.
+/// No bound on the smallest eigenvalue of the operator is available, on which a certified error relies. The error bound is
+/// then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
 pub const STICKSLIP_EIGENVALUE_UNKNOWN: i32 = 0;
-/// It is known by an estimate on the safe side: of stiff coatings on long grids.
+/// The eigenvalue bound is an estimate on the safe side, used for stiff coatings on long grids.
 pub const STICKSLIP_EIGENVALUE_ESTIMATED: i32 = 1;
-/// It has a bound from below, which was computed.
+/// The eigenvalue bound is a computed lower bound.
 pub const STICKSLIP_EIGENVALUE_PROVEN: i32 = 2;
 
-/// How a solve ended, what it cost and how large its error can be.
+/// Status, cost and error bounds of a solve.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_report {
-    /// STICKSLIP_CONVERGED or why not, or STICKSLIP_UNSOLVED.
+    /// STICKSLIP_CONVERGED, the reason why the solve did not converge, or STICKSLIP_UNSOLVED.
     pub status: i32,
-    /// How the smallest eigenvalue is known that duality_gap, and what else is certified beside it, rests on:
-    /// STICKSLIP_EIGENVALUE_PROVEN, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+    /// Origin of the eigenvalue bound behind duality_gap and all other certified errors: STICKSLIP_EIGENVALUE_PROVEN,
+    /// STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
     pub eigenvalue_bound: i32,
-    /// Conjugate-gradient steps.
+    /// Number of conjugate-gradient iterations.
     pub iterations: usize,
-    /// Products with the operator in double precision.
+    /// Number of products with the operator in double precision.
     pub double_precision_products: usize,
-    /// Products in single precision.
+    /// Number of products with the operator in single precision.
     pub single_precision_products: usize,
     /// Largest complementarity residual, relative to the largest displacement.
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm.
     pub duality_gap: f64,
-    /// Certified bound on the relative error in the energy norm, the root of the above.
+    /// Certified bound on the relative error in the energy norm, the square root of duality_gap.
     pub energy_error_bound: f64,
     /// Relative error of the prescribed total force.
     pub load_error: f64,
     /// Wall time of the solve (seconds).
     pub seconds: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -88,7 +88,7 @@ impl From<&Report> for stickslip_report {
     }
 }
 
-/// The report of something that was not solved.
+/// Returns the report of a problem that has not been solved.
 pub(crate) fn unsolved() -> stickslip_report {
     stickslip_report {
         status: STICKSLIP_UNSOLVED,
@@ -105,60 +105,61 @@ pub(crate) fn unsolved() -> stickslip_report {
     }
 }
 
-/// There is no contact.
+/// Warning: there is no contact.
 pub const STICKSLIP_WARNING_NO_CONTACT: i32 = 1;
-/// Contact cells (cells) lie on the edge of the grid.
+/// Warning: contact cells (number in cells) lie on the edge of the grid.
 pub const STICKSLIP_WARNING_CONTACT_AT_EDGE: i32 = 2;
-/// Contact spots (cells) of all (of) are smaller than five cells, and have a tenth of the contact cells or more.
+/// Warning: some contact spots (number in cells, out of the total in of) are smaller than five cells and together contain a
+/// tenth of the contact cells or more.
 pub const STICKSLIP_WARNING_UNRESOLVED_SPOTS: i32 = 3;
-/// The grid is a line of cells that does not repeat.
+/// Warning: the grid is a line of cells and not periodic.
 pub const STICKSLIP_WARNING_SINGLE_ROW_OF_CELLS: i32 = 4;
-/// A contact spot runs across the whole grid.
+/// Warning: a contact spot extends across the whole grid.
 pub const STICKSLIP_WARNING_CONTACT_SPANS_GRID: i32 = 5;
-/// Cells (cells) are pressed beyond the hardness that a material states.
+/// Warning: the pressure of some cells (number in cells) exceeds the hardness of a material.
 pub const STICKSLIP_WARNING_BEYOND_HARDNESS: i32 = 6;
-/// The pressure was held although the gap had changed.
+/// Warning: the pressure was held although the gap had changed.
 pub const STICKSLIP_WARNING_STALE_PRESSURE: i32 = 7;
-/// The contact has too few cells (cells).
+/// Warning: the contact has too few cells (number in cells).
 pub const STICKSLIP_WARNING_UNDERRESOLVED_CONTACT: i32 = 8;
-/// Too few cells (cells) stick.
+/// Warning: too few cells (number in cells) stick.
 pub const STICKSLIP_WARNING_UNDERRESOLVED_STICK_ZONE: i32 = 9;
-/// The zone that slips is narrower than two cells, or than one cell in a step that rolls.
+/// Warning: the slip zone is narrower than two cells, or than one cell in a step with rolling.
 pub const STICKSLIP_WARNING_UNDERRESOLVED_SLIP_ZONE: i32 = 10;
-/// A coupled problem was pressed in one step.
+/// Warning: a coupled problem was pressed in one step.
 pub const STICKSLIP_WARNING_SINGLE_LOAD_STEP: i32 = 11;
-/// The cells leave an error of more than 5 % in the pressure or the traction, by an estimate; 1 % needs so many (cells) on the
-/// radius of a contact spot.
+/// Warning: the estimated discretisation error of the pressure or the traction exceeds 5 %. An error of 1 % requires a
+/// larger number of cells (number in cells) along the radius of a contact spot.
 pub const STICKSLIP_WARNING_DISCRETISATION_ERROR: i32 = 12;
-/// The approach exceeds the longest side of the grid.
+/// Warning: the approach exceeds the longest side of the grid.
 pub const STICKSLIP_WARNING_APPROACH_BEYOND_GRID: i32 = 13;
-/// The contact radius exceeds 0.3 of the radius of curvature.
+/// Warning: the contact radius exceeds 0.3 of the radius of curvature.
 pub const STICKSLIP_WARNING_LARGE_CONTACT_RADIUS: i32 = 14;
-/// The rms slope of the surface within the contact exceeds 0.5.
+/// Warning: the rms slope of the surface within the contact exceeds 0.5.
 pub const STICKSLIP_WARNING_STEEP_SURFACE: i32 = 15;
-/// A step of a history held the shift, and the tangential force fell by more than half.
+/// Warning: a step of a history held the shift, and the tangential force decreased by more than half.
 pub const STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE: i32 = 16;
-/// Tractions of dissimilar bodies that roll change the pressure, and the change is neglected.
+/// Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
 pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
-/// Any other: the message says which.
+/// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
-/// Bytes of the message of a warning.
+/// Size of the message of a warning in bytes.
 pub const STICKSLIP_WARNING_LENGTH: usize = 384;
 
-/// A diagnostic on a converged solution that may mislead.
+/// Warning about a converged solution that may be misleading.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_warning {
-    /// One of STICKSLIP_WARNING_NO_CONTACT and the others.
+    /// Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
     pub kind: i32,
-    /// Cells or spots that it is about; else zero.
+    /// Number of cells or spots concerned; zero if it has no meaning.
     pub cells: usize,
-    /// Spots in all; else zero.
+    /// Total number of spots; zero if it has no meaning.
     pub of: usize,
-    /// What it means and what to do, in English; ends with a zero byte.
+    /// Meaning of the warning and suggested remedy, in English; ends with a zero byte.
     pub message: [c_char; STICKSLIP_WARNING_LENGTH],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -213,10 +214,10 @@ impl From<&Warning> for stickslip_warning {
     }
 }
 
-/// Writes warnings into a buffer, and how many there are.
+/// Writes warnings into a buffer, and their number.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn put_warnings(
     buffer: *mut stickslip_warning,
     capacity: usize,
@@ -224,7 +225,7 @@ pub(crate) unsafe fn put_warnings(
     find: impl FnOnce() -> Outcome<Vec<Warning>>,
 ) -> Outcome {
     let name = "buffer of warnings";
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (count, buffer) = unsafe {
         let count = Place::new("count", count)?;
         (count, entries_mut(name, buffer, capacity)?)
@@ -241,7 +242,7 @@ pub(crate) unsafe fn put_warnings(
     Ok(())
 }
 
-/// Numbers of a normal contact.
+/// Scalar results of a normal contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_normal_result {
@@ -249,21 +250,21 @@ pub struct stickslip_normal_result {
     pub approach: f64,
     /// Normal force.
     pub force: f64,
-    /// Area of the cells in contact.
+    /// Total area of the contact cells.
     pub contact_area: f64,
-    /// The same, corrected for the steps of its perimeter.
+    /// Contact area corrected for the staircase shape of its perimeter.
     pub contact_area_corrected: f64,
-    /// Force over contact area; zero without contact.
+    /// Ratio of force to contact area; zero without contact.
     pub mean_pressure: f64,
     /// Moments of the pressure about x and y at the origin of the grid (forces times lengths).
     pub moments: [f64; 2],
     /// Centre of pressure (lengths); NaN without contact.
     pub centre_of_pressure: [f64; 2],
-    /// Cells in contact.
+    /// Number of contact cells.
     pub contact_cells: usize,
-    /// Cells at their hardness.
+    /// Number of cells whose pressure equals their hardness.
     pub yielded_cells: usize,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -284,7 +285,7 @@ impl From<&NormalSolution> for stickslip_normal_result {
     }
 }
 
-/// Numbers of a tangential contact.
+/// Scalar results of a tangential contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_result {
@@ -296,17 +297,17 @@ pub struct stickslip_tangential_result {
     pub twist: f64,
     /// Moment about z that the tractions exert on body 1 (a force times a length).
     pub moment: f64,
-    /// Stick cells over contact cells.
+    /// Ratio of stick cells to contact cells.
     pub stick_ratio: f64,
-    /// Area that sticks.
+    /// Area of the stick zone.
     pub stick_area: f64,
-    /// Area that slips.
+    /// Area of the slip zone.
     pub slip_area: f64,
     /// Energy dissipated by slip.
     pub dissipated_energy: f64,
-    /// Not zero if the whole contact is at its friction limit.
+    /// Nonzero if the whole contact is at its friction limit.
     pub is_gross_slip: i32,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 

@@ -1,4 +1,4 @@
-//! Steady rolling; steps of histories that roll are in `loads`.
+//! Steady rolling; for history steps with rolling see `loads`.
 
 use stickslip_rs::rolling::{
     CreepForce, LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver,
@@ -23,21 +23,22 @@ use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell, warn};
 
-/// A creepage, what body 2 moves over body 1 for each length rolled (dimensionless).
+/// Prescribes a creepage, the motion of body 2 over body 1 for each length rolled (dimensionless).
 pub const STICKSLIP_CREEPAGE: i32 = 0;
-/// A spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a
-/// length, positive from x to y).
+/// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one
+/// over a length, positive from x to y).
 pub const STICKSLIP_SPIN: i32 = 0;
-/// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+/// Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
 pub const STICKSLIP_MOMENT: i32 = 5;
 
-/// What is prescribed of rolling bodies along an axis, or of their rotation.
+/// Prescribed load of rolling bodies along an axis, or of their rotation.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_control {
-    /// Along an axis STICKSLIP_CREEPAGE or STICKSLIP_FORCE, of the rotation STICKSLIP_SPIN or STICKSLIP_MOMENT.
+    /// Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
+    /// rotation.
     pub kind: i32,
-    /// The creepage or the force that body 2 exerts on body 1, less than friction holds; the spin or the moment.
+    /// Creepage, or force that body 2 exerts on body 1 (less than friction can carry); spin or moment for the rotation.
     pub value: f64,
 }
 
@@ -59,17 +60,17 @@ impl stickslip_rolling_control {
     }
 }
 
-/// What is prescribed of rolling bodies. All zero: no creepage and no spin.
+/// Prescribed loads of rolling bodies. A load of zeros has no creepage and no spin.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_load {
-    /// Along x.
+    /// Load along x.
     pub x: stickslip_rolling_control,
-    /// Along y.
+    /// Load along y.
     pub y: stickslip_rolling_control,
-    /// The spin or the moment.
+    /// Spin or moment.
     pub spin: stickslip_rolling_control,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -80,13 +81,13 @@ impl stickslip_rolling_load {
     }
 }
 
-/// Particles enter the contact at the largest x (default).
+/// Leading edge at the largest x, where particles enter the contact (default).
 pub const STICKSLIP_PLUS_X: i32 = 0;
-/// At the smallest x.
+/// Leading edge at the smallest x.
 pub const STICKSLIP_MINUS_X: i32 = 1;
-/// At the largest y.
+/// Leading edge at the largest y.
 pub const STICKSLIP_PLUS_Y: i32 = 2;
-/// At the smallest y.
+/// Leading edge at the smallest y.
 pub const STICKSLIP_MINUS_Y: i32 = 3;
 
 pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
@@ -99,26 +100,26 @@ pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
     }
 }
 
-/// Options of a rolling solver; stickslip_rolling_options_default() has the defaults.
+/// Options of a rolling solver; stickslip_rolling_options_default() returns the defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_options {
-    /// STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    /// Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// How cells that enter the contact follow the motion: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    /// Touch rule of cells that enter the contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     pub entry_rule: i32,
-    /// Cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+    /// Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     pub step: usize,
-    /// Number of corrections of the direction of slip (default 0). Two raise the order of the forces under spin from 1 to
-    /// between 1.5 and 2.
+    /// Number of corrections of the direction of slip (default 0). Two corrections raise the order of convergence of the
+    /// forces under spin from 1 to between 1.5 and 2.
     pub slip_corrections: usize,
-    /// Method, tolerance and limits.
+    /// Method, tolerance and limits of the solves.
     pub settings: stickslip_settings,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 7],
 }
 
-/// The options that rolling solvers have by default.
+/// Returns the default options of a rolling solver.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_rolling_options_default() -> stickslip_rolling_options {
     stickslip_rolling_options {
@@ -131,19 +132,20 @@ pub extern "C" fn stickslip_rolling_options_default() -> stickslip_rolling_optio
     }
 }
 
-/// Solves steady rolling for one creepage, force or spin after the other, each from the last answer.
+/// Solver for steady rolling with a sequence of creepages, forces or spins. Each solve starts from the last solution.
 pub struct stickslip_rolling_solver(Handle<Solver<RollingSolver>>);
 
 opaque!(stickslip_rolling_solver holds Solver<RollingSolver>, named "rolling solver");
 
-/// Traction, slip and creepage of steady rolling. Its fields are read without a copy, and are valid until the next solve
-/// into it, or until it is freed.
+/// Traction, slip and creepage of steady rolling. Fields are read without a copy and remain valid until the next solve into
+/// the solution or until it is freed.
 pub struct stickslip_rolling_solution(Handle<RollingSolution>);
 
 opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solution");
 
-/// Makes a solver under the pressure of a solved normal contact on the same bodies, with room of a step of cells ahead of
-/// the contact, else STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options (the defaults) may be NULL.
+/// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid needs room for one step of
+/// cells ahead of the contact; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options
+/// (the defaults) may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -178,7 +180,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
     })
 }
 
-/// Frees a solver; nothing for NULL.
+/// Frees a solver; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_free(
     solver: *mut stickslip_rolling_solver,
@@ -187,8 +189,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes what is prescribed of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY for a force or a moment that friction
-/// does not hold, or holds only by sliding.
+/// Sets the load of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY for a force or a moment that friction cannot
+/// carry, or can carry only by sliding.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     solver: *mut stickslip_rolling_solver,
@@ -199,8 +201,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
-/// Changes the friction of the next solve. STICKSLIP_BEYOND_FRICTION_CAPACITY if it does not hold the present load, or holds
-/// it only by sliding. The stiffness is about the last answer, if there is one, until that solve.
+/// Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if it cannot carry the current load, or
+/// can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
     solver: *mut stickslip_rolling_solver,
@@ -224,8 +226,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
     })
 }
 
-/// Sets the pressure of the next solve to one from elsewhere (count entries, copied). It has no gap:
-/// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver has STICKSLIP_WHOLE_STEP.
+/// Sets the pressure of the next solve to the given values (count entries, copied). These have no gap: the call returns
+/// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     solver: *mut stickslip_rolling_solver,
@@ -240,7 +242,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     }
 }
 
-/// Sets the solver that finds the pressure of a new normal load; copied, with its gap, hardness and settings.
+/// Sets the solver that computes the pressure of a new normal load; it is copied with its gap, hardness and settings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     solver: *mut stickslip_rolling_solver,
@@ -253,8 +255,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     })
 }
 
-/// Sets the normal load of the next solve, and solves for its pressure. STICKSLIP_UNSUPPORTED_BY_MODEL without a normal solver of
-/// stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
+/// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL without a normal
+/// solver set by stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     solver: *mut stickslip_rolling_solver,
@@ -267,7 +269,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     }
 }
 
-/// The largest tangential force that friction holds.
+/// Writes the largest tangential force that friction can carry.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_friction_capacity(
     solver: *const stickslip_rolling_solver,
@@ -281,7 +283,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_friction_capacity(
     }
 }
 
-/// Forgets the last answer: the next solve starts as the first did, and the stiffness is that of a contact that sticks.
+/// Discards the last solution: the next solve starts as the first solve did, and the stiffness is that of a contact in full
+/// stick.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_reset(
     solver: *mut stickslip_rolling_solver,
@@ -290,7 +293,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_reset(
     unsafe { solver::reset(solver, RollingSolver::reset) }
 }
 
-/// Changes method, tolerance and limits of the next solve.
+/// Sets the method, the tolerance and the limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
     solver: *mut stickslip_rolling_solver,
@@ -302,8 +305,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
 
 /// Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
 ///
-/// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-/// as it was, except that STICKSLIP_MEMORY in the search for the spin of a moment leaves the answer at another spin.
+/// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
+/// the solution unchanged, with one exception: STICKSLIP_MEMORY in the search for the spin of a moment leaves the solution
+/// for a different spin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_solve(
     solver: *mut stickslip_rolling_solver,
@@ -314,20 +318,21 @@ pub unsafe extern "C" fn stickslip_rolling_solver_solve(
     unsafe { solver::solve(solver, solution, observer) }
 }
 
-/// How forces and moment follow creepages and spin.
+/// Derivatives of the forces and the moment with respect to the creepages and the spin.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_stiffness {
-    /// Slopes of the forces along x and y and of the moment (rows) by the creepages along x and y and the spin (columns).
-    /// In C slopes[row, column]. Forces; with the spin forces times lengths, in the row of the moment once more times a
-    /// length.
+    /// Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
+    /// spin (columns). In C: slopes[row, column]. The entries are forces. Entries for the spin have an additional factor of
+    /// a length, and so do entries for the moment.
     pub slopes: [[f64; 3]; 3],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// The slopes of the loads about the last answer. Cells that stick follow, cells that slip stay at their limits; before the
-/// first solve all cells stick: these are Kalker's coefficients, times G a b and lengths.
+/// Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
+/// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G a b
+/// and lengths.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     solver: *mut stickslip_rolling_solver,
@@ -337,8 +342,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     unsafe { stickslip_rolling_solver_stiffness_observed(solver, std::ptr::null(), stiffness) }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+/// Computes the stiffness with an observer (may be NULL). The observer is called before every product with an operator and
+/// may end the call: the function then returns STICKSLIP_NOT_CONVERGED and leaves stiffness unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_stiffness_observed(
     solver: *mut stickslip_rolling_solver,
@@ -362,13 +367,13 @@ pub unsafe extern "C" fn stickslip_rolling_solver_stiffness_observed(
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_creep_point {
-    /// The creepages along x and y (dimensionless).
+    /// Creepages along x and y (dimensionless).
     pub creepage: [f64; 2],
-    /// The spin (one over a length).
+    /// Spin (one over a length).
     pub spin: f64,
 }
 
-/// The loads that creepages and spin cause.
+/// Loads due to creepages and spin.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_creep_force {
@@ -376,7 +381,7 @@ pub struct stickslip_creep_force {
     pub force: [f64; 2],
     /// Moment on body 1 about the origin of the grid (a force times a length).
     pub moment: f64,
-    /// Stick cells over contact cells.
+    /// Ratio of stick cells to contact cells.
     pub stick_ratio: f64,
 }
 
@@ -390,9 +395,10 @@ impl From<CreepForce> for stickslip_creep_force {
     }
 }
 
-/// The loads at count points, written to forces, each solved from the answer of the one before: neighbours in the order
-/// should be neighbours in the plane. The last point stays prescribed. All are checked before the first is solved. With
-/// STICKSLIP_NOT_CONVERGED the point that failed stays prescribed, and forces are as they were.
+/// Computes the loads at count points and writes them to forces. Each point is solved from the solution of the previous
+/// point, so consecutive points should be close to each other. All points are checked before the first solve. Afterwards
+/// the last point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces
+/// is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     solver: *mut stickslip_rolling_solver,
@@ -405,8 +411,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     unsafe { stickslip_rolling_solver_creep_forces_observed(solver, points, count, none, forces) }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with an operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, the point under way stays prescribed, and forces are as they were.
+/// Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
+/// observer is called before every product with an operator and may end the call. The call then returns
+/// STICKSLIP_NOT_CONVERGED, the current point is the prescribed load, and forces is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
     solver: *mut stickslip_rolling_solver,
@@ -433,7 +440,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
     })
 }
 
-/// Makes an empty solution of the right size for a solver.
+/// Creates an empty solution of the right size for a solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_new(
     solver: *const stickslip_rolling_solver,
@@ -443,7 +450,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_new(
     unsafe { solver::new_solution(solver, solution) }
 }
 
-/// Frees a solution; nothing for NULL.
+/// Frees a solution; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_free(
     solution: *mut stickslip_rolling_solution,
@@ -462,8 +469,9 @@ pub(crate) fn of_rolling(solution: &RollingSolution, field: i32) -> Outcome<&Fie
     }
 }
 
-/// STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
-/// The slip is that for each length rolled (dimensionless), over the step that brought the particles to their cells.
+/// Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
+/// to count (may be NULL); returns NULL on failure. The slip is the slip for each length rolled (dimensionless), over the
+/// step that moved the particles to their cells.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_field(
     solution: *const stickslip_rolling_solution,
@@ -474,7 +482,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_field(
     unsafe { show(solution, count, |of| Ok(of_rolling(of, which)?.as_slice())) }
 }
 
-/// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     solution: *const stickslip_rolling_solution,
@@ -484,9 +492,9 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
-/// Energy that slip dissipates in each cell for each length rolled (a pressure), written to values, which has count
-/// entries: what wear follows. Between bodies of the same material its integral is less than the work by a part that falls
-/// with the size of the cells.
+/// Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
+/// entries. Wear depends on this quantity. Between bodies of the same material its integral is smaller than the work; the
+/// difference decreases with the cell size.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     solution: *const stickslip_rolling_solution,
@@ -502,24 +510,24 @@ pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     })
 }
 
-/// Numbers of a rolling contact.
+/// Scalar results of a rolling contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_result {
-    /// The creepages along x and y, prescribed or caused by the forces (dimensionless).
+    /// Creepages along x and y, prescribed or caused by the forces (dimensionless).
     pub creepage: [f64; 2],
-    /// The spin, prescribed or caused by the moment (one over a length).
+    /// Spin, prescribed or caused by the moment (one over a length).
     pub spin: f64,
     /// Tangential force that body 2 exerts on body 1.
     pub force: [f64; 2],
     /// Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
     pub moment: f64,
-    /// Work that creepages and spin do for each length rolled (a force). Between bodies of the same material all of it is
-    /// dissipated; between others the pressure does work as well, which is not in it.
+    /// Work of creepages and spin for each length rolled (a force). Between bodies of the same material all work is
+    /// dissipated. Between different materials the pressure also does work, which is not included.
     pub work: f64,
-    /// Stick cells over contact cells.
+    /// Ratio of stick cells to contact cells.
     pub stick_ratio: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -537,7 +545,7 @@ impl From<&RollingSolution> for stickslip_rolling_result {
     }
 }
 
-/// The numbers of the contact.
+/// Writes the scalar results of the contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_result(
     solution: *const stickslip_rolling_solution,
@@ -547,7 +555,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_result(
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
-/// How it was solved.
+/// Writes the report of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_report(
     solution: *const stickslip_rolling_solution,
@@ -557,7 +565,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_report(
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
-/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+/// Writes the warnings about the solution, like stickslip_normal_solution_warnings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_warnings(
     solution: *const stickslip_rolling_solution,

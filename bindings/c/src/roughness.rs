@@ -1,4 +1,4 @@
-//! Rough surfaces: made, and described by their statistics.
+//! Rough surfaces: generation and statistics.
 
 use stickslip_rs::surface::{Amplitudes, SelfAffine, Statistics};
 
@@ -12,44 +12,46 @@ use crate::status::{STICKSLIP_INVALID_ARGUMENT, stickslip_status};
 use crate::surface::shape;
 use crate::threads::enter;
 
-/// Each wave has the amplitude of the spectrum, and only its phase is random (default).
+/// Amplitudes: each wave has the amplitude of the spectrum and a random phase (default).
 pub const STICKSLIP_EXACT: i32 = 0;
-/// The amplitudes are random too, as of filtered white noise.
+/// Amplitudes: amplitudes and phases are random, like those of filtered white noise.
 pub const STICKSLIP_GAUSSIAN: i32 = 1;
 
-/// A random surface with a self-affine power spectrum; stickslip_self_affine_default() has the defaults. Wavelengths are
-/// lengths. A spectrum constant from the longest wavelength to the roll-off falls with the wave number q as q^(-2 - 2 H) from
-/// there to the cut-off.
+/// Random surface with a self-affine power spectrum; stickslip_self_affine_default() returns the defaults. Wavelengths are
+/// lengths. The spectrum is constant from the longest wavelength to the roll-off. From there to the cut-off it decreases
+/// with the wave number q as q^(-2 - 2 H).
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_self_affine {
-    /// Root-mean-square height (a length); 0 if the slope is given.
+    /// Root-mean-square height (a length); 0 if the slope is prescribed.
     pub rms_height: f64,
-    /// Root-mean-square slope; 0 if the height is given.
+    /// Root-mean-square slope; 0 if the height is prescribed.
     pub rms_slope: f64,
     /// Hurst exponent H, in [0, 1] (default 0.8).
     pub hurst: f64,
-    /// Longest wavelength, where the spectrum begins; 0 (default): the longer side of the grid.
+    /// Longest wavelength, at which the spectrum starts; 0 (default) for the longer side of the grid.
     pub longest_wavelength: f64,
-    /// Roll-off wavelength, where the spectrum begins to fall; 0 (default): the longest wavelength.
+    /// Roll-off wavelength, at which the spectrum starts to decrease; 0 (default) for the longest wavelength.
     pub roll_off_wavelength: f64,
-    /// Cut-off wavelength, where the spectrum ends, at least two cells; 0 (default): eight cells, of their longer side.
+    /// Cut-off wavelength, at which the spectrum ends, at least two cells; 0 (default) for eight times the longer side of a
+    /// cell.
     pub cut_off_wavelength: f64,
-    /// STICKSLIP_EXACT (default) or STICKSLIP_GAUSSIAN.
+    /// Amplitudes of the waves: STICKSLIP_EXACT (default) or STICKSLIP_GAUSSIAN.
     pub amplitudes: i32,
-    /// Not zero: the middle of a larger surface, which does not repeat; else (default) the surface repeats along x and y.
+    /// Nonzero to crop the middle of a larger surface, which is not periodic; zero (default) for a surface that is periodic
+    /// along x and y.
     pub cropped: i32,
-    /// Skewness of the heights; NaN (default): as it follows from the phases, or 0 if a kurtosis is given.
+    /// Skewness of the heights; NaN (default) for the value that results from the phases, or for 0 if a kurtosis is given.
     pub skewness: f64,
-    /// Kurtosis of the heights; NaN (default): as it follows from the phases, or 3 if a skewness is given.
+    /// Kurtosis of the heights; NaN (default) for the value that results from the phases, or for 3 if a skewness is given.
     pub kurtosis: f64,
-    /// Another seed is another surface (default 0).
+    /// Seed of the random numbers (default 0); different seeds give different surfaces.
     pub seed: u64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// The options of a self-affine surface by default; height or slope is to be given.
+/// Returns the default options of a self-affine surface; the caller must set the height or the slope.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_self_affine_default() -> stickslip_self_affine {
     stickslip_self_affine {
@@ -106,14 +108,15 @@ impl stickslip_self_affine {
     }
 }
 
-/// Writes the heights of a random surface (lengths, positive out of the body, of zero mean) to heights, which has count
-/// entries. The gap of this surface to a plane is any constant less the height.
+/// Writes the heights of a random surface (lengths, positive out of the body, with zero mean) to heights, which has count
+/// entries. The gap between the surface and a plane is a constant minus the height.
 ///
-/// STICKSLIP_INVALID_ARGUMENT if height and slope are both given, STICKSLIP_NOT_POSITIVE for height, slope or a wavelength,
-/// STICKSLIP_HURST for the exponent, STICKSLIP_NOT_FINITE for skewness or kurtosis; STICKSLIP_BELOW_MINIMUM for a cut-off of less
-/// than two cells, a wavelength less than the next shorter one or a kurtosis less than the squared skewness plus one;
-/// STICKSLIP_NO_WAVE_IN_BAND if no wave fits the wavelengths, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights of such skewness and
-/// kurtosis are found; STICKSLIP_SAMPLE for the first height that overflows. heights is then as it was.
+/// Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given; STICKSLIP_NOT_POSITIVE for height, slope or a wavelength;
+/// STICKSLIP_HURST for the exponent; STICKSLIP_NOT_FINITE for skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off
+/// of less than two cells, for a wavelength less than the next shorter one, or for a kurtosis less than the squared
+/// skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits;
+/// STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found; STICKSLIP_SAMPLE for the first
+/// height that overflows. A failure leaves heights unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_self_affine(
     grid: *const stickslip_grid,
@@ -126,8 +129,9 @@ pub unsafe extern "C" fn stickslip_surface_self_affine(
     unsafe { stickslip_surface_self_affine_observed(grid, surface, nobody, heights, count) }
 }
 
-/// The same with an observer (may be NULL), which is called before each transform of the surface, also of the iterations for
-/// skewness and kurtosis, and may end it: STICKSLIP_NOT_CONVERGED.
+/// Writes the heights of a random surface with an observer (may be NULL), like stickslip_surface_self_affine. The observer
+/// is called before each transform of the surface, including those of the iterations for skewness and kurtosis. It may end
+/// the call, which then returns STICKSLIP_NOT_CONVERGED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_self_affine_observed(
     grid: *const stickslip_grid,
@@ -145,11 +149,11 @@ pub unsafe extern "C" fn stickslip_surface_self_affine_observed(
     })
 }
 
-/// Statistics of heights about their mean, as in ISO 25178-2.
+/// Statistics of heights about their mean, according to ISO 25178-2.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_statistics {
-    /// Mean height (a length), from which all other heights count.
+    /// Mean height (a length), the reference of all other heights.
     pub mean_height: f64,
     /// Arithmetic mean height Sa (a length).
     pub arithmetic_mean_height: f64,
@@ -157,19 +161,19 @@ pub struct stickslip_statistics {
     pub rms_height: f64,
     /// Skewness Ssk; NaN for a flat surface.
     pub skewness: f64,
-    /// Kurtosis Sku, 3 for a Gaussian surface; NaN for a flat one.
+    /// Kurtosis Sku, 3 for a Gaussian surface; NaN for a flat surface.
     pub kurtosis: f64,
     /// Height of the highest peak Sp (a length).
     pub highest_peak: f64,
     /// Depth of the deepest valley Sv (a length, positive).
     pub deepest_valley: f64,
-    /// Root-mean-square slope Sdq by finite differences, without those across the edge.
+    /// Root-mean-square slope Sdq from finite differences, without differences across the edge.
     pub finite_difference_rms_slope: f64,
-    /// Root-mean-square slope of the waves of the surface, continued periodically.
+    /// Root-mean-square slope from the waves of the periodically continued surface.
     pub spectral_rms_slope: f64,
-    /// Excess of the area over its projection, relative to the projection, Sdr.
+    /// Developed area ratio Sdr: excess of the surface area over its projection, relative to the projection.
     pub developed_area_ratio: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -191,8 +195,8 @@ impl From<Statistics> for stickslip_statistics {
     }
 }
 
-/// The statistics of count heights (lengths) on a grid. STICKSLIP_SAMPLE for the first height that is NaN or infinite,
-/// STICKSLIP_NOT_FINITE if their range or the square of their slopes overflows.
+/// Computes the statistics of count heights (lengths) on a grid. Returns STICKSLIP_SAMPLE for the first height that is NaN
+/// or infinite, and STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_statistics(
     grid: *const stickslip_grid,

@@ -7,8 +7,8 @@ use stickslip_rs::{Field, Grid};
 use crate::call::Outcome;
 use crate::pointer::collected;
 
-/// Arrays of earlier calls on an object. What C passes as an array is a [`Field`] for the crate: its copy takes the memory of
-/// the last one, so that repeated calls allocate nothing.
+/// Arrays of earlier calls on an object. The crate requires a [`Field`] where C passes an array. The field is a copy in the
+/// memory of an earlier copy, so that repeated calls allocate nothing.
 #[derive(Debug, Default)]
 pub(crate) struct Spare(Mutex<Vec<Vec<f64>>>);
 
@@ -26,7 +26,7 @@ impl Spare {
         outcome
     }
 
-    /// Changes the samples of all cells, or leaves them as they were if that fails.
+    /// Changes the samples of all cells; a failure leaves them unchanged.
     pub(crate) fn change(
         &self,
         grid: Grid,
@@ -42,15 +42,15 @@ impl Spare {
         outcome
     }
 
-    /// A copy of the samples of all cells, to be [kept](Self::keep) when it is done with.
+    /// Returns a copy of the samples of all cells; pass it to [`keep`](Self::keep) after use.
     pub(crate) fn copy(&self, grid: Grid, samples: &[f64]) -> Outcome<Field> {
-        // Calls on one object at the same time each have an array of their own.
+        // Simultaneous calls on the same object each use a separate array.
         let array = self.arrays().pop().unwrap_or_default();
         let array = collected(array, samples.iter().copied())?;
         Ok(Field::from_vec(grid, array)?)
     }
 
-    /// Takes the memory of a copy back.
+    /// Keeps the memory of a copy for later calls.
     pub(crate) fn keep(&self, copy: Field) {
         self.arrays().push(copy.into_vec());
     }

@@ -1,4 +1,4 @@
-//! What the solvers of all contacts have in common.
+//! Common functions of all solvers.
 
 use std::ops::ControlFlow;
 
@@ -18,14 +18,14 @@ use crate::observer::{stickslip_observer, watch};
 use crate::pointer::{Place, cells, input, optional};
 use crate::status::stickslip_status;
 
-/// A solver with its grid, which it does not tell of itself.
+/// Solver with its grid, which the solvers of the crate do not expose.
 #[derive(Debug)]
 pub struct Solver<S> {
     pub(crate) own: S,
     pub(crate) grid: Grid,
 }
 
-/// A solver of the crate.
+/// Solver of the crate.
 pub(crate) trait Solve {
     type Solution;
 
@@ -70,33 +70,33 @@ solve! {
     CoupledRollingSolver => CoupledRollingSolution,
 }
 
-/// Changes a solver by a struct of C, which is checked first.
+/// Changes a solver with a struct of the caller, which is checked first.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
     solver: *mut T,
     (name, given): (&str, *const A),
     check: impl FnOnce(&A) -> Outcome<B>,
     set: impl FnOnce(&mut S, B) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         let given = check(input(name, given)?)?;
         Ok(set(&mut changing(solver)?.own, given)?)
     })
 }
 
-/// Changes the friction.
+/// Sets the friction of a solver.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     friction: *const stickslip_friction,
     set: impl FnOnce(&mut S, &Friction) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let (grid, spare) = (solver.grid, solver.spare());
@@ -105,16 +105,16 @@ pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
     })
 }
 
-/// The same by a number for each cell.
+/// Changes a solver with an array that has a number for each cell.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     (name, pointer, count): (&str, *const f64, usize),
     set: impl FnOnce(&mut S, &Field) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let samples = cells(name, solver.grid, pointer, count)?;
@@ -124,38 +124,38 @@ pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
     })
 }
 
-/// Changes the settings.
+/// Sets the settings of a solver.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
     solver: *mut T,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     let check = stickslip_settings::checked;
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     unsafe { change(solver, ("settings", settings), check, S::set_settings) }
 }
 
-/// Forgets the last answer.
+/// Discards the last solution of a solver.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     forget: impl FnOnce(&mut S),
 ) -> stickslip_status {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         forget(&mut changing(solver)?.own);
         Ok(())
     })
 }
 
-/// Makes an empty solution.
+/// Creates an empty solution.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn new_solution<T, S, U>(
     solver: *const T,
     solution: *mut *mut U,
@@ -165,7 +165,7 @@ where
     S: Solve,
     U: Opaque<Value = S::Solution>,
 {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         let place = Place::new("solution", solution)?;
         let solver = reading(solver)?;
@@ -176,7 +176,7 @@ where
 /// Solves into a solution.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn solve<T, S, U>(
     solver: *mut T,
     solution: *mut U,
@@ -187,7 +187,7 @@ where
     S: Solve,
     U: Opaque<Value = S::Solution>,
 {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     call_on(solver, || unsafe {
         let observer = optional("observer", observer)?;
         let mut solver = changing(solver)?;

@@ -11,27 +11,28 @@ use crate::pointer::{Place, entries_mut, expect_cells};
 use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
 use crate::tangential::stickslip_tangential_solution;
 
-/// A contact spot: contact cells connected through their sides, across the edges of a grid that repeats too.
+/// Contact spot: contact cells connected through their sides, also across the edges of a periodic grid.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_spot {
-    /// Its cells.
+    /// Number of cells.
     pub cells: usize,
-    /// Area, by counting cells (a length squared).
+    /// Total area of the cells (a length squared).
     pub area: f64,
-    /// Normal force that it carries.
+    /// Normal force on the spot.
     pub load: f64,
-    /// Load over area (a pressure).
+    /// Ratio of load to area (a pressure).
     pub mean_pressure: f64,
-    /// Largest pressure of its cells (a pressure).
+    /// Largest pressure of a cell (a pressure).
     pub max_pressure: f64,
-    /// Centre of the area (lengths), inside the grid; of no meaning for a spot that spans the whole period.
+    /// Centroid of the area (lengths), inside the grid; without meaning for a spot that spans the whole period.
     pub centroid: [f64; 2],
-    /// Length of its edge along the sides of its cells (a length): longer than that of a round spot by a factor of 4/pi.
+    /// Length of the edge along the sides of the cells (a length). For a round spot this exceeds the perimeter of the
+    /// circle by a factor of 4/pi.
     pub perimeter: f64,
-    /// Stick cells over all its cells; NaN for a contact that is pressed only.
+    /// Ratio of stick cells to all cells of the spot; NaN for a contact without a tangential load.
     pub stick_ratio: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
@@ -51,19 +52,20 @@ impl From<&Spot> for stickslip_spot {
     }
 }
 
-/// Where C wants spots: a buffer with its capacity, how many there are, and the labels of all cells with their number.
+/// Output of the spot functions: a buffer with its capacity, the number of spots, and the labels of all cells with their
+/// number.
 type SpotOutputs = ((*mut stickslip_spot, usize, *mut usize), (*mut u32, usize));
 
 /// Writes spots and labels.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 unsafe fn put(
     ((buffer, capacity, count), (labels, cells)): SpotOutputs,
     find: impl FnOnce() -> Outcome<ContactSpots>,
 ) -> Outcome {
     let name = "buffer of spots";
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (count, buffer, labels) = unsafe {
         let count = Place::new("count", count)?;
         let labels = if labels.is_null() {
@@ -92,10 +94,11 @@ unsafe fn put(
     Ok(())
 }
 
-/// The contact spots, in the order of their first cells, and how many there are. With a NULL buffer and capacity 0 only
-/// that; STICKSLIP_BUFFER_TOO_SMALL for a buffer that is too small, to which nothing is written.
+/// Writes the contact spots, in the order of their first cells, to buffer, and their number to count. With a NULL buffer
+/// and a capacity of 0 it writes only the number. If the buffer is too small, the call returns STICKSLIP_BUFFER_TOO_SMALL
+/// and writes nothing to it.
 ///
-/// labels, which has cells entries, gets the number of the spot of every cell, counted from one, and zero outside the
+/// labels has cells entries and receives the number of the spot of every cell, counted from one, and zero outside the
 /// contact; it may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_spots(
@@ -113,7 +116,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_spots(
     })
 }
 
-/// The contact spots under the pressure of a normal contact, with the part of each that sticks: as
+/// Writes the contact spots under the pressure of a normal contact with the stick ratio of each, like
 /// stickslip_normal_solution_spots.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_spots(
@@ -135,7 +138,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_spots(
     })
 }
 
-/// The contact spots after the last step, with the part of each that sticks: as stickslip_normal_solution_spots.
+/// Writes the contact spots after the last step with the stick ratio of each, like stickslip_normal_solution_spots.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_spots(
     history: *const stickslip_history,

@@ -1,4 +1,4 @@
-//! States of histories: kept in memory, or as bytes.
+//! States of histories, stored in memory or as bytes.
 
 use stickslip_rs::history::State;
 use stickslip_rs::{History, TryClone};
@@ -11,12 +11,12 @@ use crate::history::stickslip_history;
 use crate::pointer::{Place, entries, entries_mut};
 use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
 
-/// A state of a history, to which it may return: gap, friction and settings are part of it.
+/// Saved state of a history, including gap, friction and settings. A history can return to it.
 pub struct stickslip_state(Handle<State>);
 
 opaque!(stickslip_state holds State, named "state");
 
-/// Keeps a copy of the state of a history.
+/// Creates a copy of the state of a history.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_state_new(
     history: *const stickslip_history,
@@ -30,14 +30,14 @@ pub unsafe extern "C" fn stickslip_state_new(
     })
 }
 
-/// Frees a state; nothing for NULL.
+/// Frees a state; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_state_free(state: *mut stickslip_state) -> stickslip_status {
     // SAFETY: the rule for pointers.
     call(|| unsafe { free(state) })
 }
 
-/// Keeps the present state of a history in the place of an older one, whose memory it uses.
+/// Overwrites a saved state with the current state of a history; the memory is reused.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_state_keep(
     state: *mut stickslip_state,
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn stickslip_state_keep(
     })
 }
 
-/// Returns a history to a state, one of its own or of another on equal bodies.
+/// Returns a history to a saved state of this history or of another history on equal bodies.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_state(
     history: *mut stickslip_history,
@@ -63,11 +63,12 @@ pub unsafe extern "C" fn stickslip_history_set_state(
     })
 }
 
-/// The state of a history as bytes, some 60 to 130 for each cell. A history made from them by stickslip_history_from_bytes
-/// takes further steps with the same results, bit for bit.
+/// Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from them by
+/// stickslip_history_from_bytes takes further steps with bitwise identical results.
 ///
-/// length gets how many there are. With a NULL buffer and capacity 0 only that; a buffer that is too small is
-/// STICKSLIP_BUFFER_TOO_SMALL, and nothing is written to it. Each call takes about as long as a warm step.
+/// length receives the number of bytes. With a NULL buffer and a capacity of 0 only the number is written. If the buffer is
+/// too small, the call returns STICKSLIP_BUFFER_TOO_SMALL and writes nothing to it. Each call takes about as long as a warm
+/// step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_to_bytes(
     history: *const stickslip_history,
@@ -92,7 +93,8 @@ pub unsafe extern "C" fn stickslip_history_to_bytes(
     })
 }
 
-/// Makes a history from bytes of stickslip_history_to_bytes, on the bodies it had. Damaged bytes are STICKSLIP_FORMAT.
+/// Creates a history from bytes of stickslip_history_to_bytes, on the bodies of the original history. Returns
+/// STICKSLIP_FORMAT for damaged bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_from_bytes(
     half_space: *const stickslip_half_space,

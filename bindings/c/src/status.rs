@@ -1,55 +1,59 @@
-//! What functions return.
+//! Return codes of the functions.
 
-/// What a function returns: STICKSLIP_OK or the kind of failure.
+/// Return code of a function: STICKSLIP_OK or the kind of failure.
 pub type stickslip_status = i32;
 
-/// Done.
+/// Success.
 pub const STICKSLIP_OK: i32 = 0;
-/// The tolerance was not reached, or the observer or a limit ended the solve. The solution holds the last feasible iterate
-/// and its report; a history is as it was, and stickslip_last_error_report has the report.
+/// The tolerance was not reached, or the observer or a limit ended the solve. The solution contains the last feasible
+/// iterate and its report. A history is unchanged, and stickslip_last_error_report writes the report.
 pub const STICKSLIP_NOT_CONVERGED: i32 = 1;
-/// The tangential force or moment (value) exceeds what friction can carry (limit): no equilibrium exists.
+/// The tangential force or moment (value) exceeds the friction capacity (limit): no equilibrium exists.
 pub const STICKSLIP_BEYOND_FRICTION_CAPACITY: i32 = 2;
-/// The normal force (value) exceeds what the hardness lets the cells carry (limit).
+/// The normal force (value) exceeds the largest force that the cells can carry at their hardness (limit).
 pub const STICKSLIP_BEYOND_HARDNESS: i32 = 3;
-/// The bodies do not touch: there is nothing to load tangentially.
+/// The bodies do not touch: a tangential load requires a contact.
 pub const STICKSLIP_EMPTY_CONTACT: i32 = 4;
 /// The approach (value) is not below the mean gap (limit) of a periodic contact.
 pub const STICKSLIP_APPROACH_BEYOND_MEAN_GAP: i32 = 5;
-/// The materials couple pressure and traction (value: Dundurs' beta), and what was asked for does not model that.
+/// The materials couple pressure and traction (value: Dundurs' beta), and the requested model does not include the
+/// coupling.
 pub const STICKSLIP_COUPLED_MATERIALS: i32 = 6;
 /// The model does not include this load (value).
 pub const STICKSLIP_UNSUPPORTED_BY_MODEL: i32 = 7;
 /// The load has components along both axes, which the scalar model does not allow (value: along x, limit: along y).
 pub const STICKSLIP_OBLIQUE_LOAD: i32 = 8;
-/// A load was cut into the shortest steps allowed, and the error of one (value) is still beyond its tolerance (limit).
+/// The load was divided into the shortest steps allowed, and the error of a step (value) still exceeds its tolerance
+/// (limit).
 pub const STICKSLIP_STEP_TOO_LONG: i32 = 9;
-/// Cells (index: how many) are at their hardness, where only elastic contacts have what was asked for.
+/// Some cells (index: their number) are at their hardness, but the requested operation requires an elastic contact.
 pub const STICKSLIP_YIELDED: i32 = 10;
-/// A history that a cycle already counts, or of another step.
+/// The history has taken no step since the last step of the cycle.
 pub const STICKSLIP_STEP_ALREADY_COUNTED: i32 = 11;
-/// The cycle does not close: the residual of its loop (value) is more than what stands for those that follow (limit).
+/// The cycle does not close: its cyclic residual (value) exceeds the limit (limit) for a cycle that represents the
+/// following cycles.
 pub const STICKSLIP_CYCLE_NOT_CLOSED: i32 = 12;
 
-/// A handle or another pointer that is needed is NULL, or misaligned.
+/// A required handle or another required pointer is NULL or misaligned.
 pub const STICKSLIP_BAD_POINTER: i32 = 32;
-/// The handle is in use by another thread; nothing was done.
+/// Another thread is using the handle; nothing was done.
 pub const STICKSLIP_BUSY: i32 = 33;
-/// The number (value) is no constant of the kind that is needed there, or a struct has a member that this library does not
-/// know: reserved is not zero.
+/// The number (value) is not a constant of the required kind, or a struct has a member that this library does not support:
+/// reserved is not zero.
 pub const STICKSLIP_UNKNOWN_OPTION: i32 = 34;
-/// The buffer has room for fewer entries (found) than there are (expected).
+/// The capacity of the buffer (found) is smaller than the number of entries (expected).
 pub const STICKSLIP_BUFFER_TOO_SMALL: i32 = 35;
-/// Some contacts of a batch failed: the codes of each say why, the last error is that of the first (index).
+/// Some histories of a batch failed: codes has the reason for each, and the last error belongs to the first failure
+/// (index).
 pub const STICKSLIP_SOME_FAILED: i32 = 36;
-/// The threads cannot be made.
+/// The threads cannot be created.
 pub const STICKSLIP_NO_THREADS: i32 = 37;
-/// A defect of the library. The objects of the call can be freed, and should not be used otherwise.
+/// The library has a defect. The objects of the call can be freed, and should not be used otherwise.
 pub const STICKSLIP_PANIC: i32 = 38;
 
 /// A grid needs at least one cell along each axis.
 pub const STICKSLIP_GRID_SIZE: i32 = 64;
-/// Memory cannot be allocated, and none was.
+/// Memory cannot be allocated, and none was allocated.
 pub const STICKSLIP_MEMORY: i32 = 65;
 /// A quantity (value) that must be positive and finite is not.
 pub const STICKSLIP_NOT_POSITIVE: i32 = 66;
@@ -63,11 +67,11 @@ pub const STICKSLIP_SAMPLE: i32 = 69;
 pub const STICKSLIP_POISSON_RATIO: i32 = 70;
 /// Both bodies are rigid: nothing deforms.
 pub const STICKSLIP_BOTH_RIGID: i32 = 71;
-/// The cells are too long: double precision does not resolve the compliance of their short waves.
+/// The cells are too long: double precision does not resolve the compliance of their shortest waves.
 pub const STICKSLIP_CELLS_TOO_LONG: i32 = 72;
-/// An array has the wrong number of entries (found for expected).
+/// An array has the wrong number of entries (found instead of expected).
 pub const STICKSLIP_LENGTH: i32 = 73;
-/// Two objects live on different grids.
+/// Two objects have different grids.
 pub const STICKSLIP_GRID_MISMATCH: i32 = 74;
 /// Two objects belong to bodies with different boundaries.
 pub const STICKSLIP_BOUNDARY_MISMATCH: i32 = 75;
@@ -77,17 +81,17 @@ pub const STICKSLIP_MATERIAL_MISMATCH: i32 = 76;
 pub const STICKSLIP_TOLERANCE: i32 = 77;
 /// The iteration limit is zero.
 pub const STICKSLIP_ITERATION_LIMIT: i32 = 78;
-/// A solver that is to hold its pressure has none yet: give it a force or an approach.
+/// A solver cannot hold its pressure before the first solve: prescribe a force or an approach.
 pub const STICKSLIP_NO_PRESSURE_TO_HOLD: i32 = 79;
 /// The method does not solve this kind of problem.
 pub const STICKSLIP_METHOD: i32 = 80;
 /// A quantity (value) is below its lower limit (limit).
 pub const STICKSLIP_BELOW_MINIMUM: i32 = 81;
-/// The bytes are no saved history, of another version, or damaged.
+/// The bytes are not a saved history, have a different version, or are damaged.
 pub const STICKSLIP_FORMAT: i32 = 82;
-/// The body is rigid: nothing determines its stress.
+/// The body is rigid: its stress is not determined.
 pub const STICKSLIP_RIGID_BODY: i32 = 83;
-/// A sum over images that does not converge on a grid that repeats along both axes.
+/// A sum over images does not converge on a grid that is periodic along both axes.
 pub const STICKSLIP_DIVERGENT_PERIODIC_SUM: i32 = 84;
 /// The Hurst exponent (value) lies outside [0, 1].
 pub const STICKSLIP_HURST: i32 = 85;
@@ -95,14 +99,14 @@ pub const STICKSLIP_HURST: i32 = 85;
 pub const STICKSLIP_NO_WAVE_IN_BAND: i32 = 86;
 /// No heights of this skewness (value) and kurtosis (limit) were found.
 pub const STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED: i32 = 87;
-/// Two objects belong to bodies whose cells have values of another meaning.
+/// Two objects belong to bodies with different meanings of the cell values.
 pub const STICKSLIP_CELL_VALUE_MISMATCH: i32 = 88;
-/// Ranks cannot go on together: one of them (index) is lost, makes other calls or has refused its part, or they came with
-/// different inputs, which the message names.
+/// The ranks cannot continue together: a rank (index) is lost, makes different calls or has rejected its part, or the ranks
+/// have different inputs, which the message names.
 pub const STICKSLIP_RANK_FAILURE: i32 = 89;
-/// A rolled step needs more cells (expected) next to the contact than the grid has there (found): ahead of it or behind it.
+/// A step with rolling requires more cells (expected) ahead of the contact or behind it than the grid has there (found).
 pub const STICKSLIP_GRID_TOO_SHORT: i32 = 90;
-/// A quantity (value) is beyond a limit (limit) outside which its squares leave the range of numbers: choose other units.
+/// A quantity (value) is beyond a limit (limit) outside which its square overflows or underflows: choose other units.
 pub const STICKSLIP_EXTREME_NUMBER: i32 = 91;
-/// Any other refusal: the message says which.
+/// Any other error, described by its message.
 pub const STICKSLIP_INVALID_ARGUMENT: i32 = 127;

@@ -1,22 +1,22 @@
-//! Slopes of the forces.
+//! Tangent stiffnesses of contacts.
 
 use stickslip_rs::stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
 
-/// Normal force by approach.
+/// Derivative of the normal force with respect to the approach.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_normal_stiffness {
-    /// A force over a length; zero without contact.
+    /// Stiffness (a force over a length); zero without contact.
     pub value: f64,
-    /// Bound of its relative error; infinite where pressure and traction are found together.
+    /// Bound on the relative error; infinite if pressure and traction are coupled.
     pub bound: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// Forces along x and y and the moment, by shifts along x and y and the twist: rows are loads, columns motions. In C
-/// loading[row, column]. NaN for loads and motions that the model does not have: in the scalar model what is across its axis
-/// and the twist, on grids that repeat the twist.
+/// Derivatives of the forces along x and y and of the moment with respect to the shifts along x and y and the twist: rows
+/// are loads, columns are motions. In C: loading[row, column]. Loads and motions that are not part of the model are NaN: in
+/// the scalar model the direction across its axis and the twist, on periodic grids the twist.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_stiffness {
@@ -25,33 +25,34 @@ pub struct stickslip_tangential_stiffness {
     /// two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
     /// next step, in which they resist fully.
     pub loading: [[f64; 3]; 3],
-    /// If the motion reverses: all cells of the contact stick.
+    /// Derivative for a reversal of the motion, at which all contact cells stick.
     pub reversal: [[f64; 3]; 3],
-    /// Bound of the errors: none is larger than this times the root of the product of the two entries on the diagonal;
-    /// infinite where pressure and traction are found together.
+    /// Bound on the errors: the error of an entry is at most bound times the square root of the product of its two diagonal
+    /// entries; infinite if pressure and traction are coupled.
     pub bound: f64,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// The stiffness of a contact.
+/// Tangent stiffness of a contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_stiffness {
-    /// Normal force by approach.
+    /// Derivative of the normal force with respect to the approach.
     pub normal: stickslip_normal_stiffness,
-    /// Tangential forces and moment by shift and twist.
+    /// Derivatives of the tangential forces and the moment with respect to shift and twist.
     pub tangential: stickslip_tangential_stiffness,
-    /// Tangential forces and moment by the approach while slip continues; NaN for those that the model does not have.
+    /// Derivatives of the tangential forces and the moment with respect to the approach while slip continues; NaN for loads
+    /// that are not part of the model.
     pub by_approach: [f64; 3],
-    /// Normal force by shifts along x and y and the twist: zero but where pressure and traction are found together. NaN for
-    /// motions that the model does not have.
+    /// Derivatives of the normal force with respect to the shifts along x and y and the twist; zero unless pressure and
+    /// traction are coupled. NaN for motions that are not part of the model.
     pub normal_by_motion: [f64; 3],
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 5],
 }
 
-/// What a model does not have as NaN.
+/// Converts derivatives that are not part of the model to NaN.
 fn present(slopes: [Option<f64>; 3]) -> [f64; 3] {
     slopes.map(|slope| slope.unwrap_or(f64::NAN))
 }

@@ -1,4 +1,4 @@
-//! Stress and displacement below the surface, at points.
+//! Stress and displacement at points below the surface.
 
 use stickslip_rs::Grid;
 use stickslip_rs::subsurface::{self, Body, PointResult, Stress, Tractions};
@@ -13,9 +13,9 @@ use crate::scratch::Spare;
 use crate::status::stickslip_status;
 use crate::threads::enter;
 
-/// Body 1, into which z points.
+/// Body 1; z points into it.
 pub const STICKSLIP_BODY_1: i32 = 1;
-/// Body 2, above it.
+/// Body 2, above body 1.
 pub const STICKSLIP_BODY_2: i32 = 2;
 
 pub(crate) fn body(value: i32) -> Outcome<Body> {
@@ -26,14 +26,14 @@ pub(crate) fn body(value: i32) -> Outcome<Body> {
     }
 }
 
-/// What acts on the surface: the fields of a solution or a history, or any others. It is up to the caller that they belong
-/// to the same bodies.
+/// Tractions on the surface: fields of a solution or a history, or other arrays. The caller ensures that they belong to the
+/// same bodies.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tractions {
     /// Pressure of each cell, positive in compression.
     pub pressure: *const f64,
-    /// Traction along x on body 1 (pressures); NULL, like that along y, without shear.
+    /// Traction along x on body 1 (pressures); without shear this and the traction along y are NULL.
     pub x: *const f64,
     /// Traction along y on body 1.
     pub y: *const f64,
@@ -45,7 +45,7 @@ impl stickslip_tractions {
     /// Runs work on the tractions.
     ///
     /// # Safety
-    /// The rule for pointers.
+    /// The caller follows the rule for pointers of [`crate::pointer`].
     pub(crate) unsafe fn with<T>(
         &self,
         grid: Grid,
@@ -53,7 +53,7 @@ impl stickslip_tractions {
         work: impl FnOnce(Tractions<'_>) -> Outcome<T>,
     ) -> Outcome<T> {
         let has_shear = !self.x.is_null() || !self.y.is_null();
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         let field = |name, pointer| unsafe { cells(name, grid, pointer, self.count) };
         let pressure = field("pressure", self.pressure)?;
         if !has_shear {
@@ -73,11 +73,11 @@ impl stickslip_tractions {
     }
 }
 
-/// A point in a body.
+/// Point in a body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_point {
-    /// Position along x, that of the grid (a length).
+    /// Position along x in the coordinates of the grid (a length).
     pub x: f64,
     /// Position along y (a length).
     pub y: f64,
@@ -85,7 +85,7 @@ pub struct stickslip_point {
     pub depth: f64,
 }
 
-/// Displacement and stress at a point, along x, y and z, with z into body 1.
+/// Displacement and stress at a point along x, y and z; z points into body 1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_response {
@@ -95,9 +95,9 @@ pub struct stickslip_response {
     pub normal_stress: [f64; 3],
     /// Stresses xy, xz and yz (pressures).
     pub shear_stress: [f64; 3],
-    /// Principal stresses (pressures, positive in tension), the largest first.
+    /// Principal stresses in descending order (pressures, positive in tension).
     pub principal_stress: [f64; 3],
-    /// Von Mises' equivalent stress (a pressure).
+    /// Von Mises equivalent stress (a pressure).
     pub von_mises: f64,
 }
 
@@ -114,9 +114,10 @@ impl From<PointResult> for stickslip_response {
     }
 }
 
-/// Displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points, written to responses, by sums over
-/// all loaded cells: exact for a uniform traction on each. STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid
-/// that repeats along both axes. For whole planes stickslip_planes_solve is faster.
+/// Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
+/// responses. The sums over all loaded cells are exact for a uniform traction on each cell. Returns STICKSLIP_RIGID_BODY
+/// for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes
+/// stickslip_planes_solve is faster.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_stress_at_points(
     half_space: *const stickslip_half_space,
@@ -135,8 +136,9 @@ pub unsafe extern "C" fn stickslip_stress_at_points(
     }
 }
 
-/// The same with an observer (may be NULL), which is called before each portion of the points and may end it:
-/// STICKSLIP_NOT_CONVERGED, and responses is as it was.
+/// Computes displacement and stress at points with an observer (may be NULL), like stickslip_stress_at_points. The observer
+/// is called before each portion of the points and may end the call: the function then returns STICKSLIP_NOT_CONVERGED and
+/// leaves responses unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_stress_at_points_observed(
     half_space: *const stickslip_half_space,

@@ -11,21 +11,21 @@ use crate::threads::enter;
 /// Writes a shape into an array of the caller.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 pub(crate) unsafe fn shape(
     grid: *const stickslip_grid,
     make: impl FnOnce(Grid) -> Result<Field> + Send,
     (name, heights, count): (&str, *mut f64, usize),
 ) -> Outcome {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let grid = unsafe { input("grid", grid)? }.checked()?;
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let heights = unsafe { cells_mut(name, grid, heights, count)? };
     heights.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
     Ok(())
 }
 
-/// The gap between a sphere and a plane that touch at the origin (lengths), written to gap, which has count entries.
+/// Writes the gap between a sphere and a plane that touch at the origin (lengths) to gap, which has count entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_sphere(
     grid: *const stickslip_grid,
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn stickslip_surface_sphere(
     })
 }
 
-/// The gap between an ellipsoid, of the radii of curvature radius_x and radius_y at the origin, and a plane.
+/// Writes the gap between an ellipsoid with the radii of curvature radius_x and radius_y at the origin, and a plane.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_ellipsoid(
     grid: *const stickslip_grid,
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn stickslip_surface_ellipsoid(
     call(|| unsafe { shape(grid, make, ("gap", gap, count)) })
 }
 
-/// The gap between a cylinder along y and a plane.
+/// Writes the gap between a cylinder along y and a plane.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_cylinder(
     grid: *const stickslip_grid,

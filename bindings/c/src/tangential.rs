@@ -1,4 +1,4 @@
-//! Tangential contact under a pressure that is given.
+//! Tangential contact under a given pressure.
 
 use stickslip_rs::{PressureSource, TangentialProblem, TangentialSolution, TangentialSolver, Zone};
 
@@ -22,23 +22,24 @@ use crate::status::stickslip_status;
 use crate::stiffness::stickslip_tangential_stiffness;
 use crate::text_fields::{show, tell, warn};
 
-/// Options of a tangential solver; stickslip_tangential_options_default() has the defaults.
+/// Options of a tangential solver; stickslip_tangential_options_default() returns the defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_options {
-    /// STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
+    /// Model of the traction: STICKSLIP_SCALAR (default) or STICKSLIP_VECTOR.
     pub model: i32,
-    /// STICKSLIP_ONE_WAY (default) or STICKSLIP_NEGLECTED; of meaning for dissimilar bodies only.
+    /// Coupling of pressure and traction: STICKSLIP_ONE_WAY (default) or STICKSLIP_NEGLECTED; relevant only for dissimilar
+    /// bodies.
     pub coupling: i32,
-    /// A displacement of body 1 relative to body 2 that the contact does not cause, or NULL (default).
+    /// Displacement of body 1 relative to body 2 that the contact does not cause, or NULL (default).
     pub relative_displacement: *const stickslip_relative_displacement,
-    /// Method, tolerance and limits.
+    /// Method, tolerance and limits of the solves.
     pub settings: stickslip_settings,
-    /// Room for members to come: zero.
+    /// Reserved for future members: zero.
     pub reserved: [u64; 8],
 }
 
-/// The options that tangential solvers have by default.
+/// Returns the default options of a tangential solver.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_tangential_options_default() -> stickslip_tangential_options {
     stickslip_tangential_options {
@@ -50,18 +51,18 @@ pub extern "C" fn stickslip_tangential_options_default() -> stickslip_tangential
     }
 }
 
-/// Solves tangential contacts again and again, each from rest, beginning with the last answer.
+/// Solver for repeated tangential contacts, each loaded from rest. Each solve starts from the last solution.
 pub struct stickslip_tangential_solver(Handle<Solver<TangentialSolver>>);
 
 opaque!(stickslip_tangential_solver holds Solver<TangentialSolver>, named "tangential solver");
 
-/// Traction, slip and shift of a tangential contact. Its fields are read without a copy, and are valid until the next solve
-/// into it, or until it is freed.
+/// Traction, slip and shift of a tangential contact. Fields are read without a copy and remain valid until the next solve
+/// into the solution or until it is freed.
 pub struct stickslip_tangential_solution(Handle<TangentialSolution>);
 
 opaque!(stickslip_tangential_solution holds TangentialSolution, named "tangential solution");
 
-/// Makes a solver under the pressure of a solved normal contact on the same bodies. options may be NULL (the defaults).
+/// Creates a solver under the pressure of a solved normal contact on the same bodies. options may be NULL (the defaults).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_new(
     half_space: *const stickslip_half_space,
@@ -79,8 +80,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new(
     })
 }
 
-/// Makes a solver under a pressure from elsewhere (count entries, zero or positive, copied). options may be NULL (the
-/// defaults).
+/// Creates a solver under a given pressure (count entries, zero or positive, copied). options may be NULL (the defaults).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_new_under(
     half_space: *const stickslip_half_space,
@@ -106,17 +106,19 @@ type TangentialArguments = (
     *const stickslip_tangential_options,
 );
 
+/// Creates a solver under a pressure.
+///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 unsafe fn new(
     half_space: *const stickslip_half_space,
     pressure: PressureSource<'_>,
     (friction, load, options): TangentialArguments,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> Outcome {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let place = unsafe { Place::new("solver", solver)? };
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (bodies, friction, load, options) = unsafe {
         let bodies = reading(half_space)?;
         let friction = input("friction", friction)?.checked(bodies.grid())?;
@@ -132,9 +134,9 @@ unsafe fn new(
             .coupling(coupling(options.coupling)?)
             .settings(options.settings.checked()?);
         let name = "relative_displacement of the options";
-        // SAFETY: as of this function.
+        // SAFETY: the safety contract of this function.
         if let Some(relative) = unsafe { optional(name, options.relative_displacement)? } {
-            // SAFETY: as of this function.
+            // SAFETY: the safety contract of this function.
             problem = problem.relative_displacement(unsafe { relative.checked(grid)? });
         }
     }
@@ -143,7 +145,7 @@ unsafe fn new(
     give(place, Solver { own, grid }, grid.cells())
 }
 
-/// Frees a solver; nothing for NULL.
+/// Frees a solver; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_free(
     solver: *mut stickslip_tangential_solver,
@@ -152,7 +154,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_free(
     call(|| unsafe { free(solver) })
 }
 
-/// Changes the load of the next solve.
+/// Sets the load of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_load(
     solver: *mut stickslip_tangential_solver,
@@ -165,7 +167,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_load(
     }
 }
 
-/// Changes the friction of the next solve.
+/// Sets the friction of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     solver: *mut stickslip_tangential_solver,
@@ -175,7 +177,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     unsafe { solver::set_friction(solver, friction, TangentialSolver::set_friction) }
 }
 
-/// Changes the pressure of the next solve to that of a solved normal contact.
+/// Sets the pressure of the next solve to the pressure of a solved normal contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_normal(
     solver: *mut stickslip_tangential_solver,
@@ -188,7 +190,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_normal(
     })
 }
 
-/// Changes the pressure of the next solve to one from elsewhere (count entries, copied).
+/// Sets the pressure of the next solve to the given values (count entries, copied).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_pressure(
     solver: *mut stickslip_tangential_solver,
@@ -203,7 +205,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_pressure(
     }
 }
 
-/// Changes the relative displacement of the next solve.
+/// Sets the relative displacement of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     solver: *mut stickslip_tangential_solver,
@@ -217,7 +219,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     })
 }
 
-/// Changes method, tolerance and limits of the next solve.
+/// Sets the method, the tolerance and the limits of the next solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
     solver: *mut stickslip_tangential_solver,
@@ -227,7 +229,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
     unsafe { solver::set_settings(solver, settings) }
 }
 
-/// Forgets the last answer: the next solve starts as the first did.
+/// Discards the last solution: the next solve starts as the first solve did.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
@@ -236,7 +238,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     unsafe { solver::reset(solver, TangentialSolver::reset) }
 }
 
-/// The largest tangential force that friction holds.
+/// Writes the largest tangential force that friction can carry.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_friction_capacity(
     solver: *const stickslip_tangential_solver,
@@ -252,8 +254,8 @@ pub unsafe extern "C" fn stickslip_tangential_solver_friction_capacity(
 
 /// Solves into a solution of stickslip_tangential_solution_new for the same bodies. observer may be NULL.
 ///
-/// With STICKSLIP_NOT_CONVERGED the solution holds the last feasible iterate and its report; after any other failure it is
-/// as it was.
+/// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
+/// the solution unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solver_solve(
     solver: *mut stickslip_tangential_solver,
@@ -264,7 +266,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_solve(
     unsafe { solver::solve(solver, solution, observer) }
 }
 
-/// Makes an empty solution of the right size for a solver.
+/// Creates an empty solution of the right size for a solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_new(
     solver: *const stickslip_tangential_solver,
@@ -274,7 +276,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_new(
     unsafe { solver::new_solution(solver, solution) }
 }
 
-/// Frees a solution; nothing for NULL.
+/// Frees a solution; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_free(
     solution: *mut stickslip_tangential_solution,
@@ -283,7 +285,8 @@ pub unsafe extern "C" fn stickslip_tangential_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-/// STICKSLIP_TRACTION_X, STICKSLIP_SLIP_X or those along y, and how many cells it has (count may be NULL); NULL on failure.
+/// Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
+/// to count (may be NULL); returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_field(
     solution: *const stickslip_tangential_solution,
@@ -298,7 +301,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_field(
     }
 }
 
-/// The zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_zones(
     solution: *const stickslip_tangential_solution,
@@ -308,10 +311,10 @@ pub unsafe extern "C" fn stickslip_tangential_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
-// Zones are read as bytes.
+// C reads zones as bytes.
 const _: () = assert!(size_of::<Zone>() == 1 && Zone::Slip as u8 == crate::fields::STICKSLIP_SLIP);
 
-/// The numbers of the contact.
+/// Writes the scalar results of the contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_result(
     solution: *const stickslip_tangential_solution,
@@ -321,7 +324,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_result(
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
-/// How it was solved.
+/// Writes the report of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_report(
     solution: *const stickslip_tangential_solution,
@@ -331,7 +334,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_report(
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
-/// Diagnostics that may mislead: as stickslip_normal_solution_warnings.
+/// Writes the warnings about the solution, like stickslip_normal_solution_warnings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
     solution: *const stickslip_tangential_solution,
@@ -349,7 +352,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
     }
 }
 
-/// The stiffness of a tangential contact on the bodies it was solved for.
+/// Computes the stiffness of a tangential contact. The bodies must be those of the solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     solution: *const stickslip_tangential_solution,
@@ -363,8 +366,8 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     }
 }
 
-/// The same with an observer (may be NULL), which is called before every product with the operator and may end it:
-/// STICKSLIP_NOT_CONVERGED, and stiffness is as it was.
+/// Computes the stiffness with an observer (may be NULL). The observer is called before every product with the operator and
+/// may end the call: the function then returns STICKSLIP_NOT_CONVERGED and leaves stiffness unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_stiffness_observed(
     solution: *const stickslip_tangential_solution,

@@ -1,4 +1,4 @@
-//! The threads that large contacts are shared among.
+//! Threads for large contacts.
 
 use std::num::NonZero;
 use std::process::id;
@@ -14,14 +14,15 @@ use crate::call::{Outcome, call};
 use crate::error::Failure;
 use crate::status::{STICKSLIP_NO_THREADS, stickslip_status};
 
-/// How many threads were asked for; 0 for the default.
+/// Requested number of threads; 0 for the default.
 static ASKED: AtomicUsize = AtomicUsize::new(0);
 
-/// The pool of this process; null, or that of another process, before its first use. What came through a fork is left as it
-/// is: its threads are not here to be told to end, and its lock may be held by one of them.
+/// Thread pool of this process. Before its first use the pointer is null or refers to the pool of the parent process. A
+/// pool inherited through a fork is never touched: its threads do not exist in this process, and its lock may be held by
+/// one of them.
 static POOLS: AtomicPtr<Pools> = AtomicPtr::new(null_mut());
 
-/// The threads of a process.
+/// Threads of a process.
 struct Pools {
     process: u32,
     pool: Mutex<Option<Arc<ThreadPool>>>,
@@ -31,7 +32,7 @@ impl Pools {
     fn of_this_process() -> &'static Self {
         let process = id();
         let present = POOLS.load(Ordering::Acquire);
-        // SAFETY: what is stored here is never freed.
+        // SAFETY: a stored pool is never freed.
         if let Some(found) = unsafe { present.as_ref() }.filter(|found| found.process == process) {
             return found;
         }
@@ -39,18 +40,18 @@ impl Pools {
         let made = Box::into_raw(Box::new(Self { process, pool }));
         let order = Ordering::AcqRel;
         match POOLS.compare_exchange(present, made, order, Ordering::Acquire) {
-            // SAFETY: it is never freed from now on.
+            // SAFETY: the pool is stored, so it is never freed.
             Ok(_) => unsafe { &*made },
             Err(other) => {
-                // SAFETY: from the box above, and nobody else has seen it.
+                // SAFETY: the pointer comes from the box above, and no other code has seen it.
                 drop(unsafe { Box::from_raw(made) });
-                // SAFETY: another thread of this process was first.
+                // SAFETY: another thread of this process stored its pool first.
                 unsafe { &*other }
             }
         }
     }
 
-    /// The pool of so many threads; none of one, which is that of the caller.
+    /// Returns a pool with the given number of threads; `None` for one thread, which is the calling thread.
     fn pool(&self, threads: usize) -> Outcome<Option<Arc<ThreadPool>>> {
         if threads == 1 {
             return Ok(None);
@@ -70,7 +71,7 @@ fn none(threads: usize, problem: &dyn std::fmt::Display) -> Failure {
     Failure::new(STICKSLIP_NO_THREADS, message)
 }
 
-/// So many threads, or the default, as rayon counts them.
+/// Returns the requested number of threads, or the default of rayon if it is zero.
 fn threads(asked: usize) -> usize {
     let positive = |count: &usize| *count > 0;
     let variable = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
@@ -81,7 +82,7 @@ fn threads(asked: usize) -> usize {
         .unwrap_or_else(processors)
 }
 
-/// Runs work on so many cells where its threads are.
+/// Runs work on the given number of cells on the appropriate threads.
 pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T {
     if cells <= SERIAL_CELL_LIMIT {
         return work();
@@ -89,8 +90,8 @@ pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T
     enter_always(|_| work())
 }
 
-/// Runs work on the threads asked for, and tells it whether there are several. Where the default ones cannot be made it stays
-/// on the thread that calls.
+/// Runs work on the requested threads and passes it a flag for several threads. If the threads cannot be created, the work
+/// stays on the calling thread.
 pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     let threads = threads(ASKED.load(Ordering::Relaxed));
     match Pools::of_this_process().pool(threads) {
@@ -99,11 +100,11 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     }
 }
 
-/// Sets how many threads solve contacts of more than 4096 cells and batches, from the next call on; 0 for the default, one
-/// for each processor (or RAYON_NUM_THREADS). With 1 all is done by the thread that calls, and no other is ever started.
-/// Calls under way keep the threads they have. Results have the same bits on any number of threads.
+/// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. 0 means
+/// the default, one thread for each processor (or RAYON_NUM_THREADS). With 1 the calling thread does all work, and no other
+/// thread is ever started. Running calls keep their threads. Results are bitwise identical for any number of threads.
 ///
-/// Threads do not survive a fork: a child process makes as many of its own at its first such call.
+/// Threads do not survive a fork: a child process creates the same number of threads at its first such call.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {

@@ -1,4 +1,4 @@
-//! What the last step of a history wears.
+//! Wear in the last step of a history.
 
 use stickslip_rs::history::wear::{self, Coefficient};
 use stickslip_rs::{Field, History, Result};
@@ -10,20 +10,20 @@ use crate::inputs::stickslip_per_cell;
 use crate::pointer::{cells_mut, input};
 use crate::status::stickslip_status;
 
-/// Adds what a law removes to a depth of the caller.
+/// Adds the depth removed by a wear law to an array of the caller.
 ///
 /// # Safety
-/// The rule for pointers.
+/// The caller follows the rule for pointers of [`crate::pointer`].
 unsafe fn wear(
     history: *const stickslip_history,
     coefficient: *const stickslip_per_cell,
     (depth, count): (*mut f64, usize),
     law: impl FnOnce(Coefficient<'_>, &History, &mut Field) -> Result<()>,
 ) -> Outcome {
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (history, coefficient) = unsafe { (reading(history)?, input("coefficient", coefficient)?) };
     let (grid, spare) = (history.grid(), history.spare());
-    // SAFETY: as of this function.
+    // SAFETY: the safety contract of this function.
     let (coefficients, depth) = unsafe {
         let coefficients = coefficient.cells("wear coefficient", grid)?;
         (coefficients, cells_mut("depth", grid, depth, count)?)
@@ -40,8 +40,8 @@ unsafe fn wear(
     })
 }
 
-/// Adds to depth (lengths, count entries) what Archard's law removes in the last step: coefficient (one over a pressure)
-/// times pressure times slip. After a failure depth is as it was.
+/// Adds to depth (lengths, count entries) the depth that Archard's law removes in the last step: coefficient (one over a
+/// pressure) times pressure times slip. A failure leaves depth unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_archard(
     history: *const stickslip_history,
@@ -59,8 +59,8 @@ pub unsafe extern "C" fn stickslip_wear_archard(
     })
 }
 
-/// Adds to depth what the energy law removes in the last step: coefficient (one over a pressure) times the energy dissipated
-/// per area.
+/// Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
+/// dissipated energy per area.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_energy(
     history: *const stickslip_history,
@@ -77,7 +77,8 @@ pub unsafe extern "C" fn stickslip_wear_energy(
     })
 }
 
-/// The same beyond a threshold, an energy per area that wears nothing, of the energy dissipated since the start.
+/// Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
+/// dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_threshold_energy(
     history: *const stickslip_history,

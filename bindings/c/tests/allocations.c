@@ -1,5 +1,5 @@
-/* Repeated calls allocate no more than in Rust: steps, solves into a solution, gaps, pressures, friction, wear and planes below
- * the surface nothing. Counts what goes through the allocator of glibc. */
+/* Repeated calls allocate no more than in Rust. Steps, solves into a solution, gaps, pressures, friction, wear and planes
+ * below the surface allocate nothing. The test counts the allocations that pass through the allocator of glibc. */
 
 #define _GNU_SOURCE
 
@@ -15,10 +15,11 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/* Of this thread, on which grids of this size are solved: those of the pool allocate when they start, which may be late. */
+/* Allocations of this thread, which solves grids of this size. Threads of the pool are not counted: they allocate when they
+ * start, possibly late. */
 static __thread size_t allocations = 0;
 
-/* Those of the program take the place of the C library's, also for the library. */
+/* These functions replace those of the C library, also within the stickslip library. */
 void *malloc(size_t size) {
     allocations++;
     return __libc_malloc(size);
@@ -51,7 +52,7 @@ static void ok(stickslip_status status, int line) {
 }
 #define OK(call) ok((call), __LINE__)
 
-/* So many allocations at most by a hundred calls, after two that may make what is kept. */
+/* Requires at most this number of allocations in a hundred calls, after two calls that may allocate reusable memory. */
 #define EXPECT(most, call)                                                                                             \
     do {                                                                                                               \
         OK(call);                                                                                                      \
@@ -161,7 +162,7 @@ int main(void) {
     solvers(steel);
     coupled(dissimilar);
     if (allocations == before) {
-        fprintf(stderr, "nothing is counted\n");
+        fprintf(stderr, "no allocations are counted\n");
         failures++;
     }
     OK(stickslip_half_space_free(steel));

@@ -1,4 +1,4 @@
-/* What the tests of this folder are written with. */
+/* Common macros of the tests in this folder. */
 
 #ifndef CHECK_H
 #define CHECK_H
@@ -17,7 +17,7 @@ static int failures = 0;
         }                                                                                                              \
     } while (0)
 #define OK(call) CHECK((call) == STICKSLIP_OK)
-/* Equal to so small a part of the second. */
+/* Requires a relative error of at most part. */
 #define CLOSE(found, expected, part) CHECK(fabs((found) - (expected)) <= (part) * fabs(expected))
 
 static int report(const char *what) {

@@ -1,5 +1,5 @@
-/* The promises of the header: codes instead of crashes, state as before after a failure, fields without a copy, snapshots to
- * the same bits, batches, one user at a time. */
+/* Guarantees of the header: codes instead of crashes, unchanged state after a failure, fields without a copy, bitwise
+ * identical snapshots, batches, exclusive access. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,7 +39,7 @@ static stickslip_load_step drag(double force) {
     return load;
 }
 
-/* A hard layer takes area and approach. */
+/* A hard layer reduces the contact area and the approach. */
 static void layers_are_felt(void) {
     stickslip_layer oxide = {380e9, 0.22, 5e-6};
     stickslip_half_space *bodies[2] = {make_bodies(), NULL};
@@ -60,7 +60,7 @@ static void layers_are_felt(void) {
     CHECK(found[1].approach < found[0].approach && found[1].approach > 0.5 * found[0].approach);
 }
 
-/* A certificate that rests on an estimate says so. */
+/* A report states whether its certificate relies on an estimate. */
 static void a_report_tells_how_the_least_eigenvalue_is_known(void) {
     enum { NX = 24, NY = 20 };
     stickslip_grid grid = {NX, NY, 2.0, 2.0};
@@ -107,7 +107,7 @@ static void bad_input_is_refused(void) {
     OK(stickslip_last_error(&error));
     CHECK(error.value == 0.7);
     CHECK(strstr(stickslip_last_error_message(), "0.7") != NULL);
-    // A pointer that was read before a failure shows the message of that failure.
+    // A message pointer that was read before a failure refers to the message of that failure.
     const char *message = stickslip_last_error_message();
     odd.poisson_ratio = 0.8;
     CHECK(stickslip_half_space_new(&GRID, &odd, &STEEL, NULL, &none) == STICKSLIP_POISSON_RATIO);
@@ -150,12 +150,12 @@ static void bad_input_is_refused(void) {
     OK(stickslip_half_space_free(NULL));
 }
 
-/* Cancels, and tries what it must not. */
+/* Cancels the solve after calls that an observer must not make. */
 static int32_t cancel(const stickslip_iteration *iteration, void *user) {
     stickslip_history *history = user;
     stickslip_step_result result;
     CHECK(isfinite(iteration->residual) || iteration->iteration == 0);
-    /* Asked twice: a refusal does not let the next one in. */
+    /* Two attempts: a rejected call must not release the handle for the next call. */
     for (int i = 0; i < 2; i++) {
         CHECK(stickslip_history_result(history, &result) == STICKSLIP_BUSY);
         CHECK(stickslip_history_free(history) == STICKSLIP_BUSY);
@@ -194,7 +194,7 @@ static void failed_steps_leave_no_trace(void) {
     OK(stickslip_history_to_bytes(history, after, length, &again));
     CHECK(again == length && memcmp(before, after, length) == 0);
 
-    /* Nor is anything written, or the history changed, if a pointer for an answer is NULL or misaligned. */
+    /* If an output pointer is NULL or misaligned, nothing is written and the history is unchanged. */
     stickslip_adaptive_steps *steps = NULL;
     OK(stickslip_adaptive_steps_new(history, 0.01, &steps));
     size_t taken[2] = {77, 77};
@@ -212,7 +212,7 @@ static void failed_steps_leave_no_trace(void) {
     OK(stickslip_history_to_bytes(history, after, length, &again));
     CHECK(again == length && memcmp(before, after, length) == 0);
 
-    /* A history from the bytes takes the next step with the same results, bit for bit. */
+    /* A history from bytes takes the next step with bitwise identical results. */
     stickslip_history *restored = NULL;
     OK(stickslip_history_from_bytes(bodies, before, length, &restored));
     load = drag(20.0);
@@ -298,7 +298,7 @@ static void batches_are_the_steps_alone(void) {
     OK(stickslip_history_result(histories[1], &other));
     CHECK(one.approach == other.approach && one.approach > 0.0);
 
-    /* One of them beyond friction, one three times. */
+    /* One history is loaded beyond friction, and one occurs three times. */
     loads[0] = drag(1.0), loads[1] = drag(30.0), loads[2] = drag(1.0), loads[3] = drag(2.0), loads[4] = drag(2.0);
     histories[3] = histories[4] = histories[0];
     CHECK(stickslip_history_step_all(histories, loads, 5, codes) == STICKSLIP_SOME_FAILED);
@@ -348,7 +348,7 @@ static void dissimilar_bodies_are_coupled(void) {
     for (size_t i = 0; i < count && i < 8; i++) {
         CHECK(strlen(warnings[i].message) > 10);
     }
-    /* The stiffness is the slope of the forces. */
+    /* The stiffness is the derivative of the force. */
     stickslip_settings exact = stickslip_settings_default();
     stickslip_normal_result pressed[2];
     stickslip_stiffness slope;
@@ -370,7 +370,7 @@ static void dissimilar_bodies_are_coupled(void) {
     stickslip_friction wrong = stickslip_coulomb(-1.0);
     CHECK(stickslip_coupled_solution_stiffness(solution, bodies, &wrong, &slope) != STICKSLIP_OK);
     CHECK(stickslip_coupled_solution_stiffness(solution, bodies, NULL, &slope) == STICKSLIP_BAD_POINTER);
-    /* Any tolerance below 1 is one. */
+    /* Every tolerance below 1 is valid. */
     stickslip_settings settings = stickslip_settings_default();
     for (settings.tolerance = 0.9; settings.tolerance > 1e-3; settings.tolerance *= 0.3) {
         OK(stickslip_coupled_solver_set_settings(solver, &settings));
@@ -437,5 +437,5 @@ int main(void) {
     dissimilar_bodies_are_coupled();
     loads_are_cut_into_steps();
     OK(stickslip_set_num_threads(0));
-    return report("the promises of the header");
+    return report("guarantees of the header");
 }

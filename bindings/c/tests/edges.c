@@ -1,4 +1,4 @@
-/* Edges inside the cells and estimates of the error: of a ball whose contact and stick zone are known. */
+/* Edges inside the cells and error estimates for a ball with known contact and stick zones. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static double sum(const double *values) {
 }
 
 int main(void) {
-    /* A contact radius of one, under a force of 4/3. */
+    /* The contact radius is one under a force of 4/3. */
     const stickslip_grid grid = {N, N, 3.0 / N, 3.0 / N};
     const stickslip_material body = {2.0, 0.0, 0.0};
     const double area = grid.dx * grid.dy, force = 0.4 * 0.5 * 4.0 / 3.0;
@@ -68,7 +68,7 @@ int main(void) {
     OK(stickslip_tangential_solution_discretisation_estimate(sheared, &estimate));
     CHECK(estimate > 1e-3 && estimate < 5e-2);
 
-    /* Found together: bodies of one material give the same. */
+    /* Coupled solution: bodies of the same material give the same result. */
     stickslip_coupled_solver *solver = NULL;
     stickslip_coupled_solution *both = NULL;
     stickslip_edges together;

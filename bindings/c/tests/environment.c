@@ -1,5 +1,5 @@
-/* What a program has set of floating-point arithmetic: the library neither meets nor changes it. Traps do not end a solve, and
- * answers have the same bits under any rounding. */
+/* The floating-point settings of a program neither affect the library nor are changed by it. Traps do not end a solve, and
+ * results are bitwise identical for every rounding mode. */
 
 #define _GNU_SOURCE
 #include <fenv.h>
@@ -13,7 +13,7 @@
 
 static double ball[CELLS];
 
-/* Presses and drags a ball, and keeps the traction. */
+/* Presses and drags a ball, and copies the traction. */
 static void run(double *traction) {
     stickslip_grid grid = {N, N, 0.3e-3 / N, 0.3e-3 / N};
     stickslip_material steel = {213e9, 0.29, 0.0};
@@ -45,7 +45,7 @@ int main(void) {
     feclearexcept(FE_ALL_EXCEPT);
     feenableexcept(traps);
     feraiseexcept(FE_INEXACT);
-    /* Threads that begin here. */
+    /* The threads of the pool start at this call. */
     OK(stickslip_set_num_threads(2));
     run(other);
     CHECK(memcmp(usual, other, sizeof usual) == 0);
@@ -53,5 +53,5 @@ int main(void) {
     CHECK(fegetexcept() == traps);
     CHECK(fetestexcept(FE_ALL_EXCEPT) == FE_INEXACT);
     fesetenv(FE_DFL_ENV);
-    return report("what the program has set");
+    return report("floating-point settings");
 }

@@ -1,6 +1,7 @@
-/* A mass that is pressed on a ball and dragged at once, from first touch, by Newmark's rule: Newton's iteration for approach and
- * shift together takes five iterations a step at most, as the stiffness is the derivative of steps in which contacts grow.
- * first_touch [steps of the slowest growth, default 20] */
+/* A mass is pressed on a ball and dragged simultaneously from first touch, with Newmark's rule. Newton's iteration for
+ * approach and shift together takes at most five iterations a step, because the stiffness is the derivative of steps in
+ * which contacts grow.
+ *   first_touch [steps of the slowest growth, default 20] */
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,13 +12,13 @@
 #define CELLS (N * N)
 #define MOST 5
 
-/* One of the two directions in which the mass moves: where it is, how fast, and what pulls it. */
+/* Motion of the mass in one of its two directions: place, speed, acceleration and load. */
 typedef struct {
     double place, speed, acceleration, load;
 } motion;
 
-/* The mass is so much of the stiffness of the contact, in units of a time step, as it sticks under all of the load. The load
- * grows in so many steps, and the drag then turns twice. */
+/* Runs the time integration. The mass, in units of a time step, is given as a multiple of the stiffness of the contact that
+ * sticks under the full load. The load grows in the given number of steps, and the drag then reverses twice. */
 static void loop(double mass, int growth) {
     const double press = 100.0, drag = 20.0, pi = acos(-1.0);
     stickslip_grid grid = {N, N, 0.30e-3 / N, 0.30e-3 / N};
@@ -48,7 +49,7 @@ static void loop(double mass, int growth) {
         OK(stickslip_state_keep(before, history));
         motion from[2] = {x, z};
         double by_rule[2], missing[2];
-        /* From where the mass is; at first, where the bodies have just met. */
+        /* Newton's iteration starts at the place of the mass, or initially at first touch. */
         z.place = fmax(z.place, 1e-9);
         stickslip_step_result now;
         for (int iteration = 0;; iteration++) {
@@ -57,7 +58,7 @@ static void loop(double mass, int growth) {
             load.x.kind = STICKSLIP_SHIFT, load.x.value = x.place;
             OK(stickslip_history_step(history, &load, NULL));
             OK(stickslip_history_result(history, &now));
-            /* In units of a time step. */
+            /* All derivatives are in units of a time step. */
             by_rule[0] = 4.0 * (x.place - from[0].place - from[0].speed) - from[0].acceleration;
             by_rule[1] = 4.0 * (z.place - from[1].place - from[1].speed) - from[1].acceleration;
             missing[0] = x.load - now.force[0] - 0.25 * inertia * by_rule[0];
@@ -87,5 +88,5 @@ int main(int argc, char **argv) {
         loop(10.0, growth);
         loop(1.0, growth);
     }
-    return report("five iterations of Newton from first touch");
+    return report("five Newton iterations from first touch");
 }

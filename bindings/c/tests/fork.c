@@ -1,5 +1,5 @@
-/* Whatever a process has used of the interface, a forked one can use too, and comes to the same bits; so does any number of
- * threads, and with one no other is ever started. */
+/* A forked process can use all parts of the interface that its parent has used, with bitwise identical results. Results do
+ * not depend on the number of threads, and with one thread no other thread is ever started. */
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -12,20 +12,20 @@
 
 #include "check.h"
 
-/* Seconds that all of it may take in a process of its own; a process that waits for threads that it has not ends so. */
+/* Time limit of a process in seconds. It ends a process that waits for threads that do not exist. */
 #define PATIENCE 300
-/* The most cells along a side. */
+/* Largest number of cells along a side. */
 #define MOST 72
 #define DEPTHS 2
 
-/* What all of it comes to. */
+/* Results of all calls. */
 typedef struct {
     double numbers[12];
 } answers;
 
 static double ball[MOST * MOST], heights[MOST * MOST], values[MOST * MOST];
 
-/* Threads of this process; 0 where the system does not tell. */
+/* Returns the number of threads of this process; 0 if the system does not report it. */
 static int threads(void) {
     DIR *tasks = opendir("/proc/self/task");
     int count = 0;
@@ -139,7 +139,7 @@ static void histories(const stickslip_half_space *bodies, size_t cells, answers 
     OK(stickslip_history_free(history));
 }
 
-/* All of it on so many cells along a side. */
+/* Makes all calls on a grid with the given number of cells along a side. */
 static answers everything(size_t side) {
     stickslip_grid grid = {side, side, 0.3e-3 / (double)side, 0.3e-3 / (double)side};
     stickslip_material steel = {213e9, 0.29, 0.0};
@@ -153,7 +153,7 @@ static answers everything(size_t side) {
     return found;
 }
 
-/* Whether a process of its own does this well, within its time. */
+/* Returns whether a separate process completes this work correctly within its time limit. */
 static int in_a_process(void (*work)(size_t, const answers *), size_t side, const answers *expected) {
     fflush(NULL);
     pid_t child = fork();
@@ -173,7 +173,7 @@ static void again(size_t side, const answers *expected) {
     CHECK(memcmp(&found, expected, sizeof found) == 0);
 }
 
-/* The default threads, then a process that has none of them. */
+/* Uses the default threads, then forks a process in which they do not exist. */
 static void used_and_forked(size_t side, const answers *none) {
     (void)none;
     answers alone = everything(side);
@@ -197,7 +197,7 @@ static void of_one_thread(size_t side, const answers *none) {
 
 int main(void) {
     const size_t sides[] = {12, 32, 48, 72};
-    /* This process itself uses nothing: each of the others is a fresh one. */
+    /* The main process makes no calls, so that each child starts fresh. */
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         CHECK(in_a_process(used_and_forked, sides[i], NULL));
         CHECK(in_a_process(of_one_thread, sides[i], NULL));

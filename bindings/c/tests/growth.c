@@ -1,5 +1,6 @@
-/* Structs grow without a change of their sizes: a member that is added takes the place of reserved, and a library that does not
- * know it refuses it instead of leaving it out. A change of a number here is one of STICKSLIP_ABI_VERSION. */
+/* Structs grow without a change of their sizes. A new member replaces reserved bytes, and a library that does not support
+ * the member rejects a nonzero value instead of ignoring it. A change of a number here requires a new
+ * STICKSLIP_ABI_VERSION. */
 
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +65,7 @@ static void sizes_stay(void) {
 #define N 8
 #define CELLS (N * N)
 
-/* What is read begins as garbage, and its reserve ends as zeros. */
+/* Requires that a call zeroes the reserved bytes of a struct that was filled with garbage. */
 #define READS(type, call)                                                                                              \
     do {                                                                                                               \
         static const unsigned char zeros[sizeof ((type *)0)->reserved];                                                \

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what was built in a folder into a fresh prefix, and builds programs on it: by CMake against the shared and the
-# static library, as plug-ins, and, from another folder, by pkg-config. In the place of the folder there may be an archive, as
-# bindings/c/pack makes them. installed.sh BUILD CMAKE CC CXX
+# Installs a build folder into a fresh prefix and builds programs with it: with CMake against the shared and the static
+# library, as plug-ins, and, from a different folder, with pkg-config. An archive made by bindings/c/pack may replace the
+# build folder.
+#   installed.sh BUILD CMAKE CC CXX
 set -euo pipefail
 build=$1 cmake=$2 cc=$3 cxx=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,14 +20,15 @@ fi
 "$cmake" --build "$work/build" >/dev/null
 "$work/build/shared" 32 >/dev/null
 "$work/build/static" 32 >/dev/null
-# Names that shared libraries with the static library within show: their own, or those of the interface; none of Rust.
+# Lists the symbols exported by a shared library that includes the static library. They must be its own symbols or symbols
+# of the interface; Rust symbols are not allowed.
 shown() {
     nm --dynamic --defined-only "$work/build/$1" | awk '{ print $3 }'
 }
 [[ $(shown libplugin.so) == plugin_modulus ]]
 [[ $(shown libwithin.so | grep -vc '^stickslip_') == 0 && $(shown libwithin.so) == *stickslip_history_step* ]]
 if command -v pkg-config >/dev/null; then
-    # The folder is moved: the file tells where it lies, without a variable that is set from outside.
+    # The folder is moved: the pkg-config file must determine its location without an environment variable.
     mv "$work/prefix" "$work/moved"
     PKG_CONFIG_PATH=$(dirname "$(find "$work/moved" -name stickslip.pc)")
     export PKG_CONFIG_PATH

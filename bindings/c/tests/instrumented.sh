@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Random calls with the whole of the library under AddressSanitizer, the Rust code too, which a stable compiler instruments
-# only when told that it may. Compiles everything anew (minutes): not part of ci. instrumented.sh [calls, default 100000]
+# Random calls with the whole library under AddressSanitizer, including the Rust code. A stable compiler instruments Rust
+# only if RUSTC_BOOTSTRAP is set. The script recompiles everything (minutes) and is not part of ci.
+#   instrumented.sh [calls, default 100000]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 calls=${1:-100000}

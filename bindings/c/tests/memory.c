@@ -1,9 +1,10 @@
-/* A call that cannot have memory for its cells returns STICKSLIP_MEMORY and leaves its objects as they were. Every call below
- * is made again and again: its n-th large allocation fails, and all that follow. Large is what follows the cells; objects of a
- * few kilobytes are not. An abort fails the test.
+/* A call that cannot allocate memory for its cells returns STICKSLIP_MEMORY and leaves its objects unchanged. The test
+ * repeats every call below, and in each repetition the n-th large allocation and all later ones fail. An allocation is
+ * large if its size depends on the number of cells; objects of a few kilobytes are not. An abort fails the test.
  *   memory        n spread over the allocations of each call
- *   memory all    every n, until none is left to fail: minutes
- * A second argument is the name of the only scene to run. */
+ *   memory all    every n, until no allocation is left to fail: minutes
+ *
+ * A second argument selects a single scene to run. */
 
 #define _GNU_SOURCE
 
@@ -22,8 +23,8 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/* Of all threads: allocations of at least `least` bytes, and those of the tiles in which fields are transformed, fail from number
- * `first` on while `armed`. */
+/* Allocations of all threads fail from number `first` while `armed`, if they have at least `least` bytes or the size of the
+ * tiles in which fields are transformed. */
 #define TILE 2048
 #define LEAST 8192
 static int armed = 0;
@@ -34,7 +35,7 @@ static int fails(size_t size) {
         && __atomic_fetch_add(&seen, 1, __ATOMIC_SEQ_CST) >= first;
 }
 
-/* Those of the program take the place of the C library's, also for the library. */
+/* These functions replace those of the C library, also within the stickslip library. */
 void *malloc(size_t size) {
     return fails(size) ? NULL : __libc_malloc(size);
 }
@@ -63,7 +64,7 @@ static void expect(int holds, const char *what, int line) {
 #define EXPECT(condition) expect((condition), #condition, __LINE__)
 #define OK(call) EXPECT((call) == STICKSLIP_OK)
 
-/* The grid, its gaps and bodies. */
+/* Grid, gaps and bodies. */
 #define MOST (65 * 64)
 static size_t cells;
 static stickslip_grid grid;
@@ -81,13 +82,13 @@ static stickslip_load_step load(double normal, double shear) {
 
 static const char *name;
 
-/* What a call came to while memory failed: all attempts, and those that were refused. */
+/* Numbers of all attempts with failing memory, and of those that returned STICKSLIP_MEMORY. */
 static size_t attempts = 0, refused = 0;
 
-/* Attempts on each call: at most about so many, or one for every allocation. */
+/* Approximate largest number of attempts on each call; with `memory all` one attempt for every allocation. */
 #define SAMPLES 24
 static int is_complete = 0;
-/* The only scene to run, or NULL. */
+/* Only scene to run, or NULL for all scenes. */
 static const char *chosen = NULL;
 
 static void on_abort(int signal) {
@@ -107,7 +108,7 @@ static stickslip_status disarmed(stickslip_status status) {
 }
 #define ARMED(call) (arm(), disarmed(call))
 
-/* A scene makes what it needs, then a call while memory fails, and checks what is left. */
+/* Creates objects, makes a call while memory fails, and checks the objects afterwards. */
 typedef stickslip_status scene(void);
 
 static void run(const char *scene_name, scene *scene) {
@@ -115,13 +116,13 @@ static void run(const char *scene_name, scene *scene) {
         return;
     }
     name = scene_name;
-    /* Without a failure, for the number of allocations. */
+    /* The first run has no failure and counts the allocations. */
     first = SIZE_MAX;
     EXPECT(scene() == STICKSLIP_OK);
     size_t before = refused, tried = 0, all = seen, stride = is_complete || all < SAMPLES ? 1 : all / SAMPLES;
     for (first = 0;; first += stride) {
         stickslip_status status = scene();
-        /* Whatever the call answers, there is an end: nothing is left to fail. */
+        /* The loop ends, for any result of the call, when no allocation is left to fail. */
         if (seen <= first) {
             EXPECT(status == STICKSLIP_OK);
             break;
@@ -138,7 +139,7 @@ static void run(const char *scene_name, scene *scene) {
     fflush(stdout);
 }
 
-/* The bytes of a history, to be freed. */
+/* Returns the bytes of a history; the caller frees them. */
 static uint8_t *bytes_of(const stickslip_history *history, size_t *length) {
     OK(stickslip_history_to_bytes(history, NULL, 0, length));
     uint8_t *bytes = __libc_malloc(*length);
@@ -164,8 +165,9 @@ static stickslip_history *made(const stickslip_half_space *bodies, int steps, do
     return history;
 }
 
-/* A step that fails leaves its history as it was, and is then taken with the bits that it has without a failure. (One that is
- * taken while memory fails may have done without the products in single precision: it is right, with other bits.) */
+/* A failed step leaves its history unchanged; the step taken afterwards is bitwise identical to a step without a failure.
+ * (A step that succeeds while memory fails may have omitted the products in single precision: its result is correct but not
+ * bitwise identical.) */
 static stickslip_status step_from(stickslip_history *history, stickslip_load_step step, const stickslip_half_space *bodies) {
     size_t length = 0;
     uint8_t *before = bytes_of(history, &length);
@@ -214,7 +216,7 @@ static stickslip_status press_on(const stickslip_half_space *bodies) {
     return status;
 }
 
-/* Of bodies whose operators are to be made, and of others. */
+/* Normal contacts of bodies with and without existing operators. */
 static stickslip_status first_press(void) {
     stickslip_half_space *bodies = NULL;
     OK(stickslip_half_space_new(&grid, &STEEL, &STEEL, NULL, &bodies));
@@ -289,7 +291,7 @@ static stickslip_status roll(void) {
     return status;
 }
 
-/* The edges of what was pressed and sheared, and the estimates of its errors. */
+/* Edges of a pressed and sheared contact, and the estimates of its errors. */
 static stickslip_status edges(void) {
     stickslip_friction friction = stickslip_coulomb(0.5);
     stickslip_normal_solver *presser = NULL;
@@ -316,7 +318,7 @@ static stickslip_status edges(void) {
         status = stickslip_tangential_solution_discretisation_estimate(sheared, &of_traction);
     }
     disarmed(status);
-    /* All numbers are there, or none. */
+    /* A call writes all numbers or none. */
     EXPECT(status != STICKSLIP_OK || (both.contact_area == contact.contact_area && of_pressure > 0.0 && of_traction > 0.0));
     EXPECT(status != STICKSLIP_MEMORY || both.contact_area == 0.0);
     OK(stickslip_tangential_solver_free(shearer));
@@ -368,7 +370,7 @@ static stickslip_status growing_coupled_step(void) {
     return step_from(made(dissimilar, 1, 10.0, 1.0), load(200.0, 20.0), dissimilar);
 }
 
-/* A copy is complete, or none. */
+/* A copy is complete, or it does not exist. */
 static stickslip_status clone_of(stickslip_history *history) {
     size_t length = 0;
     uint8_t *bytes = bytes_of(history, &length);
@@ -447,7 +449,7 @@ static stickslip_status coupled_stiffness(void) {
     OK(stickslip_history_free(history));
     return status;
 }
-/* On bodies whose operators are to be made. */
+/* The operators of these bodies do not exist yet. */
 static stickslip_status coupled_solution_stiffness(void) {
     stickslip_friction friction = stickslip_coulomb(0.5), per_cell = friction;
     per_cell.coefficient.cells = halves, per_cell.coefficient.count = cells;
@@ -547,7 +549,7 @@ static stickslip_status shape(void) {
     return ARMED(stickslip_surface_sphere(&grid, 3.5e-3, ball, cells));
 }
 
-/* Lists of warnings and spots, whose length follows the contact. */
+/* Lists of warnings and spots, whose length depends on the contact. */
 static stickslip_status lists(void) {
     stickslip_friction friction = stickslip_coulomb(0.5);
     stickslip_normal_solver *presser = NULL;
@@ -590,7 +592,7 @@ static stickslip_status lists(void) {
     return status;
 }
 
-/* Calls on a grid of so many cells. */
+/* Runs all scenes on a grid with the given number of cells. */
 static void scenes(size_t nx, size_t ny) {
     cells = nx * ny, least = LEAST;
     stickslip_grid made_of = {nx, ny, 0.3e-3 / (double)nx, 0.3e-3 / (double)nx};
@@ -635,10 +637,10 @@ int main(int count, char **arguments) {
     for (size_t i = 0; i < MOST; i++) {
         halves[i] = 0.5;
     }
-    /* On the thread that calls, and on those of the pool. */
+    /* The small grid is solved on the calling thread, the large one on the threads of the pool. */
     scenes(48, 48);
     scenes(65, 64);
-    printf("%zu allocations failed, %zu calls were refused, none ended the process\n", attempts, refused);
+    printf("%zu allocations failed, %zu calls returned an error, the process never ended\n", attempts, refused);
     EXPECT(chosen != NULL || refused > 300);
     return failures == 0 ? 0 : 1;
 }

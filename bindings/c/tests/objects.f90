@@ -1,12 +1,12 @@
-! Objects of Fortran: a new one takes the place of another only if it is made and the other is not in use, and fields have the
-! cells that their objects have.
+! Objects in Fortran. A new object replaces an existing one only if it has been created and the old one is not in use.
+! Fields have the cells of their objects.
 module within_a_step
     use stickslip
     implicit none
     integer(c_size_t), parameter :: n = 16
     type(stickslip_material), parameter :: steel = stickslip_material(210d3, 0.3d0, 0)
 
-    ! What an observer is told, and what it saw.
+    ! Input of an observer, and its findings.
     type :: told_and_seen
         type(stickslip_history) :: history
         type(stickslip_half_space) :: bodies
@@ -16,7 +16,7 @@ module within_a_step
 
 contains
 
-    ! Ends what it watches.
+    ! Ends the observed call immediately.
     function stop_at_once(iteration, user) result(go_on) bind(c)
         type(stickslip_iteration), intent(in) :: iteration
         type(c_ptr), value :: user
@@ -24,7 +24,7 @@ contains
         go_on = merge(0_c_int32_t, 1_c_int32_t, iteration%iteration >= 0 .and. .not. c_associated(user))
     end function stop_at_once
 
-    ! Makes a history anew while it takes a step.
+    ! Tries to replace a history during its own step.
     function make_anew(iteration, user) result(go_on) bind(c)
         type(stickslip_iteration), intent(in) :: iteration
         type(c_ptr), value :: user
@@ -40,7 +40,7 @@ contains
         flat = 0
         call history%new(bodies, flat, stickslip_coulomb(0.5d0), status=seen%status)
         seen%is_kept = c_associated(history%address(), seen%history%address)
-        ! They are freed by the program.
+        ! The program frees these objects.
         history%handle = stickslip_history()
         bodies%handle = stickslip_half_space()
         go_on = merge(1_c_int32_t, 0_c_int32_t, iteration%iteration >= 0)
@@ -82,7 +82,7 @@ contains
         type(stickslip_tangential_stiffness) :: tangential
         type(stickslip_stiffness) :: both
         type(stickslip_response), allocatable :: at(:)
-        ! Changed through the pointer that the observer has, which compilers may not see.
+        ! The observer changes this variable through a pointer, which the compiler may not detect.
         type(told_and_seen), target, volatile :: seen
         type(c_ptr) :: before
         real(c_double) :: ball(n, n)
@@ -105,78 +105,78 @@ contains
         call history%new(bodies, ball, friction)
         call history%step(stickslip_load_step(stickslip_normal_load(STICKSLIP_FORCE, 100)))
 
-        ! Fields that are none, and depths.
+        ! Invalid fields and depths.
         samples => pressed%field(STICKSLIP_TRACTION_X, status)
-        call check(status == STICKSLIP_UNKNOWN_OPTION .and. .not. associated(samples), 'a traction of a pressure')
+        call check(status == STICKSLIP_UNKNOWN_OPTION .and. .not. associated(samples), 'traction of a normal solution')
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
-        call check(status == STICKSLIP_OK .and. size(samples) == n * n, 'a stress on its own grid')
+        call check(status == STICKSLIP_OK .and. size(samples) == n * n, 'size of the stress field')
         call planes%solve(0, STICKSLIP_BODY_1, ball, status=status)
-        call check(status == STICKSLIP_LENGTH, 'depth 0')
+        call check(status == STICKSLIP_LENGTH, 'depth with index 0')
         call planes%solve(-huge(1) - 1, STICKSLIP_BODY_1, ball, status=status)
-        call check(status == STICKSLIP_LENGTH, 'a negative depth')
+        call check(status == STICKSLIP_LENGTH, 'depth with a negative index')
 
-        ! What cannot be made leaves the object that was there.
+        ! An object remains if its replacement cannot be created.
         wrong = grid
         wrong%dx = -1
         before = bodies%address()
         call bodies%new(wrong, steel, steel, status=status)
-        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'no other bodies')
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'bodies are kept')
         call bodies%new_coated(grid, steel, [stickslip_layer(420d3, 0.3d0, -1d0)], steel, no_layers, status=status)
-        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'no other layers')
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(bodies%address(), before), 'bodies are kept (layers)')
         call layered%new_coated(grid, steel, [stickslip_layer(420d3, 0.3d0, 0.02d0)], steel, no_layers)
         call coated_presser%new(layered, ball, stickslip_normal_load(STICKSLIP_FORCE, 100))
         call coated_presser%solve(coated_pressed)
         of_layers = coated_pressed%result()
         of_none = pressed%result()
-        call check(of_layers%approach < of_none%approach, 'a hard layer takes approach')
+        call check(of_layers%approach < of_none%approach, 'a hard layer reduces the approach')
         before = presser%address()
         call presser%new(bodies, ball(:, 2:), stickslip_normal_load(STICKSLIP_FORCE, 100), status=status)
-        call check(status == STICKSLIP_LENGTH .and. c_associated(presser%address(), before), 'no other normal solver')
+        call check(status == STICKSLIP_LENGTH .and. c_associated(presser%address(), before), 'normal solver is kept')
         before = shearer%address()
         call shearer%new(bodies, pressed, stickslip_coulomb(-1d0), stickslip_tangential_load(), status=status)
-        call check(status /= STICKSLIP_OK .and. c_associated(shearer%address(), before), 'no other tangential solver')
+        call check(status /= STICKSLIP_OK .and. c_associated(shearer%address(), before), 'tangential solver is kept')
         before = planes%address()
         call planes%new(bodies, [-1d0], status=status)
-        call check(status == STICKSLIP_SAMPLE .and. c_associated(planes%address(), before), 'no other planes')
+        call check(status == STICKSLIP_SAMPLE .and. c_associated(planes%address(), before), 'planes are kept')
         before = history%address()
         call history%new(bodies, ball(:, 2:), friction, status=status)
-        call check(status == STICKSLIP_LENGTH .and. c_associated(history%address(), before), 'no other history')
+        call check(status == STICKSLIP_LENGTH .and. c_associated(history%address(), before), 'history is kept')
         call history%to_bytes(bytes)
         call history%from_bytes(bodies, bytes(2:), status)
-        call check(status == STICKSLIP_FORMAT .and. c_associated(history%address(), before), 'no other history from bytes')
+        call check(status == STICKSLIP_FORMAT .and. c_associated(history%address(), before), 'history is kept (bytes)')
         call presser%solve(pressed)
         result = history%result()
-        call check(abs(result%normal_force / 100 - 1) < 1d-9, 'the history that was there')
+        call check(abs(result%normal_force / 100 - 1) < 1d-9, 'force of the remaining history')
 
-        ! Nor does what is in use give way.
+        ! An object in use remains as well.
         seen = told_and_seen(history%handle, bodies%handle, .false., STICKSLIP_OK)
         call history%step(stickslip_load_step(stickslip_normal_load(STICKSLIP_FORCE, 150)), &
             stickslip_observer(c_funloc(make_anew), c_loc(seen)))
-        call check(seen%status == STICKSLIP_BUSY .and. seen%is_kept, 'no other history within a step')
+        call check(seen%status == STICKSLIP_BUSY .and. seen%is_kept, 'history is kept during its step')
 
-        ! What can be made takes the place.
+        ! A valid new object replaces the old one.
         call history%from_bytes(bodies, bytes)
         result = history%result()
-        call check(abs(result%normal_force / 100 - 1) < 1d-9, 'another history from bytes')
+        call check(abs(result%normal_force / 100 - 1) < 1d-9, 'force of the history from bytes')
         call planes%new(bodies, [0.02d0])
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
-        call check(status == STICKSLIP_INVALID_ARGUMENT, 'other planes')
+        call check(status == STICKSLIP_INVALID_ARGUMENT, 'new planes have no field')
 
-        ! Stiffnesses and stresses end when an observer tells them.
+        ! An observer ends the computation of stiffnesses and stresses.
         observer = stickslip_observer(c_funloc(stop_at_once), c_null_ptr)
         normal = pressed%stiffness(bodies, observer, status)
-        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of the normal contact that is stopped')
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped stiffness of the normal contact')
         tangential = sheared%stiffness(bodies, observer, status)
-        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of the tangential contact that is stopped')
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped stiffness of the tangential contact')
         both = history%stiffness(observer, status)
-        call check(status == STICKSLIP_NOT_CONVERGED, 'a stiffness of a history that is stopped')
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped stiffness of a history')
         call planes%solve(1, STICKSLIP_BODY_1, ball, observer=observer, status=status)
-        call check(status == STICKSLIP_NOT_CONVERGED, 'a plane that is stopped')
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped plane')
         call stress_at_points(bodies, STICKSLIP_BODY_1, [stickslip_point(0, 0, 0.01d0)], at, ball, observer=observer, &
             status=status)
-        call check(status == STICKSLIP_NOT_CONVERGED, 'stresses at points that are stopped')
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped stresses at points')
         call planes%solve(1, STICKSLIP_BODY_1, ball)
         both = history%stiffness()
-        call check(both%normal%value > 0, 'a stiffness that nobody stops')
+        call check(both%normal%value > 0, 'stiffness without an observer')
     end subroutine run
 end program objects

@@ -1,4 +1,4 @@
-/* Long calls that are no solves ask their observer, end where it says so, and leave what they were to write as it was. */
+/* Long calls other than solves call their observer, end if it requests this, and leave their output unchanged. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ static const stickslip_grid GRID = {N, N, 0.3e-3 / N, 0.3e-3 / N};
 static const stickslip_material STEEL = {213e9, 0.29, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
 static double ball[CELLS];
 
-/* How often an observer was asked, and how often it answers that the call is to go on. */
+/* Number of calls of an observer, and number of calls that let the work continue. */
 typedef struct {
     size_t asked, allowed;
 } patience;
@@ -27,7 +27,7 @@ static int32_t observe(const stickslip_iteration *iteration, void *user) {
     return left->asked++ < left->allowed;
 }
 
-/* The objects of all calls, and what the calls write. */
+/* Objects used by all calls, and outputs of the calls. */
 typedef struct {
     stickslip_half_space *bodies;
     stickslip_normal_solution *pressed;
@@ -86,7 +86,7 @@ static stickslip_status rough(const objects *of, const stickslip_observer *obser
     return stickslip_surface_self_affine_observed(&GRID, &surface, observer, to->values, CELLS);
 }
 
-/* The plane that was solved last is read also where the call was ended. */
+/* Reads the last solved plane, also after a call that was ended. */
 static stickslip_status plane(const objects *of, const stickslip_observer *observer, answers *to) {
     stickslip_status status = stickslip_planes_solve_observed(of->planes, 1, STICKSLIP_BODY_1, &of->tractions, observer);
     OK(stickslip_planes_measure(of->planes, STICKSLIP_VON_MISES, to->values, CELLS));

@@ -1,5 +1,5 @@
-/* Times of warm steps in C, to be compared with those of overhead.rs: the same contact, the same loads.
- * overhead [cells along a side, default 64] [steps, default 2000] */
+/* Times of warm steps in C, for comparison with those of overhead.rs with the same contact and the same loads.
+ *   overhead [cells along a side, default 64] [steps, default 2000] */
 
 #define _POSIX_C_SOURCE 200809L
 

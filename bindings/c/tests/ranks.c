@@ -1,5 +1,5 @@
-/* One contact on several ranks has the bits of one process. With RANKS_OF_MPI ranks are the processes of a program of MPI, else
- * threads that swap blocks through a box for each pair. */
+/* A contact on several ranks is bitwise identical to the contact in one process. With RANKS_OF_MPI the ranks are processes
+ * of an MPI program, otherwise threads that exchange blocks through a box for each pair. */
 
 #define _GNU_SOURCE
 
@@ -18,7 +18,7 @@ static const stickslip_grid GRID = {NX, NY, 0.5, 0.25};
 static const stickslip_material RUBBER = {1.0, 0.3, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
 static const stickslip_boundary PERIODIC = {STICKSLIP_PERIODIC, 0.0};
 
-/* What a rank finds: fields of its rows, and numbers of the whole contact. */
+/* Results of a rank: fields of its rows, and numbers of the whole contact. */
 typedef struct {
     size_t first, cells;
     double pressure[CELLS], traction[CELLS], slip[CELLS];
@@ -28,7 +28,7 @@ typedef struct {
     double numbers[4];
 } answers;
 
-/* Bumps on a grid that repeats, whose contact crosses the ends of slabs. */
+/* Returns the gap of bumps on a periodic grid, whose contact crosses the boundaries of slabs. */
 static double gap_at(size_t cell) {
     static const double centres[][2] = {{5.0, 8.0}, {14.0, 21.0}, {9.0, 34.0}, {3.0, 47.0}, {17.0, 64.0}};
     double x = (double)(cell % NX) * GRID.dx, y = (double)(cell / NX) * GRID.dy, least = 9.0;
@@ -93,7 +93,7 @@ static void solve(const stickslip_ranks *ranks, answers *found) {
     found->numbers[0] = normal.approach, found->numbers[1] = tangential.shift[0];
     found->numbers[2] = last.shift[0], found->numbers[3] = tangential.stick_ratio;
 
-    /* What one rank refuses all refuse. */
+    /* If one rank rejects a load, all ranks return an error. */
     load.value = ranks->rank == 1 ? -1.0 : 4.0;
     int32_t code = stickslip_normal_solver_set_load(presser, &load);
     CHECK(code == (ranks->size > 1 ? STICKSLIP_RANK_FAILURE : STICKSLIP_OK));
@@ -153,7 +153,7 @@ int main(int count, char **arguments) {
 #include <time.h>
 
 #define MOST 3
-/* Seconds that a rank waits for another. */
+/* Time in seconds for which a rank waits for another rank. */
 #define PATIENCE 60
 
 void *__libc_malloc(size_t size);
@@ -161,8 +161,8 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/* Large allocations that this thread may still make, those of the size of what a rank holds of a field: blocks are smaller.
- * None fails while it is negative. */
+/* Number of large allocations that this thread may still make; negative for no limit. An allocation is large if it has the
+ * size of the local part of a field; blocks are smaller. */
 #define LARGE (CELLS / MOST * sizeof(double) / 2)
 static __thread long may_have = -1;
 
@@ -178,7 +178,7 @@ int posix_memalign(void **out, size_t alignment, size_t size) {
 }
 void *aligned_alloc(size_t alignment, size_t size) { return fails(size) ? NULL : __libc_memalign(alignment, size); }
 
-/* A block on its way from one rank to another. */
+/* Block in transit from one rank to another. */
 typedef struct {
     uint64_t *words;
     size_t count;
@@ -188,7 +188,7 @@ typedef struct {
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t changed = PTHREAD_COND_INITIALIZER;
 static box boxes[MOST][MOST];
-/* Swaps that a rank may still make, of that which is lost. */
+/* Number of exchanges before the rank is lost. */
 static int left = -1;
 
 static int32_t swap(const uint64_t *block, size_t words, size_t to, size_t from, stickslip_block *received, void *user) {
@@ -232,7 +232,7 @@ static int32_t swap(const uint64_t *block, size_t words, size_t to, size_t from,
 typedef struct {
     stickslip_ranks ranks;
     answers *found;
-    /* Large allocations that the second rank can have. */
+    /* Number of large allocations that the second rank can make. */
     long can_have;
     stickslip_status status;
 } work;
@@ -258,7 +258,7 @@ static void on_threads(size_t size, void *(*run)(void *), work *works) {
     }
 }
 
-/* Kernels and solver of a normal contact, for which the second rank lacks memory. */
+/* Creates kernels and solver of a normal contact; the second rank has too little memory for them. */
 static void *make_one(void *argument) {
     work *own = argument;
     stickslip_half_space *bodies = NULL;
@@ -282,7 +282,7 @@ static void *make_one(void *argument) {
 
 static void memory_that_one_rank_lacks_is_told_to_all(void) {
     stickslip_status of_second = STICKSLIP_MEMORY;
-    /* The first is the copy of the gap, which a rank makes before it meets the others. */
+    /* The first allocation is the copy of the gap, which a rank makes before it communicates. */
     long can_have = 1;
     for (; of_second != STICKSLIP_OK && can_have < 100; can_have++) {
         work works[MOST] = {{{0}, NULL, 0, 0}};
@@ -309,7 +309,7 @@ static void bad_ranks_are_refused(void) {
           STICKSLIP_BAD_POINTER);
     CHECK(stickslip_half_space_new_distributed(&GRID, &RUBBER, NULL, 0, &RIGID, NULL, 0, NULL, NULL, &bodies) ==
           STICKSLIP_BAD_POINTER);
-    /* The first swap tells that the other is lost. */
+    /* The first exchange reports that the other rank is lost. */
     ranks.swap = swap, left = 0;
     CHECK(stickslip_half_space_new_distributed(&GRID, &RUBBER, NULL, 0, &RIGID, NULL, 0, NULL, &ranks, &bodies) ==
           STICKSLIP_RANK_FAILURE);

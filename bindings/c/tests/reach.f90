@@ -1,5 +1,5 @@
-! What Fortran reaches besides loads and fields: shapes are checked, types begin with the defaults of the library, and zones,
-! warnings, reports, copies, settings, bulk strain, wear, spots and jumps are those of the library.
+! Fortran interface apart from loads and fields. Shapes are checked, and types have the defaults of the library. Zones,
+! warnings, reports, copies, settings, bulk strain, wear, spots and jumps agree with the library.
 program reach
     use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
     use stickslip
@@ -45,7 +45,7 @@ contains
         load = stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, shift))
     end function drag
 
-    ! Bit for bit, but for the bytes between members.
+    ! Defaults must agree bit for bit, except in the padding between members.
     subroutine defaults()
         type(stickslip_settings) :: settings
         type(stickslip_history_options) :: history
@@ -88,14 +88,14 @@ contains
         gap = ball()
         turned = transpose(gap)
         call bodies%new(grid, steel, steel)
-        ! As many cells, of another shape.
+        ! The number of cells agrees, but the shape does not.
         call presser%new(bodies, turned, stickslip_normal_load(STICKSLIP_FORCE, 100), status=status)
         call check(status == STICKSLIP_LENGTH, 'a gap of shape (ny, nx)')
         call presser%new(bodies, gap, stickslip_normal_load(STICKSLIP_FORCE, 100))
         call presser%set_gap(turned, status)
-        call check(status == STICKSLIP_LENGTH, 'another gap of shape (ny, nx)')
+        call check(status == STICKSLIP_LENGTH, 'new gap of shape (ny, nx)')
         call presser%solve(pressed)
-        call check(all(shape(pressed%field(STICKSLIP_PRESSURE)) == [nx, ny]), 'the shape of a field')
+        call check(all(shape(pressed%field(STICKSLIP_PRESSURE)) == [nx, ny]), 'shape of a field')
         call history%new(bodies, turned, stickslip_coulomb(0.5d0), status=status)
         call check(status == STICKSLIP_LENGTH .and. .not. c_associated(history%address()), 'a history of shape (ny, nx)')
         call history%new(bodies, gap, stickslip_coulomb(0.5d0))
@@ -139,28 +139,28 @@ contains
         call presser%solve(pressed)
         report = pressed%report()
         call check(report%status == STICKSLIP_CONVERGED .and. report%residual > 1d-12, 'a report')
-        call check(report%eigenvalue_bound == STICKSLIP_EIGENVALUE_PROVEN, 'a proven bound')
+        call check(report%eigenvalue_bound == STICKSLIP_EIGENVALUE_PROVEN, 'proven eigenvalue bound')
         call presser%set_settings(stickslip_settings(tolerance=1d-12))
         call presser%solve(pressed)
         report = pressed%report()
         call check(report%residual <= 1d-12, 'settings')
         normal = pressed%result()
         slope = pressed%stiffness(bodies)
-        ! Of a Hertz contact the slope of the force is 3/2 of its secant.
+        ! The derivative of the force of a Hertz contact is 3/2 of its secant.
         call check(abs(slope%value * normal%approach / normal%force / 1.5d0 - 1) < 0.02d0, 'stiffness')
         pressure => pressed%field(STICKSLIP_PRESSURE)
         call pressed%spots(spots, labels)
         call check(size(spots) == 1 .and. spots(1)%cells == normal%contact_cells, 'one spot')
-        call check(abs(spots(1)%load / 100 - 1) < 1d-9 .and. spots(1)%stick_ratio /= spots(1)%stick_ratio, 'its load')
-        call check(all((labels == 1) .eqv. (pressure > 0)) .and. all(labels >= 0 .and. labels <= 1), 'its cells')
+        call check(abs(spots(1)%load / 100 - 1) < 1d-9 .and. spots(1)%stick_ratio /= spots(1)%stick_ratio, 'load of the spot')
+        call check(all((labels == 1) .eqv. (pressure > 0)) .and. all(labels >= 0 .and. labels <= 1), 'cells of the spot')
         call pressed%edges(edges, centres)
         call check(edges%unfitted_fraction < 1 .and. abs(edges%contact_area / normal%contact_area - 1) < 0.05d0 .and. &
-            abs(maxval(centres) - edges%peak_pressure) <= 0, 'the edge')
-        call check(pressed%discretisation_estimate() > 0, 'an estimate')
+            abs(maxval(centres) - edges%peak_pressure) <= 0, 'edge of the contact')
+        call check(pressed%discretisation_estimate() > 0, 'error estimate of the pressure')
         call pressed%warnings(warnings)
         call check(size(warnings) == 0, 'no warning')
 
-        ! Half of the cells hold twice as much.
+        ! The coefficient is doubled in half of the cells.
         mu = 0.3d0
         mu(:, ny / 2 + 1:) = 0.6d0
         call shearer%new(bodies, pressed, stickslip_friction(per_cell(mu)), &
@@ -177,11 +177,11 @@ contains
         call sheared%edges(pressed, stickslip_friction(per_cell(mu)), edges, means=means)
         call check(abs(edges%stick_ratio - shear%stick_ratio) < 0.05d0 .and. &
             abs(sum(means) * grid%dx * grid%dy / 20 - 1) < 0.02d0, 'the edges of the zones')
-        call check(sheared%discretisation_estimate() > 0, 'an estimate of the traction')
+        call check(sheared%discretisation_estimate() > 0, 'error estimate of the traction')
         call sheared%spots(pressed, spots)
         call check(abs(spots(1)%stick_ratio - shear%stick_ratio) < 1d-12, 'stick ratio of the spot')
 
-        ! Bulk strain alone drags no force, and makes cells slip.
+        ! Bulk strain alone causes no force, but makes cells slip.
         do i = 1, int(nx)
             stretched(i, :) = 1d-3 * side * (i - 0.5d0 * (nx + 1))
         end do
@@ -191,19 +191,19 @@ contains
         shear = sheared%result()
         call check(abs(shear%force(1)) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain')
 
-        ! More than the grid holds.
+        ! The contact is larger than the grid.
         call presser%set_load(stickslip_normal_load(STICKSLIP_FORCE, 4d4))
         call presser%solve(pressed)
         call pressed%warnings(warnings)
         call check(any(warnings%kind == STICKSLIP_WARNING_CONTACT_AT_EDGE), 'a warning')
-        if (size(warnings) > 0) call check(index(warning_text(warnings(1)), 'edge') > 0, 'its text')
+        if (size(warnings) > 0) call check(index(warning_text(warnings(1)), 'edge') > 0, 'text of the warning')
         call presser%reset()
         call presser%set_load(stickslip_normal_load(STICKSLIP_HOLD), status)
         if (status == STICKSLIP_OK) call presser%solve(pressed, status=status)
-        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'nothing is held after reset')
+        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'hold after reset is an error')
     end subroutine contacts
 
-    ! A ball that rolls, by creepages and by loads, and Carter's cylinder.
+    ! Rolling ball with prescribed creepages and with prescribed loads, and Carter's cylinder.
     subroutine rolling()
         type(half_space) :: bodies
         type(normal_solver) :: presser
@@ -231,7 +231,7 @@ contains
         unit = carter%sliding_creepage
         if (status == STICKSLIP_OK) status = stickslip_carter_cylinder(bodies%handle, 10d0, 100d0, 0.3d0, -0.4d0 * unit, &
             carter)
-        call check(status == STICKSLIP_OK .and. abs(carter%force + 0.64d0 * 30) < 1d-10, 'the force of Carter')
+        call check(status == STICKSLIP_OK .and. abs(carter%force + 0.64d0 * 30) < 1d-10, "Carter's force")
 
         call presser%new(bodies, ball(), stickslip_normal_load(STICKSLIP_FORCE, 100))
         call presser%solve(pressed)
@@ -239,8 +239,8 @@ contains
         stiffness = roller%stiffness()
         status = stickslip_hertz_sphere(bodies%handle, radius, 100d0, hertz)
         unit = steel%youngs_modulus / (2 + 2 * steel%poisson_ratio) * hertz%contact_radius**2
-        call check(abs(stiffness%slopes(1, 1) / unit / 4.31d0 - 1) < 0.03d0, 'the coefficient C11 of Kalker')
-        ! The row of the lateral force and the column of the spin, and the other way round.
+        call check(abs(stiffness%slopes(1, 1) / unit / 4.31d0 - 1) < 0.03d0, 'coefficient C11 of Kalker')
+        ! These entries are the lateral force due to the spin, and the moment due to the lateral creepage.
         call check(stiffness%slopes(3, 2) * stiffness%slopes(2, 3) < 0, 'forces under spin')
 
         call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3), &
@@ -254,12 +254,12 @@ contains
         call roller%solve(rolled)
         by_load = rolled%result()
         call check(abs(by_load%force(1) / by_motion%force(1) - 1) < 1d-8, 'rolling by force')
-        call check(abs(by_load%creepage(1) / 1d-3 - 1) < 1d-4 .and. abs(by_load%spin / 1d-3 - 1) < 1d-4, 'its motion')
+        call check(abs(by_load%creepage(1) / 1d-3 - 1) < 1d-4 .and. abs(by_load%spin / 1d-3 - 1) < 1d-4, 'motion under loads')
         zones => rolled%zones()
         traction => rolled%field(STICKSLIP_TRACTION_X)
         call rolled%dissipation(lost)
         call check(all((lost > 0) .eqv. (lost > 0 .and. zones == STICKSLIP_SLIP)) .and. maxval(lost) > 0, 'dissipation')
-        call check(abs(sum(traction) * grid%dx * grid%dy / by_load%force(1) - 1) < 1d-12, 'the traction')
+        call check(abs(sum(traction) * grid%dx * grid%dy / by_load%force(1) - 1) < 1d-12, 'sum of the traction')
         call rolled%dissipation(turned, status)
         call check(status == STICKSLIP_LENGTH, 'a dissipation of shape (ny, nx)')
 
@@ -269,12 +269,12 @@ contains
         call check(size(forces) == 3 .and. abs(forces(1)%force(1)) <= 0 .and. abs(forces(3)%force(1) / 30 - 1) < 1d-3, &
             'a creep curve')
         call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_FORCE, 31)), status)
-        call check(status == STICKSLIP_BEYOND_FRICTION_CAPACITY, 'more than friction holds')
+        call check(status == STICKSLIP_BEYOND_FRICTION_CAPACITY, 'force above the friction capacity')
         before = roller%address()
         call roller%new(bodies, pressed, stickslip_coulomb(0.3d0), options=stickslip_rolling_options(step=0), status=status)
-        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(roller%address(), before), 'no other rolling solver')
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(roller%address(), before), 'rolling solver is kept')
         call roller%set_settings(stickslip_settings(method=STICKSLIP_POLONSKY_KEER), status)
-        call check(status == STICKSLIP_METHOD, 'a method of one traction')
+        call check(status == STICKSLIP_METHOD, 'method for one traction')
 
         call roller%set_friction(stickslip_coulomb(0.6d0))
         call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_FORCE, 31)))
@@ -282,25 +282,25 @@ contains
         call roller%set_normal_solver(presser)
         call roller%set_normal_load(stickslip_normal_load(STICKSLIP_FORCE, 90))
         capacity = roller%friction_capacity()
-        call check(abs(capacity - 54) < 1d-6, 'what friction holds of a new load')
+        call check(abs(capacity - 54) < 1d-6, 'friction capacity under a new load')
         call roller%solve(rolled)
         call rolled%warnings(remarks)
-        call check(size(remarks) >= 0, 'the warnings of rolling')
+        call check(size(remarks) >= 0, 'warnings of rolling')
         traction => pressed%field(STICKSLIP_PRESSURE)
         call roller%set_pressure(traction, status)
-        call check(status == STICKSLIP_UNSUPPORTED_BY_MODEL, 'no pressure without a gap')
+        call check(status == STICKSLIP_UNSUPPORTED_BY_MODEL, 'pressure without a gap')
         call roller%set_normal(pressed)
         call roller%reset()
         stiffness = roller%stiffness()
         status = stickslip_kalker_coefficients(1d0, steel%poisson_ratio, kalker)
-        call check(abs(stiffness%slopes(1, 1) / unit / kalker%c11 - 1) < 0.02d0, 'the coefficient C11 of the table')
+        call check(abs(stiffness%slopes(1, 1) / unit / kalker%c11 - 1) < 0.02d0, 'coefficient C11 of the table')
         status = stickslip_vermeulen_johnson_ellipse(bodies%handle, radius, radius, 100d0, 0.3d0, 0d0, 1d0, curve)
-        call check(status == STICKSLIP_OK .and. abs(curve%force(2) / 30 - 1) < 1d-12, 'the force of Vermeulen and Johnson')
+        call check(status == STICKSLIP_OK .and. abs(curve%force(2) / 30 - 1) < 1d-12, 'force of Vermeulen and Johnson')
         status = stickslip_bentall_johnson_cylinder(bodies%handle, 10d0, 100d0, 0.01d0, free_rolling)
-        call check(status == STICKSLIP_OK .and. abs(free_rolling%creepage) <= 0, 'the creepage of Bentall and Johnson')
+        call check(status == STICKSLIP_OK .and. abs(free_rolling%creepage) <= 0, 'creepage of Bentall and Johnson')
     end subroutine rolling
 
-    ! A history whose bodies roll in each step.
+    ! History whose bodies roll in each step.
     subroutine rolled_steps()
         type(half_space) :: bodies
         type(contact_history) :: history
@@ -313,16 +313,16 @@ contains
         once = history%result()
         call history%step(stickslip_load_step(roll=stickslip_roll(1, creepage=[1d-4, 0d0])))
         again = history%result()
-        call check(once%force(1) > 0 .and. again%force(1) > once%force(1), 'a force that grows as the bodies roll')
-        call check(abs(again%creepage(1) - 1d-4) <= 0, 'the creepage of a step')
+        call check(once%force(1) > 0 .and. again%force(1) > once%force(1), 'force grows during rolling')
+        call check(abs(again%creepage(1) - 1d-4) <= 0, 'creepage of a step')
         call history%step(stickslip_load_step(x=stickslip_control(STICKSLIP_FORCE, once%force(1)), roll=stickslip_roll(1)))
         again = history%result()
-        call check(abs(again%force(1) / once%force(1) - 1) < 1d-8 .and. again%creepage(1) < 1d-4, 'a creepage by a force')
+        call check(abs(again%force(1) / once%force(1) - 1) < 1d-8 .and. again%creepage(1) < 1d-4, 'creepage due to a force')
         call history%step(stickslip_load_step(roll=stickslip_roll(0, spin=1d0)), status=status)
-        call check(status == STICKSLIP_NOT_POSITIVE, 'a spin over no cells')
+        call check(status == STICKSLIP_NOT_POSITIVE, 'spin without cells')
     end subroutine rolled_steps
 
-    ! Pressure and traction found together.
+    ! Coupled pressure and traction.
     subroutine dissimilar()
         type(half_space) :: bodies
         type(coupled_solver) :: solver
@@ -356,11 +356,11 @@ contains
         call check(report%work%status == STICKSLIP_CONVERGED, 'a coupled report')
         call solution%results(normal, shear)
         call check(abs(normal%force / 100 - 1) < 1d-6, 'the normal force')
-        call check(shear%stick_ratio > 0 .and. shear%stick_ratio < 1, 'pressing makes dissimilar bodies slip')
+        call check(shear%stick_ratio > 0 .and. shear%stick_ratio < 1, 'dissimilar bodies slip when pressed')
         call solution%warnings(warnings)
-        call check(any(warnings%kind == STICKSLIP_WARNING_SINGLE_LOAD_STEP), 'pressed at once')
+        call check(any(warnings%kind == STICKSLIP_WARNING_SINGLE_LOAD_STEP), 'warning about one pressing step')
 
-        ! A field and the zones obey the law of Coulomb, and their sums are the forces.
+        ! The fields and the zones satisfy Coulomb's law, and the sums of the fields are the forces.
         call solver%set_load(press, drag)
         call solver%solve(solution)
         call solution%results(tangential=shear)
@@ -371,27 +371,27 @@ contains
         lift => solution%field(STICKSLIP_DISPLACEMENT_Z)
         zones => solution%zones()
         force = sum(x) * side**2
-        call check(abs(force / 20 - 1) < 1d-6 .and. abs(force / shear%force(1) - 1) < 1d-12, 'the tangential force')
-        call check(all(hypot(x, y) <= 0.3d0 * pressure * (1 + 1d-9)), 'the law of Coulomb')
+        call check(abs(force / 20 - 1) < 1d-6 .and. abs(force / shear%force(1) - 1) < 1d-12, 'tangential force')
+        call check(all(hypot(x, y) <= 0.3d0 * pressure * (1 + 1d-9)), "Coulomb's law")
         call check(all((zones == STICKSLIP_SEPARATED) .eqv. (pressure <= 0)), 'coupled zones')
-        call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'no gap below the pressure')
+        call check(all(pressure == 0 .or. abs(gap) < 1d-6 * maxval(lift)), 'zero gap in contact cells')
         call solution%edges(stickslip_coulomb(0.3d0), edges, centres, means)
         call solution%pressure_edges(alone, status=status)
         call check(status == STICKSLIP_OK .and. abs(edges%contact_area - alone%contact_area) <= 0 .and. &
-            abs(maxval(centres) - edges%peak_traction) <= 0 .and. all(means >= 0), 'edges of both')
+            abs(maxval(centres) - edges%peak_traction) <= 0 .and. all(means >= 0), 'edges of a coupled contact')
         call solution%discretisation_estimates(of_pressure, of_traction)
-        call check(of_pressure > 0 .and. of_traction > 0, 'estimates of both')
+        call check(of_pressure > 0 .and. of_traction > 0, 'error estimates of a coupled contact')
 
-        ! A history of the same first step has the same stiffness.
+        ! A history with the same first step has the same stiffness.
         call history%new(bodies, heights, stickslip_coulomb(0.3d0), &
             stickslip_history_options(model=STICKSLIP_VECTOR, entry_rule=STICKSLIP_WHOLE_STEP))
         call history%step(stickslip_load_step(press, drag%x, drag%y))
         slope = solution%stiffness(bodies, stickslip_coulomb(0.3d0))
         same = history%stiffness()
         call check(abs(slope%normal%value / same%normal%value - 1) < 1d-6, 'a coupled stiffness')
-        call check(abs(slope%tangential%loading(1, 1) / same%tangential%loading(1, 1) - 1) < 1d-6, 'its part along x')
+        call check(abs(slope%tangential%loading(1, 1) / same%tangential%loading(1, 1) - 1) < 1d-6, 'coupled stiffness along x')
 
-        ! Setters.
+        ! Setters of the coupled solver.
         call solver%set_load(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)
         call solver%set_gap(2 * heights)
         call solver%set_friction(stickslip_coulomb(0.6d0))
@@ -403,13 +403,13 @@ contains
             settings=stickslip_settings(tolerance=1d-9))
         call solver%solve(other)
         alike => other%field(STICKSLIP_PRESSURE)
-        call check(maxval(abs(alike - pressure)) < 1d-6 * maxval(alike), 'the same as a solver made so')
+        call check(maxval(abs(alike - pressure)) < 1d-6 * maxval(alike), 'setters agree with a new solver')
         call solver%reset()
         call solver%set_load(stickslip_normal_load(STICKSLIP_HOLD), drag, status)
         if (status == STICKSLIP_OK) call solver%solve(other, status=status)
-        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'nothing is held after reset')
+        call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'hold after reset is an error')
 
-        ! Bulk strain moves what sticks.
+        ! Bulk strain displaces the stick zone.
         none = 0
         do i = 1, int(nx)
             stretched(i, :) = 1d-3 * side * (i - 0.5d0 * (nx + 1))
@@ -420,18 +420,18 @@ contains
         call other%results(tangential=shear)
         call check(abs(shear%force(1) / 20 - 1) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain of coupled bodies')
 
-        ! What cannot be made leaves what was there.
+        ! An object remains if its replacement cannot be created.
         before = solver%address()
         call solver%new(bodies, heights(:, 2:), stickslip_coulomb(0.3d0), press, drag, status=status)
-        call check(status == STICKSLIP_LENGTH .and. c_associated(solver%address(), before), 'no other coupled solver')
+        call check(status == STICKSLIP_LENGTH .and. c_associated(solver%address(), before), 'coupled solver is kept')
         call solver%set_gap(heights(2:, :), status)
-        call check(status == STICKSLIP_LENGTH, 'the shape of a gap')
+        call check(status == STICKSLIP_LENGTH, 'shape of a gap')
         call solver%new(bodies, heights, stickslip_coulomb(-1d0), press, drag, status=status)
-        call check(status /= STICKSLIP_OK .and. c_associated(solver%address(), before), 'no friction less than none')
+        call check(status /= STICKSLIP_OK .and. c_associated(solver%address(), before), 'negative friction is an error')
         call solution%free()
-        call check(.not. c_associated(solution%address()), 'a coupled solution that is freed')
+        call check(.not. c_associated(solution%address()), 'freed coupled solution')
         pressure => solution%field(STICKSLIP_PRESSURE, status)
-        call check(status == STICKSLIP_BAD_POINTER .and. .not. associated(pressure), 'no field of none')
+        call check(status == STICKSLIP_BAD_POINTER .and. .not. associated(pressure), 'field of a freed solution')
     end subroutine dissimilar
 
     subroutine histories()
@@ -460,19 +460,19 @@ contains
         call history%new(bodies, gap, stickslip_coulomb(0.3d0), options)
         call history%step(press(100d0))
         call history%reports(normal, tangential)
-        call check(normal%status == STICKSLIP_CONVERGED, 'the report of the pressure')
+        call check(normal%status == STICKSLIP_CONVERGED, 'report of the pressure')
         then = history%result()
         amplitude = 0.2d0 * then%approach
 
-        ! A copy takes the same step to the same bits, and leaves the other.
+        ! A copy takes the same step with bitwise identical results, and the original history does not change.
         call history%clone(copy)
         call copy%step(drag(amplitude))
         now = history%result()
-        call check(now%steps == then%steps, 'the history beside its copy')
+        call check(now%steps == then%steps, 'original history is unchanged')
         call history%step(drag(amplitude))
         now = history%result()
         then = copy%result()
-        call check(now%force(1) == then%force(1) .and. now%force(1) > 0, 'the same force')
+        call check(now%force(1) == then%force(1) .and. now%force(1) > 0, 'force of the copy')
         call history%reports(normal, tangential)
         call check(normal%status == STICKSLIP_UNSOLVED .and. tangential%status == STICKSLIP_CONVERGED, 'reports')
         zones => history%zones()
@@ -486,7 +486,7 @@ contains
         call check(status == STICKSLIP_TOLERANCE, 'settings')
         call check(abs(history%friction_capacity() / 30 - 1) < 1d-6, 'capacity')
 
-        ! Archard: coefficient times pressure times slip, and the same with a coefficient for each cell.
+        ! Archard's law: coefficient times pressure times slip, with one coefficient and with a coefficient for each cell.
         depth = 0
         call history%wear_archard(1d-6, depth)
         slip => history%field(STICKSLIP_STEP_SLIP_DISTANCE)
@@ -498,7 +498,7 @@ contains
         call history%wear_energy(1d-6, worn)
         call check(all(worn >= depth), 'energy law')
 
-        ! A cycle that closes may be jumped over, the first one not.
+        ! A closed cycle may be skipped by a jump, but the first cycle may not.
         do turn = 1, 2
             call cycle%begin(copy)
             if (turn == 2) depth = 0
@@ -514,7 +514,7 @@ contains
         jump = cycle%jump(bodies, depth)
         slip => cycle%field(STICKSLIP_SLIP_DISTANCE)
         status = stickslip_max_stable_cycles(bodies%handle, stickslip_per_cell(1d-6), slip, size(slip, kind=c_size_t), cycles)
-        call check(status == STICKSLIP_OK .and. abs(cycles / jump - 2) < 1d-6, 'half of what is stable')
+        call check(status == STICKSLIP_OK .and. abs(cycles / jump - 2) < 1d-6, 'half of the stable number of cycles')
         jump = cycle%jump(bodies, depth, stickslip_jump_limits(max_residual=-1d0), status)
         call check(status == STICKSLIP_NEGATIVE_OR_NOT_FINITE, 'a negative limit')
         call check(loop%cyclic_residual < 0.25d0, 'a closed loop')

@@ -1,4 +1,4 @@
-/* Rolling, steady and step by step, against Carter and Kalker, by creepages, forces and moments. */
+/* Steady and stepwise rolling compared with Carter and Kalker, with prescribed creepages, forces and moments. */
 
 #include <math.h>
 
@@ -8,7 +8,7 @@
 #define CELLS (N * N)
 #define FRICTION 0.3
 
-/* A ball of radius one on a plane of the same material, of shear modulus one, under a force of one. */
+/* A ball of radius one on a plane of the same material, with shear modulus one, under a force of one. */
 static const stickslip_material BODY = {2.5, 0.25, 0.0};
 static double gap[CELLS], dissipation[CELLS];
 
@@ -97,7 +97,7 @@ static void loads_have_the_motions_that_cause_them(stickslip_rolling_solver *sol
     CLOSE(by_load.creepage[0], 0.1, 1e-4);
     CLOSE(by_load.spin, 0.1, 1e-4);
 
-    /* Of what is worked most is dissipated where the cells slip. */
+    /* Most of the work is dissipated, and only in slip cells. */
     size_t count = 0;
     OK(stickslip_rolling_solution_dissipation(solution, dissipation, CELLS));
     const uint8_t *zones = stickslip_rolling_solution_zones(solution, &count);
@@ -126,7 +126,7 @@ static void a_creep_curve_goes_from_nothing_to_sliding(stickslip_rolling_solver 
     }
     OK(stickslip_rolling_solver_creep_forces(solver, points, 11, forces));
     CHECK(forces[0].force[0] == 0.0 && forces[0].stick_ratio == 1.0);
-    /* Where all slips, not quite along x. */
+    /* In gross slip the force is not exactly along x. */
     CHECK(forces[10].stick_ratio == 0.0 && forces[10].force[0] > 0.999 * FRICTION && forces[10].force[0] < FRICTION);
     for (int i = 1; i < 10; i++) {
         CHECK(forces[i + 1].force[0] - forces[i].force[0] <= forces[i].force[0] - forces[i - 1].force[0] + 1e-9);
@@ -263,7 +263,7 @@ static void closed_forms_are_met(const stickslip_half_space *bodies, stickslip_r
     OK(stickslip_bentall_johnson_cylinder(bodies, 1.0, 1.0, 0.01, &none));
     CHECK(none.creepage == 0.0 && none.dissipation == 0.0);
 
-    /* Rollers of aluminium and steel that roll freely. */
+    /* Freely rolling rollers of aluminium and steel. */
     stickslip_material aluminium = {70e3, 0.33, 0.0}, steel = {210e3, 0.3, 0.0};
     stickslip_grid grid = {4, 4, 1.0, 1.0};
     stickslip_half_space *rollers = NULL;
@@ -311,7 +311,7 @@ static void histories_that_roll_on_end_in_the_steady_state(const stickslip_half_
     CLOSE(step.force[1], result.force[1], 1e-6);
     CLOSE(step.moment, result.moment, 1e-6);
 
-    /* The creepage that follows a force, and a step that does not roll. */
+    /* The creepage due to a prescribed force, and a step without rolling. */
     load.roll.creepage[0] = load.roll.spin = 0.0;
     load.x.kind = STICKSLIP_FORCE, load.x.value = 0.1;
     OK(stickslip_history_step(history, &load, NULL));

@@ -12,7 +12,7 @@
 
 static const stickslip_material RUBBER = {1.0, 0.5, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
 
-/* Two balls side by side, the second lower by 0.05. */
+/* Computes the gap of two balls side by side; the second ball is lower by 0.05. */
 static void two_balls(const stickslip_grid *grid, double *gap) {
     for (size_t iy = 0; iy < NY; iy++) {
         for (size_t ix = 0; ix < NX; ix++) {
@@ -47,7 +47,7 @@ static void spots_are_told(void) {
     CLOSE(spots[0].centroid[0], -4.0, 0.03);
     CLOSE(spots[1].centroid[0], 4.0, 0.03);
     CHECK(isnan(spots[0].stick_ratio));
-    /* Area, load and largest pressure, from the labels. */
+    /* Area, load and largest pressure are computed from the labels. */
     const double *pressure = stickslip_normal_solution_field(pressed, STICKSLIP_PRESSURE, NULL);
     for (uint32_t spot = 1; spot <= 2; spot++) {
         double sum = 0.0, largest = 0.0;
@@ -67,7 +67,7 @@ static void spots_are_told(void) {
     CHECK(stickslip_normal_solution_spots(pressed, spots, SPOTS, &count, labels, CELLS - 1) == STICKSLIP_LENGTH);
     CHECK(spots[0].cells == 77);
 
-    /* Dragged until the lighter one slides: it loses its stick zone first. */
+    /* The drag makes the ball with the smaller load slide; it loses its stick zone first. */
     stickslip_friction friction = stickslip_coulomb(0.3);
     stickslip_tangential_load drag = {{STICKSLIP_FORCE, 0.1, 0.0}, {0}, 0.0};
     stickslip_tangential_solver *shearer = NULL;
@@ -90,7 +90,7 @@ static void spots_are_told(void) {
 
 #define N 32
 
-/* A cycle to a shift of 0.1 and to its opposite, with what it wears; returns the steps taken. */
+/* Runs a cycle to a shift of 0.1 and to its opposite, adds its wear to depth, and returns the number of steps. */
 static void fret(stickslip_history *history, stickslip_cycle *cycle, double *depth) {
     static const double path[] = {0.05, 0.1, 0.0, -0.1, 0.0};
     stickslip_per_cell alpha = {1e-2, NULL, 0};
@@ -117,7 +117,7 @@ static void cycles_are_jumped_over(void) {
     OK(stickslip_history_new(bodies, gap, N * N, &friction, NULL, &history));
     OK(stickslip_cycle_new(history, &cycle));
     fret(history, cycle, depth);
-    /* The first cycle, from rest, does not stand for those that follow. */
+    /* The first cycle, from rest, does not represent the following cycles. */
     double jump = -1.0, stable = 0.0;
     stickslip_error error;
     stickslip_jump_limits limits = stickslip_jump_limits_default();
@@ -152,7 +152,7 @@ static void cycles_are_jumped_over(void) {
         OK(stickslip_history_set_gap(history, gap, N * N));
     }
     CHECK(done == 1000.0 && jumps > 1 && worn < 1000.0 * first);
-    /* Archard's law: half of what is stable. */
+    /* Archard's law: the jump is at least half of the stable number of cycles. */
     const double *slip = stickslip_cycle_field(cycle, STICKSLIP_SLIP_DISTANCE, NULL);
     const double *pressure = stickslip_cycle_field(cycle, STICKSLIP_SLIP_PRESSURE, NULL);
     for (size_t i = 0; i < N * N; i++) {

@@ -1,4 +1,4 @@
-/* Stresses below a contact, and the closed forms by which it is checked. */
+/* Stresses below a contact, and closed-form solutions for comparison. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -78,9 +78,9 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     stickslip_response at[3], other[3];
     OK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_1, &tractions, points, 3, at));
     CLOSE(0.5 * (at[0].principal_stress[0] - at[0].principal_stress[2]), 0.310 * hertz.max_pressure, 5e-3);
-    /* On the axis von Mises' stress is twice the largest shear stress. */
+    /* On the axis the von Mises stress is twice the largest shear stress. */
     CLOSE(at[0].von_mises, at[0].principal_stress[0] - at[0].principal_stress[2], 1e-9);
-    /* Far below it is Boussinesq's point force: szz = -3 P/(2 pi z^2). */
+    /* Far below the contact, Boussinesq's point force applies: szz = -3 P/(2 pi z^2). */
     CLOSE(at[2].normal_stress[2], -1.5 * FORCE / (acos(-1.0) * pow(points[2].depth, 2.0)), 1e-2);
     OK(stickslip_stress_at_points(bodies, STICKSLIP_BODY_2, &tractions, points, 3, other));
     CLOSE(other[0].displacement[2], -at[0].displacement[2], 1e-12);
@@ -101,7 +101,7 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     CLOSE(values[middle], at[1].von_mises, 1e-9);
     OK(stickslip_planes_measure(planes, STICKSLIP_MAX_SHEAR, values, CELLS));
     CLOSE(largest(values), 0.310 * hertz.max_pressure, 5e-3);
-    /* A failure leaves the plane that was solved. */
+    /* A failure leaves the solved plane unchanged. */
     memcpy(values, szz, sizeof values);
     CHECK(stickslip_planes_solve(planes, 2, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
     CHECK(stickslip_planes_solve(planes, SIZE_MAX, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
@@ -109,7 +109,7 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     tractions.x = pressure;
     CHECK(stickslip_planes_solve(planes, 0, STICKSLIP_BODY_1, &tractions) == STICKSLIP_BAD_POINTER);
     CHECK(memcmp(values, stickslip_planes_field(planes, STICKSLIP_STRESS_ZZ, NULL), sizeof values) == 0);
-    /* Shear of the size of the pressure along x, and of half of it along y. */
+    /* The shear traction along x equals the pressure, and the one along y is half of it. */
     for (int i = 0; i < CELLS; i++) {
         half[i] = 0.5 * pressure[i];
     }
@@ -131,7 +131,7 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     OK(stickslip_last_error(&error));
     CHECK(error.index == 1 && error.value == -1.0);
     OK(stickslip_planes_free(planes));
-    /* Of no depths none has an index. */
+    /* Without depths, no index is valid. */
     OK(stickslip_planes_new(bodies, NULL, 0, 0, &planes));
     CHECK(stickslip_planes_solve(planes, SIZE_MAX, STICKSLIP_BODY_1, &tractions) == STICKSLIP_LENGTH);
     OK(stickslip_planes_free(planes));

@@ -1,4 +1,4 @@
-! What Fortran has of surfaces, stresses and closed forms.
+! Surfaces, stresses and closed-form solutions in Fortran.
 program stresses
     use stickslip
     implicit none
@@ -50,7 +50,7 @@ contains
         pressure => pressed%field(STICKSLIP_PRESSURE)
         call planes%new(bodies, [depth])
         szz => planes%field(STICKSLIP_STRESS_ZZ, status)
-        call check(status == STICKSLIP_INVALID_ARGUMENT .and. .not. associated(szz), 'no plane yet')
+        call check(status == STICKSLIP_INVALID_ARGUMENT .and. .not. associated(szz), 'field before the first solve')
         call planes%solve(1, STICKSLIP_BODY_1, pressure)
         call planes%measure(STICKSLIP_MAX_SHEAR, shear)
         call check(abs(maxval(shear) / hertz%max_pressure - 0.310d0) < 2d-3, 'largest shear stress')
@@ -66,11 +66,11 @@ contains
             call check(maxval(abs(at(1)%shear_stress(2:) / [peak, peak / 2] + 1)) < 1d-9, 'sxz and syz')
         end associate
         call planes%solve(2, STICKSLIP_BODY_1, pressure, status=status)
-        call check(status == STICKSLIP_LENGTH, 'no such depth')
+        call check(status == STICKSLIP_LENGTH, 'index without a depth')
         call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure, status=status)
-        call check(status == STICKSLIP_BAD_POINTER, 'half a traction')
+        call check(status == STICKSLIP_BAD_POINTER, 'traction along one axis only')
         call planes%solve(1, STICKSLIP_BODY_1, pressure, pressure(:, 2:), pressure, status=status)
-        call check(status == STICKSLIP_LENGTH, 'a shorter traction')
+        call check(status == STICKSLIP_LENGTH, 'traction of the wrong size')
     end subroutine below_a_sphere
 
     subroutine rough()
@@ -88,6 +88,6 @@ contains
         call check(status == STICKSLIP_OK .and. abs(statistics%spectral_rms_slope / 0.1d0 - 1) < 1d-9, 'rms slope')
         recipe%rms_height = 1
         status = stickslip_surface_self_affine(grid, recipe, heights, size(heights, kind=c_size_t))
-        call check(status == STICKSLIP_INVALID_ARGUMENT, 'height and slope')
+        call check(status == STICKSLIP_INVALID_ARGUMENT, 'both height and slope given')
     end subroutine rough
 end program stresses

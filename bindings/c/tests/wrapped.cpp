@@ -1,4 +1,4 @@
-// What C++ has of surfaces, stresses, closed forms, spots and jumps, and its exceptions.
+// Surfaces, stresses, closed-form solutions, spots, jumps and exceptions of the C++ interface.
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +37,14 @@ int main() {
     check(ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 50.0).stick_radius < 1e-4, "gross slip");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 60.0); });
 
-    // A layer of the modulus of its body changes nothing, a harder one takes approach.
+    // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {
         const ss::Coated body{steel, {{modulus, 0.3, 0.02}}};
         const ss::HalfSpace coated(grid, body, body);
         return ss::NormalSolver(coated, ss::sphere(grid, 5.0), ss::press_by_force(100.0)).solve().result().approach;
     };
-    check(std::fabs(under(210e3) / pressed.result().approach - 1.0) < 1e-7, "a layer of its base");
-    check(under(420e3) < 0.99 * pressed.result().approach, "a hard layer");
+    check(std::fabs(under(210e3) / pressed.result().approach - 1.0) < 1e-7, "layer with the modulus of its body");
+    check(under(420e3) < 0.99 * pressed.result().approach, "a hard layer reduces the approach");
     fails(STICKSLIP_NOT_POSITIVE, [&] { under(-1.0); });
 
     // The largest shear stress is 0.310 p0, at the depth 0.481 a.
@@ -71,12 +71,12 @@ int main() {
     check(std::fabs(on.shear_stress[2] / half[middle] + 1.0) < 1e-9, "syz");
 
     const ss::Spots one = pressed.spots();
-    check(one.spots.size() == 1 && one.labels[middle] == 1 && one.labels[0] == 0, "a spot");
-    check(one.spots[0].cells == pressed.result().contact_cells, "its cells");
+    check(one.spots.size() == 1 && one.labels[middle] == 1 && one.labels[0] == 0, "one spot");
+    check(one.spots[0].cells == pressed.result().contact_cells, "cells of the spot");
 
     const double area = std::acos(-1.0) * hertz.contact_radius * hertz.contact_radius;
     const ss::Edges found_edges = pressed.edges();
-    check(std::fabs(found_edges.edges.contact_area / area - 1.0) < 0.02, "area by the edge");
+    check(std::fabs(found_edges.edges.contact_area / area - 1.0) < 0.02, "area within the edge");
     check(found_edges.centres[middle] == pressed.pressure()[middle], "pressure away from the edge");
     check(pressed.discretisation_estimate() > 0.0 && pressed.discretisation_estimate() < 0.05, "estimate");
 
@@ -94,22 +94,22 @@ int main() {
     stickslip_jump_limits limits = stickslip_jump_limits_default();
     limits.cycles_left = 7.0;
     limits.max_residual = 2.0;
-    check(cycle.jump(bodies, worn, limits) == 7.0, "all cycles that are left");
+    check(cycle.jump(bodies, worn, limits) == 7.0, "all remaining cycles");
     check(ss::max_stable_cycles(bodies, {1e-6, nullptr, 0}, cycle.field(STICKSLIP_SLIP_DISTANCE)) > 7.0, "stable");
     limits.max_residual = 0.0;
     fails(STICKSLIP_CYCLE_NOT_CLOSED, [&] { cycle.jump(bodies, worn, limits); });
 
-    // A contact of dissimilar bodies is as stiff as a history after the same first step.
+    // A contact of dissimilar bodies has the stiffness of a history after the same first step.
     const ss::HalfSpace dissimilar(grid, steel, {INFINITY, 0.0, 0.0});
     const ss::HalfSpace braced(grid, {210e3, 0.3, 0.0}, {210e3, 0.3, 0.0});
-    check(braced.pair().contact_modulus > 0.0, "bodies in braces are materials");
+    check(braced.pair().contact_modulus > 0.0, "materials from initialiser lists");
     const stickslip_friction law = ss::coulomb(0.3);
     const stickslip_normal_load press = ss::press_by_force(100.0);
     const stickslip_control drag = ss::force(10.0);
     ss::CoupledSolver solver(dissimilar, ss::sphere(grid, 5.0), law, press, ss::tangential(drag));
     const ss::CoupledSolution both = solver.solve();
-    check(both.edges(law).edges.contact_area == both.pressure_edges().edges.contact_area, "edges of both");
-    check(both.discretisation_estimates().second > 0.0, "estimate of the traction");
+    check(both.edges(law).edges.contact_area == both.pressure_edges().edges.contact_area, "edges of a coupled contact");
+    check(both.discretisation_estimates().second > 0.0, "error estimate of the traction");
     const ss::Stiffness found = both.stiffness(dissimilar, law);
     stickslip_history_options whole = stickslip_history_options_default();
     whole.model = STICKSLIP_VECTOR;
@@ -118,24 +118,24 @@ int main() {
     same.step(ss::step(press, drag));
     const ss::Stiffness expected = same.stiffness();
     check(std::fabs(found.normal.value / expected.normal.value - 1.0) < 1e-6, "normal stiffness");
-    check(std::fabs(found.tangential.loading[0][0] / expected.tangential.loading[0][0] - 1.0) < 1e-6, "along x");
-    check(std::fabs(found.normal_by_motion[0] / expected.normal_by_motion[0] - 1.0) < 1e-4, "normal force by shift");
+    check(std::fabs(found.tangential.loading[0][0] / expected.tangential.loading[0][0] - 1.0) < 1e-6, "stiffness along x");
+    check(std::fabs(found.normal_by_motion[0] / expected.normal_by_motion[0] - 1.0) < 1e-4, "change of normal force");
 
-    // Rolling: Carter's force, and a curve of a ball from nothing to sliding.
+    // Rolling: Carter's force, and a creep curve of a ball from zero force to sliding.
     const stickslip_carter carter = ss::carter_cylinder(bodies, 10.0, 100.0, 0.3, 1e-4);
     const double sticks = 1.0 - 1e-4 / carter.sliding_creepage;
     check(std::fabs(carter.force / (30.0 * (1.0 - sticks * sticks)) - 1.0) < 1e-12, "Carter");
     ss::RollingSolver roller(bodies, pressed, law);
     const double linear = roller.stiffness().slopes[0][0];
-    // Between those of Kalker's table for Poisson's ratios of 1/4 and 1/2.
+    // The coefficient lies between the values of Kalker's table for Poisson's ratios of 1/4 and 1/2.
     const double unit = 210e3 / 2.6 * hertz.contact_radius * hertz.contact_radius;
     check(std::fabs(linear / unit / 4.31 - 1.0) < 0.03, "C11");
     const std::vector<ss::CreepForce> curve = roller.creep_forces({{{0.0, 0.0}, 0.0}, {{0.1, 0.0}, 0.0}});
-    check(curve[0].force[0] == 0.0 && std::fabs(curve[1].force[0] / 30.0 - 1.0) < 1e-3, "a creep curve");
+    check(curve[0].force[0] == 0.0 && std::fabs(curve[1].force[0] / 30.0 - 1.0) < 1e-3, "creep curve");
     roller.set_load(ss::rolling(ss::rolling_force(10.0), ss::creepage(1e-4), ss::spin(1e-3)));
     const ss::RollingSolution rolled = roller.solve();
     check(std::fabs(rolled.result().force[0] / 10.0 - 1.0) < 1e-8 && rolled.result().creepage[0] > 10.0 / linear, "force");
-    check(rolled.result().creepage[1] == 1e-4 && rolled.result().spin == 1e-3, "creepage across and spin");
+    check(rolled.result().creepage[1] == 1e-4 && rolled.result().spin == 1e-3, "lateral creepage and spin");
     const std::vector<double> lost = rolled.dissipation();
     check(*std::min_element(lost.begin(), lost.end()) == 0.0 && *std::max_element(lost.begin(), lost.end()) > 0.0, "lost");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { roller.set_load(ss::rolling(ss::rolling_force(31.0))); });
@@ -144,7 +144,7 @@ int main() {
     roller.set_friction(ss::coulomb(0.6));
     check(roller.solve().result().creepage[0] < rolled.result().creepage[0], "less creepage with more friction");
     roller.reset();
-    check(std::fabs(roller.stiffness().slopes[0][0] / linear - 1.0) < 1e-9, "all sticks again");
+    check(std::fabs(roller.stiffness().slopes[0][0] / linear - 1.0) < 1e-9, "full stick after reset");
     const ss::Observe never = [](const ss::Iteration &) { return false; };
     fails(STICKSLIP_NOT_CONVERGED, [&] { roller.stiffness(never); });
     fails(STICKSLIP_NOT_CONVERGED, [&] { roller.creep_forces({{{0.1, 0.0}, 0.0}}, never); });
@@ -154,7 +154,7 @@ int main() {
     check(std::fabs(slight.force[0] / (1e-7 * kalker.c11 * unit) - 1.0) < 1e-3, "Vermeulen and Johnson");
     check(ss::bentall_johnson_cylinder(bodies, 10.0, 100.0, 0.01).creepage == 0.0, "Bentall and Johnson");
 
-    // Step by step.
+    // Stepwise rolling.
     stickslip_history_options in_the_plane = stickslip_history_options_default();
     in_the_plane.model = STICKSLIP_VECTOR;
     ss::History rolls(bodies, ss::sphere(grid, 5.0), law, in_the_plane);
@@ -162,7 +162,7 @@ int main() {
     const ss::LoadStep roll = ss::rolled(ss::step(ss::held_pressure()), 1, 1e-4);
     const double once = rolls.step(roll).force[0];
     const stickslip_step_result twice = rolls.step(roll);
-    check(once > 0.0 && twice.force[0] > once && twice.creepage[0] == 1e-4, "a history that rolls");
+    check(once > 0.0 && twice.force[0] > once && twice.creepage[0] == 1e-4, "history with rolling");
     fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();

@@ -1,4 +1,4 @@
-// Materials, and two bodies on a grid.
+// Materials and pairs of bodies on a grid.
 
 #ifndef STICKSLIP_BODIES_HPP
 #define STICKSLIP_BODIES_HPP
@@ -10,17 +10,17 @@
 
 namespace stickslip {
 
-/// A material of Young's modulus and Poisson's ratio.
+/// Returns a material with the given Young's modulus and Poisson's ratio.
 inline Material elastic(double youngs_modulus, double poisson_ratio) { return {youngs_modulus, poisson_ratio, 0.0}; }
 
-/// A body under layers, the outermost first, at most eight.
+/// Body with layers, from the outermost inwards, eight at most.
 struct Coated {
     Coated(const Material &base, std::vector<Layer> layers) : base(base), layers(std::move(layers)) {}
     Material base;
     std::vector<Layer> layers;
 };
 
-/// Two bodies on a grid.
+/// Two elastic half-spaces on a grid.
 class HalfSpace {
   public:
     HalfSpace(const Grid &grid, const Material &body_1, const Material &body_2, const Boundary *boundary = nullptr)
@@ -34,7 +34,7 @@ class HalfSpace {
                                                      out);
           })) {}
 
-    /// Bodies whose rows are dealt out to ranks: grids and fields are those of the rows of this one.
+    /// Creates half-spaces whose rows are distributed over ranks; grids and fields contain the local rows.
     HalfSpace(const Grid &grid, const Coated &body_1, const Coated &body_2, const stickslip_ranks &ranks,
               const Boundary *boundary = nullptr)
         : own_(detail::made<Own>([&](auto **out) {
@@ -43,12 +43,13 @@ class HalfSpace {
                   body_2.layers.size(), boundary, &ranks, out);
           })) {}
 
-    /// The first row of the whole grid that this rank has.
+    /// Returns the first local row, as a row number of the whole grid.
     std::size_t first_row() const {
         return detail::asked<std::size_t>([&](auto *out) { return stickslip_half_space_first_row(get(), out); });
     }
 
-    /// STICKSLIP_UNIFORM (at first) or STICKSLIP_CENTRE, for what is made of the bodies from now on.
+    /// Sets the meaning of cell values, STICKSLIP_UNIFORM (default) or STICKSLIP_CENTRE, for objects that are created
+    /// afterwards.
     void set_cell_value(std::int32_t value) { check(stickslip_half_space_set_cell_value(get(), value)); }
     std::int32_t cell_value() const {
         return detail::asked<std::int32_t>([&](auto *out) { return stickslip_half_space_cell_value(get(), out); });

@@ -1,4 +1,4 @@
-// Views, errors, observers: what all objects are made with.
+// Views, errors and observers.
 
 #ifndef STICKSLIP_CORE_HPP
 #define STICKSLIP_CORE_HPP
@@ -26,7 +26,7 @@ using Report = stickslip_report;
 using Stiffness = stickslip_stiffness;
 using Iteration = stickslip_iteration;
 
-/// A view of samples, row by row with x fastest; of an array of the caller, or of what an object holds.
+/// View of samples, row by row with x fastest: of an array of the caller, or of a field of an object.
 template <class T> class View {
   public:
     View(const T *data, std::size_t size) : data_(data), size_(size) {}
@@ -46,16 +46,16 @@ template <class T> class View {
 using Field = View<double>;
 using Zones = View<std::uint8_t>;
 
-/// A call that failed.
+/// Failure of a call.
 class Error : public std::runtime_error {
   public:
     Error() : Error(numbers_of_last()) {}
 
-    /// What the C function returned.
+    /// Returns the code of the C function.
     stickslip_status code() const { return numbers_.code; }
-    /// Offending value, limit, index ...
+    /// Returns the numbers of the failure: invalid value, limit, index and others.
     const stickslip_error &numbers() const { return numbers_; }
-    /// The report of a solve that did not converge, else of status STICKSLIP_UNSOLVED.
+    /// Returns the report of a solve that did not converge; for other failures its status is STICKSLIP_UNSOLVED.
     const Report &report() const { return report_; }
 
   private:
@@ -76,24 +76,25 @@ class Error : public std::runtime_error {
     Report report_;
 };
 
-/// Throws unless a call succeeded.
+/// Throws an Error unless the call succeeded.
 inline void check(stickslip_status status) {
     if (status != STICKSLIP_OK) {
         throw Error();
     }
 }
 
-/// Sees every iteration of a solve; false ends it. What it throws leaves the solve.
+/// Observer that receives every iteration of a solve and returns false to end it. An exception of the observer ends the
+/// solve and propagates to the caller.
 using Observe = std::function<bool(const Iteration &)>;
 
-/// Contact spots, and the number of that of every cell: counted from one, zero outside the contact.
+/// Contact spots and, for every cell, the number of its spot: counted from one, zero outside the contact.
 struct Spots {
     std::vector<stickslip_spot> spots;
     std::vector<std::uint32_t> labels;
 };
 
-/// The edges of a contact found inside the cells, and of each cell the pressure of the contact, or the magnitude of its traction:
-/// at the centre, and the mean.
+/// Edges of a contact located inside the cells. For each cell, the value at the centre and the mean of the pressure or of
+/// the magnitude of the traction.
 struct Edges {
     stickslip_edges edges;
     std::vector<double> centres;
@@ -102,28 +103,28 @@ struct Edges {
 
 namespace detail {
 
-/// Frees an object by its C function.
+/// Deleter that frees an object with its C function.
 template <class T, stickslip_status (*Free)(T *)> struct Freer {
     void operator()(T *object) const { Free(object); }
 };
 
 template <class T, stickslip_status (*Free)(T *)> using Owned = std::unique_ptr<T, Freer<T, Free>>;
 
-/// Takes over what a C function makes.
+/// Takes ownership of an object that a C function creates.
 template <class Owner, class Make> Owner made(Make make) {
     typename Owner::pointer object = nullptr;
     check(make(&object));
     return Owner(object);
 }
 
-/// The answer of a C function.
+/// Returns the result of a C function.
 template <class T, class Ask> T asked(Ask ask) {
     T answer{};
     check(ask(&answer));
     return answer;
 }
 
-/// What a C function tells of a field.
+/// Returns a view of the field that a C function returns.
 template <class T, class Ask> View<T> viewed(Ask ask) {
     std::size_t size = 0;
     const T *data = ask(&size);
@@ -141,7 +142,7 @@ template <class Ask> std::vector<stickslip_warning> listed(Ask ask) {
     return warnings;
 }
 
-/// Spots and labels of so many cells, as a C function tells them.
+/// Returns the spots from a C function, with labels for the given number of cells.
 template <class Ask> Spots spotted(std::size_t cells, Ask ask) {
     std::size_t count = 0;
     check(ask(nullptr, 0, &count, nullptr, 0));
@@ -150,14 +151,14 @@ template <class Ask> Spots spotted(std::size_t cells, Ask ask) {
     return found;
 }
 
-/// Edges of so many cells, as a C function tells them.
+/// Returns the edges from a C function, with values for the given number of cells.
 template <class Ask> Edges edged(std::size_t cells, Ask ask) {
     Edges found{{}, std::vector<double>(cells), std::vector<double>(cells)};
     check(ask(&found.edges, found.centres.data(), found.means.data(), cells));
     return found;
 }
 
-/// An observer for C, which lets no exception through: it ends the solve, and is thrown again after it.
+/// Observer for C. An exception must not pass through C: it ends the solve and is rethrown afterwards.
 class Watch {
   public:
     explicit Watch(const Observe &observe) : observe_(observe) {}

@@ -1,4 +1,4 @@
-// Pressure and traction of dissimilar bodies found together.
+// Coupled pressure and traction of dissimilar bodies.
 
 #ifndef STICKSLIP_COUPLED_HPP
 #define STICKSLIP_COUPLED_HPP
@@ -11,10 +11,10 @@
 
 namespace stickslip {
 
-/// A solved contact of dissimilar bodies.
+/// Solution of a coupled contact of dissimilar bodies.
 class CoupledSolution {
   public:
-    /// STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
+    /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
     Field field(std::int32_t which) const {
         return detail::viewed<double>(
             [&](std::size_t *size) { return stickslip_coupled_solution_field(get(), which, size); });
@@ -40,25 +40,26 @@ class CoupledSolution {
             return stickslip_coupled_solution_warnings(get(), to, capacity, count);
         });
     }
-    /// With the friction it was solved for.
+    /// Returns the stiffness; bodies and friction must be those of the solve.
     Stiffness stiffness(const HalfSpace &bodies, const stickslip_friction &friction) const {
         return detail::asked<Stiffness>([&](auto *out) {
             return stickslip_coupled_solution_stiffness(get(), bodies.get(), &friction, out);
         });
     }
-    /// With the magnitude of the traction, and the friction it was solved for.
+    /// Returns the edges with the magnitude of the traction; the friction must be that of the solve.
     Edges edges(const stickslip_friction &friction) const {
         return detail::edged(zones().size(), [&](auto... to) {
             return stickslip_coupled_solution_edges(get(), &friction, to...);
         });
     }
-    /// The edge of the contact alone, with the pressure.
+    /// Returns the edge of the contact with the pressure.
     Edges pressure_edges() const {
         return detail::edged(zones().size(), [&](auto... to) {
             return stickslip_coupled_solution_pressure_edges(get(), to...);
         });
     }
-    /// Of pressure and traction; NaN of what there is not.
+    /// Returns the estimates of the discretisation errors of pressure and traction; NaN without contact or without
+    /// traction.
     std::pair<double, double> discretisation_estimates() const {
         std::pair<double, double> found;
         check(stickslip_coupled_solution_discretisation_estimates(get(), &found.first, &found.second));
@@ -73,7 +74,7 @@ class CoupledSolution {
     Own own_;
 };
 
-/// Solves contacts of dissimilar bodies, pressure and traction together.
+/// Solver for contacts of dissimilar bodies with coupled pressure and traction.
 class CoupledSolver {
   public:
     CoupledSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction, stickslip_normal_load normal,

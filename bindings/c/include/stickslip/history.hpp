@@ -1,4 +1,4 @@
-// Histories: steps with memory of slip, and states to return to.
+// Load histories: steps with memory of slip, and saved states.
 
 #ifndef STICKSLIP_HISTORY_HPP
 #define STICKSLIP_HISTORY_HPP
@@ -14,7 +14,7 @@ namespace stickslip {
 
 class History;
 
-/// A state that a history may return to.
+/// Saved state of a history; a history can return to it.
 class State {
   public:
     explicit State(const History &history);
@@ -26,7 +26,7 @@ class State {
     Own own_;
 };
 
-/// A contact that is loaded step by step.
+/// Contact that is loaded step by step, with memory of slip.
 class History {
   public:
     History(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
@@ -51,15 +51,15 @@ class History {
         return History(detail::made<Own>([&](auto **out) { return stickslip_history_clone(get(), out); }));
     }
 
-    /// Takes a step, and returns what it came to.
+    /// Takes a step and returns its results.
     stickslip_step_result step(const LoadStep &load, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_history_step(get(), &load, observer);
         });
         return result();
     }
-    /// Takes a load in as many steps as a tolerance needs, and returns their number. A contact of dissimilar bodies must be
-    /// pressed so.
+    /// Applies a load in as many steps as a tolerance requires, and returns their number. Contacts of dissimilar bodies
+    /// must be pressed with this function.
     std::size_t press(const LoadStep &load, double tolerance, const Observe &observe = nullptr) {
         std::size_t taken = 0;
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -85,15 +85,15 @@ class History {
     Stiffness stiffness() const {
         return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_stiffness(get(), out); });
     }
-    /// The stiffness of a next step that starts from the present state: cells that stick resist fully, also those that came
-    /// into contact in the last step, and cells at their limit continue to slip.
+    /// Returns the stiffness of a next step from the current state: stick cells resist fully, including those that came
+    /// into contact in the last step, and cells at their friction limit continue to slip.
     Stiffness next_stiffness() const {
         return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_next_stiffness(get(), nullptr, out); });
     }
     double friction_capacity() const {
         return detail::asked<double>([&](double *out) { return stickslip_history_friction_capacity(get(), out); });
     }
-    /// Those of pressure and traction.
+    /// Returns the reports of pressure and traction.
     std::pair<Report, Report> reports() const {
         std::pair<Report, Report> both{};
         check(stickslip_history_reports(get(), &both.first, &both.second));
@@ -104,7 +104,7 @@ class History {
             return stickslip_history_warnings(get(), to, capacity, count);
         });
     }
-    /// STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH.
+    /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements.
     Field field(std::int32_t which) const {
         return detail::viewed<double>([&](std::size_t *size) { return stickslip_history_field(get(), which, size); });
     }
@@ -115,20 +115,21 @@ class History {
         return detail::viewed<std::uint8_t>([&](std::size_t *size) { return stickslip_history_zones(get(), size); });
     }
 
-    /// Those after the last step, with the part of each that sticks.
+    /// Returns the contact spots after the last step, with the stick ratio of each.
     Spots spots() const {
         return detail::spotted(pressure().size(), [&](auto... to) { return stickslip_history_spots(get(), to...); });
     }
 
-    /// Adds to depth what the energy law removes in the last step.
+    /// Adds to depth the depth that the energy law removes in the last step.
     void wear_energy(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
         check(stickslip_wear_energy(get(), &coefficient, depth.data(), depth.size()));
     }
-    /// Adds to depth what Archard's law removes in the last step.
+    /// Adds to depth the depth that Archard's law removes in the last step.
     void wear_archard(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
         check(stickslip_wear_archard(get(), &coefficient, depth.data(), depth.size()));
     }
-    /// Adds to depth what the energy law removes beyond a threshold of the energy dissipated per area.
+    /// Adds to depth the depth that the energy law with a threshold of the dissipated energy per area removes in the last
+    /// step.
     void wear_threshold_energy(const stickslip_per_cell &coefficient, double threshold, std::vector<double> &depth) const {
         check(stickslip_wear_threshold_energy(get(), &coefficient, threshold, depth.data(), depth.size()));
     }

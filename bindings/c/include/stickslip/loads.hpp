@@ -22,18 +22,18 @@ inline stickslip_control force(double value) { return {STICKSLIP_FORCE, value, 0
 inline stickslip_control shift(double value) { return {STICKSLIP_SHIFT, value, 0.0}; }
 inline stickslip_control spring(double position, double stiffness) { return {STICKSLIP_SPRING, position, stiffness}; }
 
-/// A tangential load from rest.
+/// Returns a tangential load from rest.
 inline stickslip_tangential_load tangential(stickslip_control x, stickslip_control y = held(), double twist = 0.0) {
     return {x, y, twist, {}};
 }
 
-/// A step of a history that holds what it does not name.
+/// Returns a step of a history; quantities that it does not prescribe are held.
 inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
     return {normal, x, y, 0, 0.0, 0, 0.0, {}, {}};
 }
 
-/// The same step, in which the bodies roll by so many cells with creepages, from the leading edge at the largest x or
-/// another. Along an axis of which it names a force the creepage follows, and is zero here.
+/// Returns the step with rolling by a number of cells and with creepages; the leading edge is at the largest x by default.
+/// Along an axis with a prescribed force, the creepage is a result and must be zero here.
 inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0.0, double creepage_y = 0.0,
                        double spin = 0.0, std::int32_t leading_edge = STICKSLIP_PLUS_X) {
     step.roll = {cells, leading_edge, {creepage_x, creepage_y}, spin};

@@ -11,7 +11,7 @@
 
 namespace stickslip {
 
-/// A solved normal contact.
+/// Solution of a normal contact.
 class NormalSolution {
   public:
     Field pressure() const { return field(STICKSLIP_PRESSURE); }
@@ -35,11 +35,11 @@ class NormalSolution {
     Spots spots() const {
         return detail::spotted(pressure().size(), [&](auto... to) { return stickslip_normal_solution_spots(get(), to...); });
     }
-    /// With the pressure.
+    /// Returns the edge of the contact with the pressure.
     Edges edges() const {
         return detail::edged(pressure().size(), [&](auto... to) { return stickslip_normal_solution_edges(get(), to...); });
     }
-    /// NaN without contact.
+    /// Returns the estimate of the discretisation error; NaN without contact.
     double discretisation_estimate() const {
         return detail::asked<double>(
             [&](auto *out) { return stickslip_normal_solution_discretisation_estimate(get(), out); });
@@ -59,7 +59,7 @@ class NormalSolution {
     Own own_;
 };
 
-/// Solves normal contacts again and again.
+/// Solver for repeated normal contacts.
 class NormalSolver {
   public:
     NormalSolver(const HalfSpace &bodies, Field gap, stickslip_normal_load load, const Settings *settings = nullptr,

@@ -1,4 +1,4 @@
-// Many histories at once, loads in short steps, and cycles.
+// Batches of histories, adaptive load steps, and cycles.
 
 #ifndef STICKSLIP_PATHS_HPP
 #define STICKSLIP_PATHS_HPP
@@ -10,7 +10,7 @@
 
 namespace stickslip {
 
-/// Takes a step of each of many histories, and returns the code of each; those that failed are as they were.
+/// Takes a step of each of many histories and returns the code of each; histories whose step failed are unchanged.
 inline std::vector<stickslip_status> step_all(const std::vector<History *> &histories,
                                               const std::vector<LoadStep> &loads) {
     if (histories.size() != loads.size()) {
@@ -28,14 +28,14 @@ inline std::vector<stickslip_status> step_all(const std::vector<History *> &hist
     return codes;
 }
 
-/// Takes loads in steps short enough for a tolerance.
+/// Applies loads in steps that are short enough for a tolerance.
 class AdaptiveSteps {
   public:
     AdaptiveSteps(const History &history, double tolerance)
         : own_(detail::made<Own>(
               [&](auto **out) { return stickslip_adaptive_steps_new(history.get(), tolerance, out); })) {}
 
-    /// Takes a load, and returns in how many steps.
+    /// Applies a load and returns the number of steps.
     std::size_t step(History &history, const LoadStep &load) {
         return detail::asked<std::size_t>(
             [&](auto *out) { return stickslip_adaptive_steps_step(own_.get(), history.get(), &load, out); });
@@ -50,7 +50,7 @@ class AdaptiveSteps {
     Own own_;
 };
 
-/// What the steps of a history add up to.
+/// Sums over the steps of a history.
 class Cycle {
   public:
     explicit Cycle(const History &history)
@@ -66,7 +66,8 @@ class Cycle {
         return detail::viewed<double>(
             [&](std::size_t *size) { return stickslip_cycle_field(own_.get(), which, size); });
     }
-    /// How many cycles like this one may be jumped over, not rounded, where it removed this depth.
+    /// Returns the number of cycles like this one that a jump may skip, not rounded; depth is the depth that the cycle
+    /// removed.
     double jump(const HalfSpace &bodies, Field depth,
                 const stickslip_jump_limits &limits = stickslip_jump_limits_default()) const {
         return detail::asked<double>([&](double *out) {
@@ -79,7 +80,7 @@ class Cycle {
     Own own_;
 };
 
-/// Cycles of wear that may be taken off at once without the pressure swinging up.
+/// Returns the number of cycles whose wear may be removed in one step without growing oscillations of the pressure.
 inline double max_stable_cycles(const HalfSpace &bodies, const stickslip_per_cell &coefficient, Field slip_distance) {
     return detail::asked<double>([&](double *out) {
         return stickslip_max_stable_cycles(bodies.get(), &coefficient, slip_distance.data(), slip_distance.size(), out);

@@ -19,25 +19,25 @@ inline RollingControl rolling_force(double value) { return {STICKSLIP_FORCE, val
 inline RollingControl spin(double value) { return {STICKSLIP_SPIN, value}; }
 inline RollingControl moment(double value) { return {STICKSLIP_MOMENT, value}; }
 
-/// What is prescribed of rolling bodies: along x and y a creepage or a force, and a spin or a moment.
+/// Returns a load of rolling bodies: a creepage or a force along x and y, and a spin or a moment.
 inline stickslip_rolling_load rolling(RollingControl x, RollingControl y = creepage(0.0),
                                       RollingControl about = spin(0.0)) {
     return {x, y, about, {}};
 }
 
-/// A solved rolling contact.
+/// Solution of a rolling contact.
 class RollingSolution {
   public:
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
     Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
-    /// For each length rolled.
+    /// Returns the slip along x for each length rolled.
     Field slip_x() const { return field(STICKSLIP_SLIP_X); }
     Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
     Zones zones() const {
         return detail::viewed<std::uint8_t>(
             [&](std::size_t *size) { return stickslip_rolling_solution_zones(get(), size); });
     }
-    /// Energy dissipated in each cell for each length rolled.
+    /// Returns the energy dissipated in each cell for each length rolled.
     std::vector<double> dissipation() const {
         std::vector<double> values(traction_x().size());
         check(stickslip_rolling_solution_dissipation(get(), values.data(), values.size()));
@@ -70,7 +70,7 @@ class RollingSolution {
     Own own_;
 };
 
-/// Solves steady rolling for one creepage, force or spin after the other.
+/// Solver for steady rolling with a sequence of creepages, forces or spins.
 class RollingSolver {
   public:
     RollingSolver(const HalfSpace &bodies, const NormalSolution &normal, const stickslip_friction &friction,
@@ -82,15 +82,15 @@ class RollingSolver {
     void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
     void set_friction(const stickslip_friction &friction) { check(stickslip_rolling_solver_set_friction(get(), &friction)); }
     void set_pressure(const NormalSolution &normal) { check(stickslip_rolling_solver_set_normal(get(), normal.get())); }
-    /// Without the entry rule only.
+    /// Sets the pressure of the next solve; requires STICKSLIP_WHOLE_STEP.
     void set_pressure(Field pressure) {
         check(stickslip_rolling_solver_set_pressure(get(), pressure.data(), pressure.size()));
     }
-    /// Copies the solver that finds the pressure of a new normal load.
+    /// Copies the solver that computes the pressure of a new normal load.
     void set_normal_solver(const NormalSolver &normal) {
         check(stickslip_rolling_solver_set_normal_solver(get(), normal.get()));
     }
-    /// Solves for the pressure of a normal load; needs a normal solver.
+    /// Solves for the pressure of a normal load; requires a normal solver.
     void set_normal_load(const stickslip_normal_load &load) {
         check(stickslip_rolling_solver_set_normal_load(get(), &load));
     }
@@ -115,7 +115,7 @@ class RollingSolver {
             return stickslip_rolling_solver_solve(get(), solution.get(), observer);
         });
     }
-    /// About the last answer.
+    /// Returns the derivatives of the loads at the last solution.
     stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
         stickslip_rolling_stiffness found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -123,7 +123,8 @@ class RollingSolver {
         });
         return found;
     }
-    /// A creep curve or a creep surface; the last point stays prescribed.
+    /// Returns the loads at the points of a creep curve or a creep surface; afterwards the last point is the prescribed
+    /// load.
     std::vector<CreepForce> creep_forces(const std::vector<CreepPoint> &points, const Observe &observe = nullptr) {
         std::vector<CreepForce> forces(points.size());
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -139,15 +140,15 @@ class RollingSolver {
     Own own_;
 };
 
-/// A solved rolling contact of dissimilar bodies, with pressure and traction coupled both ways.
+/// Solution of a rolling contact of dissimilar bodies with full coupling of pressure and traction.
 class CoupledRollingSolution {
   public:
     Field pressure() const { return field(STICKSLIP_PRESSURE); }
-    /// Under load, with the lift by the tractions.
+    /// Returns the gap under load, including the lift due to the tractions.
     Field gap() const { return field(STICKSLIP_GAP); }
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
     Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
-    /// For each length rolled.
+    /// Returns the slip along x for each length rolled.
     Field slip_x() const { return field(STICKSLIP_SLIP_X); }
     Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
     Zones zones() const {
@@ -181,7 +182,7 @@ class CoupledRollingSolution {
     Own own_;
 };
 
-/// Solves coupled steady rolling for one load after the other, each from the last answer.
+/// Solver for coupled steady rolling under a sequence of loads. Each solve starts from the last solution.
 class CoupledRollingSolver {
   public:
     CoupledRollingSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
@@ -217,7 +218,7 @@ class CoupledRollingSolver {
             return stickslip_coupled_rolling_solver_solve(get(), solution.get(), observer);
         });
     }
-    /// About the last answer, with the pressure that follows the tractions.
+    /// Returns the derivatives of the loads at the last solution, including the change of the pressure with the tractions.
     stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
         stickslip_rolling_stiffness found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -232,7 +233,7 @@ class CoupledRollingSolver {
     Own own_;
 };
 
-/// Carter's contact of a cylinder under a force per length, with a creepage.
+/// Returns the Carter contact of a cylinder under a force per length, with a creepage.
 inline stickslip_carter carter_cylinder(const HalfSpace &bodies, double radius, double force, double friction,
                                         double creepage) {
     return detail::asked<stickslip_carter>([&](auto *out) {
@@ -240,7 +241,7 @@ inline stickslip_carter carter_cylinder(const HalfSpace &bodies, double radius, 
     });
 }
 
-/// Bentall and Johnson's contact of a cylinder of another material that rolls freely under a force per length.
+/// Returns the Bentall-Johnson contact of a freely rolling cylinder of a different material under a force per length.
 inline stickslip_bentall_johnson bentall_johnson_cylinder(const HalfSpace &bodies, double radius, double force,
                                                           double friction) {
     return detail::asked<stickslip_bentall_johnson>([&](auto *out) {
@@ -248,13 +249,13 @@ inline stickslip_bentall_johnson bentall_johnson_cylinder(const HalfSpace &bodie
     });
 }
 
-/// Kalker's coefficients of a contact of this ratio of its semi-axes, along the rolling direction and across it.
+/// Returns Kalker's coefficients of a contact with a given ratio of the semi-axes along and across the rolling direction.
 inline stickslip_kalker kalker_coefficients(double ratio, double poisson_ratio) {
     return detail::asked<stickslip_kalker>(
         [&](auto *out) { return stickslip_kalker_coefficients(ratio, poisson_ratio, out); });
 }
 
-/// Vermeulen and Johnson's contact of a body with two radii of curvature under a force, with creepages.
+/// Returns the Vermeulen-Johnson contact of a body with two radii of curvature under a normal force, with creepages.
 inline stickslip_vermeulen_johnson vermeulen_johnson_ellipse(const HalfSpace &bodies, double radius_x, double radius_y,
                                                              double force, double friction, double creepage_x,
                                                              double creepage_y) {

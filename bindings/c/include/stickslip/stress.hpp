@@ -1,4 +1,4 @@
-// Stress and displacement below the surface, and closed forms.
+// Stress and displacement below the surface, and closed-form solutions.
 
 #ifndef STICKSLIP_STRESS_HPP
 #define STICKSLIP_STRESS_HPP
@@ -16,10 +16,10 @@ using Tractions = stickslip_tractions;
 using Point = stickslip_point;
 using Response = stickslip_response;
 
-/// A pressure without shear; the samples are not copied.
+/// Returns tractions without shear; the samples are not copied.
 inline Tractions tractions(Field pressure) { return {pressure.data(), nullptr, nullptr, pressure.size()}; }
 
-/// A pressure with tractions along x and y; the samples are not copied.
+/// Returns a pressure with tractions along x and y; the samples are not copied.
 inline Tractions tractions(Field pressure, Field x, Field y) {
     if (x.size() != pressure.size() || y.size() != pressure.size()) {
         throw std::invalid_argument("pressure and tractions have different lengths");
@@ -27,7 +27,7 @@ inline Tractions tractions(Field pressure, Field x, Field y) {
     return {pressure.data(), x.data(), y.data(), pressure.size()};
 }
 
-/// Displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points.
+/// Returns displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points.
 inline std::vector<Response> stress_at(const HalfSpace &bodies, std::int32_t body, const Tractions &tractions,
                                        const std::vector<Point> &points) {
     std::vector<Response> responses(points.size());
@@ -35,7 +35,7 @@ inline std::vector<Response> stress_at(const HalfSpace &bodies, std::int32_t bod
     return responses;
 }
 
-/// Planes at chosen depths below each body. Its fields are those of the plane solved last.
+/// Planes at chosen depths below each body. The fields are those of the last solved plane.
 class Planes {
   public:
     Planes(const HalfSpace &bodies, const std::vector<double> &depths, bool with_displacements = false)
@@ -46,12 +46,12 @@ class Planes {
     void solve(std::size_t index, std::int32_t body, const Tractions &tractions) {
         check(stickslip_planes_solve(own_.get(), index, body, &tractions));
     }
-    /// STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ, or STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z.
+    /// Returns a field, STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z.
     Field field(std::int32_t which) const {
         return detail::viewed<double>(
             [&](std::size_t *size) { return stickslip_planes_field(own_.get(), which, size); });
     }
-    /// STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
+    /// Returns STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell.
     std::vector<double> measure(std::int32_t which) const {
         std::vector<double> values(field(STICKSLIP_STRESS_XX).size());
         check(stickslip_planes_measure(own_.get(), which, values.data(), values.size()));
@@ -63,13 +63,13 @@ class Planes {
     Own own_;
 };
 
-/// Hertz' contact of a sphere under a normal force.
+/// Returns the Hertz contact of a sphere under a normal force.
 inline stickslip_hertz hertz_sphere(const HalfSpace &bodies, double radius, double force) {
     return detail::asked<stickslip_hertz>(
         [&](auto *out) { return stickslip_hertz_sphere(bodies.get(), radius, force, out); });
 }
 
-/// Cattaneo and Mindlin's contact of a sphere under a normal and a tangential force.
+/// Returns the Cattaneo-Mindlin contact of a sphere under a normal and a tangential force.
 inline stickslip_cattaneo_mindlin cattaneo_mindlin_sphere(const HalfSpace &bodies, double radius, double force,
                                                           double friction, double tangential_force) {
     return detail::asked<stickslip_cattaneo_mindlin>([&](auto *out) {

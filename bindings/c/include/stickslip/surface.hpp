@@ -9,7 +9,7 @@
 
 namespace stickslip {
 
-/// The gap between a sphere and a plane.
+/// Returns the gap between a sphere and a plane.
 inline std::vector<double> sphere(const Grid &grid, double radius) {
     std::vector<double> gap(grid.nx * grid.ny);
     check(stickslip_surface_sphere(&grid, radius, gap.data(), gap.size()));
@@ -19,14 +19,14 @@ inline std::vector<double> sphere(const Grid &grid, double radius) {
 using SelfAffine = stickslip_self_affine;
 using Statistics = stickslip_statistics;
 
-/// The heights of a random surface; its gap to a plane is any constant less the height.
+/// Returns the heights of a random surface; its gap to a plane is a constant minus the height.
 inline std::vector<double> self_affine(const Grid &grid, const SelfAffine &surface) {
     std::vector<double> heights(grid.nx * grid.ny);
     check(stickslip_surface_self_affine(&grid, &surface, heights.data(), heights.size()));
     return heights;
 }
 
-/// Statistics of heights.
+/// Returns the statistics of heights.
 inline Statistics statistics(const Grid &grid, Field heights) {
     return detail::asked<Statistics>(
         [&](auto *out) { return stickslip_surface_statistics(&grid, heights.data(), heights.size(), out); });

@@ -1,4 +1,4 @@
-// Tangential contact under a pressure that is given.
+// Tangential contact under a given pressure.
 
 #ifndef STICKSLIP_TANGENTIAL_HPP
 #define STICKSLIP_TANGENTIAL_HPP
@@ -10,7 +10,7 @@
 
 namespace stickslip {
 
-/// A solved tangential contact.
+/// Solution of a tangential contact.
 class TangentialSolution {
   public:
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
@@ -37,19 +37,19 @@ class TangentialSolution {
         return detail::asked<stickslip_tangential_stiffness>(
             [&](auto *out) { return stickslip_tangential_solution_stiffness(get(), bodies.get(), out); });
     }
-    /// Those under this pressure, with the part of each that sticks.
+    /// Returns the contact spots under the pressure of a normal contact, with the stick ratio of each.
     Spots spots(const NormalSolution &normal) const {
         return detail::spotted(traction_x().size(), [&](auto... to) {
             return stickslip_tangential_solution_spots(get(), normal.get(), to...);
         });
     }
-    /// With the magnitude of the traction, under the pressure and the friction of the problem.
+    /// Returns the edges with the magnitude of the traction; pressure and friction must be those of the problem.
     Edges edges(const NormalSolution &normal, const stickslip_friction &friction) const {
         return detail::edged(traction_x().size(), [&](auto... to) {
             return stickslip_tangential_solution_edges(get(), normal.get(), &friction, to...);
         });
     }
-    /// NaN without traction.
+    /// Returns the estimate of the discretisation error; NaN without traction.
     double discretisation_estimate() const {
         return detail::asked<double>(
             [&](auto *out) { return stickslip_tangential_solution_discretisation_estimate(get(), out); });
@@ -69,7 +69,7 @@ class TangentialSolution {
     Own own_;
 };
 
-/// Solves tangential contacts again and again.
+/// Solver for repeated tangential contacts.
 class TangentialSolver {
   public:
     TangentialSolver(const HalfSpace &bodies, const NormalSolution &normal, const stickslip_friction &friction,

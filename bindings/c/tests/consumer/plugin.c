@@ -1,8 +1,8 @@
-/* A shared library that has libstickslip.a within. */
+/* Shared library with libstickslip.a inside. */
 
 #include <stickslip.h>
 
-/* The contact modulus of two equal bodies; 0 for none. */
+/* Returns the contact modulus of two bodies of the same material; 0 for an invalid material. */
 double plugin_modulus(double youngs_modulus, double poisson_ratio);
 
 double plugin_modulus(double youngs_modulus, double poisson_ratio) {

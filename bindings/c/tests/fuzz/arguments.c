@@ -1,4 +1,4 @@
-/* Random arguments: mostly of use, sometimes what no argument should be. */
+/* Random arguments: mostly useful values, sometimes invalid ones. */
 
 #include <math.h>
 

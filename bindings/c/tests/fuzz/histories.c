@@ -1,4 +1,4 @@
-/* Calls on histories, and on what is made from them. */
+/* Calls on histories and on objects created from them. */
 
 #include <math.h>
 
@@ -83,7 +83,7 @@ void change_history(struct run *run) {
         stickslip_status *asked = maybe_out(run, codes);
         stickslip_status status = stickslip_history_step_all(maybe_out(run, all), maybe(run, loads), 3, asked);
         SEEN(status);
-        /* Of a batch that fails in part the others have taken their step. */
+        /* If a batch fails in part, the other histories have taken their step. */
         for (int i = 0; i < 3 && status == STICKSLIP_SOME_FAILED; i++) {
             slots[i]->may_change |= asked != codes || codes[i] == STICKSLIP_OK;
         }

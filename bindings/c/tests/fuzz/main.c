@@ -1,8 +1,9 @@
-/* Random calls of every function: NULL and misaligned pointers, wrong lengths, NaN and infinities, constants that do not exist,
- * objects of other grids, several threads at the same objects. Every call must return a code; none may crash, leak, or
- * be STICKSLIP_PANIC; what fails has a message, and leaves the objects that it was given as they were, as far as can be read:
- * fields of solutions, cycles and planes, histories as bytes, the friction capacity of tangential solvers.
- * fuzz [calls, default 20000] [threads, default 3] [seed, default 1] */
+/* Random calls of every function: NULL and misaligned pointers, wrong lengths, NaN and infinities, invalid constants,
+ * objects of different grids, several threads that use the same objects. Every call must return a code; no call may crash,
+ * leak, or return STICKSLIP_PANIC. A failed call has a message and leaves its objects unchanged. The test compares all
+ * readable contents: fields of solutions, cycles and planes, histories as bytes, the friction capacity of tangential
+ * solvers.
+ *   fuzz [calls, default 20000] [threads, default 3] [seed, default 1] */
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -13,7 +14,7 @@
 
 #include "run.h"
 
-/* A refused allocation is a code of its own. */
+/* A failed allocation must return its code and not end the process. */
 const char *__asan_default_options(void);
 const char *__asan_default_options(void) { return "allocator_may_return_null=1"; }
 
@@ -95,7 +96,7 @@ int main(int argc, char **argv) {
     struct run *runs = calloc(threads + 1, sizeof *runs), *first = &runs[threads];
     struct world empty;
     memset(&empty, 0, sizeof empty);
-    /* What threads share is made by one, and freed at the end. */
+    /* The first thread creates the shared objects, which are freed at the end. */
     first->shared = &empty;
     first->state = seed;
     while (first->calls < 1500) {

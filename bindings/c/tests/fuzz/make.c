@@ -1,4 +1,4 @@
-/* Calls that make objects. */
+/* Calls that create objects. */
 
 #include <math.h>
 
@@ -25,7 +25,7 @@ void make_bodies(struct run *run) {
     put(run, BODIES, bodies, grid.nx * grid.ny);
 }
 
-/* Makes or reads one object that a half-space is needed for. */
+/* Creates or reads an object that requires a half-space. */
 void make(struct run *run) {
     struct slot *bodies = pick(run, BODIES), *pressed = pick(run, PRESSED), *history = pick(run, HISTORY);
     size_t cells = bodies->cells == 0 ? 4 : bodies->cells, count = cells, mu_count = cells;

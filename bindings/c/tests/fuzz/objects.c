@@ -1,4 +1,4 @@
-/* Objects in their slots, and whether a call that fails leaves them as they were. */
+/* Objects in their slots, and the check that failed calls leave them unchanged. */
 
 #include <stdio.h>
 #include <string.h>
@@ -64,7 +64,7 @@ void put(struct run *run, enum kind kind, void *object, size_t cells) {
     *slot = (struct slot){object, cells, hash_of(kind, object), false, false};
 }
 
-/* FNV-1a, by words; of nothing it is this. */
+/* FNV-1a hash by words; this is the hash of an empty input. */
 #define NOTHING 0xcbf29ce484222325u
 
 static uint64_t mixed(uint64_t hash, const void *data, size_t bytes) {
@@ -109,7 +109,7 @@ uint64_t hash_of(enum kind kind, const void *object) {
     return hash;
 }
 
-/* Cancelled solves leave their last iterate in the solution, by the header. */
+/* The header permits cancelled solves to leave their last iterate in the solution. */
 static bool is_kept(const struct run *run, enum kind kind, const struct slot *slot) {
     bool is_solution = kind == PRESSED || kind == SHEARED || kind == BOTH || kind == ROLLED;
     return run->failed != STICKSLIP_OK && !slot->may_change &&
@@ -125,7 +125,7 @@ void compare(struct run *run) {
                 if (is_kept(run, (enum kind)kind, slot)) {
                     run->compared += slot->hash != NOTHING;
                     if (hash != slot->hash) {
-                        broken(run, kind, "a call that failed has changed an object of this kind");
+                        broken(run, kind, "a failed call has changed an object of this kind");
                     }
                 }
                 slot->hash = hash;

@@ -2,7 +2,7 @@
 
 #include "run.h"
 
-/* A field or zones: read to the end if nobody else can change them. */
+/* Reads a field or zones, to the end if no other thread can change them. */
 void field(struct run *run) {
     int32_t which = option(run, 27);
     size_t count = 0;
@@ -52,7 +52,7 @@ void field(struct run *run) {
     }
     for (size_t i = 0; zones != NULL && samples != NULL && i < count; i++) {
         if (zones[i] > STICKSLIP_SLIP) {
-            broken(run, __LINE__, "a number that is no zone");
+            broken(run, __LINE__, "a value that is not a zone");
         }
     }
 }

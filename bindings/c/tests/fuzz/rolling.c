@@ -1,4 +1,4 @@
-/* Steady rolling: all its calls. */
+/* All calls for steady rolling. */
 
 #include "run.h"
 

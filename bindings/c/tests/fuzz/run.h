@@ -1,4 +1,4 @@
-/* What random calls need: objects in slots, random arguments, and what was seen of the codes. */
+/* Common parts of the random calls: objects in slots, random arguments, and counts of the returned codes. */
 
 #ifndef RUN_H
 #define RUN_H
@@ -15,15 +15,15 @@ enum kind {
 };
 #define SLOTS 3
 #define CODES 128
-/* More than the cells of any grid here. */
+/* Larger than the number of cells of any grid in this test. */
 #define LARGE 16384
 
 struct slot {
     void *object;
     size_t cells;
-    /* Of what can be read of the object; used where no other thread has it. */
+    /* Hash of the readable contents of the object; used only if no other thread has the object. */
     uint64_t hash;
-    /* The call under way may have been given the object, or may change it although it fails. */
+    /* Whether the current call may use the object, and whether it may change the object although it fails. */
     bool is_given, may_change;
 };
 
@@ -36,7 +36,7 @@ struct run {
     uint64_t state;
     size_t calls, broken, compared;
     size_t codes[CODES];
-    /* Of the call under way. */
+    /* Code of the current call if it failed. */
     stickslip_status failed;
 };
 
@@ -44,13 +44,13 @@ uint64_t next(struct run *run);
 size_t below(struct run *run, size_t count);
 bool rarely(struct run *run);
 double unit(struct run *run);
-/* Mostly near scale, sometimes what no number should be. */
+/* Returns a number mostly near scale, sometimes an invalid one. */
 double number(struct run *run, double scale);
 int32_t option(struct run *run, int32_t count);
-/* A pointer as it is; sometimes NULL or misaligned. */
+/* Returns a pointer unchanged, or sometimes a NULL or misaligned pointer. */
 const void *maybe(struct run *run, const void *pointer);
 void *maybe_out(struct run *run, void *pointer);
-/* An array of so many numbers, or of another length, which count then has. */
+/* Returns an array of count numbers, or sometimes of a different length, and then changes count. */
 double *array(struct run *run, size_t *count, double scale);
 
 stickslip_settings settings(struct run *run);
@@ -58,30 +58,30 @@ stickslip_friction friction(struct run *run, double *cells, size_t count);
 stickslip_normal_load normal_load(struct run *run);
 stickslip_tangential_load tangential_load(struct run *run);
 stickslip_load_step load_step(struct run *run);
-/* Ends the solve after some iterations. */
+/* Ends the solve after a few iterations. */
 int32_t watch(const stickslip_iteration *iteration, void *user);
 
-/* A broken promise. */
+/* Reports a violated guarantee. */
 void broken(struct run *run, int line, const char *what);
-/* Notes what a call returned. */
+/* Records the code of a call. */
 void seen(struct run *run, stickslip_status status, int line);
 #define SEEN(call) seen(run, (call), __LINE__)
 
-/* A slot of one's own or, sometimes, of those that all threads share. */
+/* Picks a slot of this thread or, sometimes, a slot that all threads share. */
 struct slot *pick(struct run *run, enum kind kind);
 #define GET(type, slot) ((type *)maybe_out(run, (slot)->object))
-/* Puts a new object in a slot, and frees the one that was there. */
+/* Puts a new object in a slot and frees the previous object. */
 void put(struct run *run, enum kind kind, void *object, size_t cells);
 stickslip_status release(enum kind kind, void *object);
 
-/* Compares what can be read of the objects that the last call was given with what it was before, if the call failed. */
+/* If the last call failed, compares the readable contents of its objects with their previous contents. */
 void compare(struct run *run);
-/* A number for what can be read of an object. */
+/* Returns a hash of the readable contents of an object. */
 uint64_t hash_of(enum kind kind, const void *object);
-/* A history as bytes; NULL if it has none to give. */
+/* Returns a history as bytes; NULL on failure. */
 uint8_t *bytes_of(struct run *run, const stickslip_history *history, size_t *length);
 
-/* The calls, by what they are for. */
+/* Groups of calls. */
 void make_bodies(struct run *run);
 void make(struct run *run);
 void change_solver(struct run *run);

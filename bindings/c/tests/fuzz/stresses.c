@@ -1,4 +1,4 @@
-/* Calls below the surface, on rough surfaces, and of closed forms. */
+/* Calls for stresses below the surface, rough surfaces and closed-form solutions. */
 
 #include <math.h>
 
@@ -6,7 +6,7 @@
 
 #define POINTS 3
 
-/* One of count constants from first, or rarely none. */
+/* Returns one of count constants, starting at first, or rarely an invalid constant. */
 static int32_t constant(struct run *run, int32_t first, int32_t count) {
     int32_t chosen = option(run, count);
     return chosen > INT32_MAX - first ? chosen : first + chosen;
@@ -50,7 +50,7 @@ void below_the_surface(struct run *run) {
     free(pressure), free(depths);
 }
 
-/* Zero and NaN are defaults. */
+/* Returns zero or NaN, which select the default, or a random value. */
 static double left_out(struct run *run, double nothing, double scale) {
     return below(run, 2) == 0 ? nothing : number(run, scale);
 }
