@@ -100,10 +100,11 @@ pub(super) fn of_samples(
     let (rows, width) = match share {
         Some(share) => {
             let own = frame.own_columns().len();
-            let found = transformed().and_then(|rows| Ok((rows, fallible::zeros(own * height)?)));
-            let (rows, mut found) = share.team().collective_result(found)?;
             let wanted = |rank| [frame.columns_of(rank), 0..height];
-            share.fetch_into(&rows, width, wanted, &mut found);
+            let found = transformed()
+                .and_then(|rows| Ok((rows, share.blocks(wanted)?, fallible::zeros(own * height)?)));
+            let (rows, blocks, mut found) = share.team().collective_result(found)?;
+            share.fetch_into(&rows, width, wanted, blocks, &mut found);
             (found, own)
         }
         None => (transformed()?, width),

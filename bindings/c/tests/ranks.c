@@ -206,7 +206,7 @@ static int32_t swap(const uint64_t *block, size_t words, size_t to, size_t from,
     while (sent->is_full && waited == 0) {
         waited = pthread_cond_timedwait(&changed, &lock, &until);
     }
-    sent->words = malloc(words * sizeof *block + 1);
+    sent->words = __libc_malloc(words * sizeof *block + 1); /* never fails: the memory belongs to the transport */
     memcpy(sent->words, block, words * sizeof *block);
     sent->count = words, sent->is_full = 1;
     pthread_cond_broadcast(&changed);

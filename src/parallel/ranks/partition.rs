@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use bytemuck::{cast_slice, cast_slice_mut};
 
+use crate::error::Result;
+use crate::memory::fallible;
 use crate::parallel::layout::chunk_of;
 use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::parallel::{self, Combine, Split, Work};
@@ -195,28 +197,65 @@ impl RowPartition {
     ) -> Vec<f64> {
         let own = wanted(self.team.rank()).map(|range| range.len());
         let mut found = vec![0.0; own.into_iter().product()];
-        self.fetch_into(field, columns, wanted, &mut found);
+        let blocks = vec![Vec::new(); self.team.size()];
+        self.fetch_into(field, columns, wanted, blocks, &mut found);
         found
     }
 
-    /// Fetches like [`RowPartition::fetch`] into existing memory.
+    /// Returns the number of rounds of an exchange, in which no rank receives more than [`ROUND_WORDS`] words at a time.
+    fn rounds(&self, wanted: impl Fn(usize) -> [Range<usize>; 2]) -> usize {
+        let most = (0..self.team.size())
+            .map(|rank| wanted(rank).map(|range| range.len()).iter().product());
+        rounds(most.max().unwrap_or(0), ROUND_WORDS)
+    }
+
+    /// Returns the columns and rows that this rank sends to a rank in one of the rounds.
+    fn sent(
+        &self,
+        [columns, rows]: [Range<usize>; 2],
+        round: usize,
+        rounds: usize,
+    ) -> [Range<usize>; 2] {
+        [
+            columns,
+            part(&common(&self.local_rows(), &rows), round, rounds),
+        ]
+    }
+
+    /// Allocates the blocks that this rank sends in the first round of [`RowPartition::fetch_into`]. A rank that runs out of
+    /// memory can thus report it before the exchange starts.
+    ///
+    /// # Errors
+    /// - [`Error::Memory`](crate::Error::Memory) if the blocks cannot be allocated.
+    pub(crate) fn blocks(
+        &self,
+        wanted: impl Fn(usize) -> [Range<usize>; 2],
+    ) -> Result<Vec<Vec<u64>>> {
+        let rounds = self.rounds(&wanted);
+        let block = |rank: usize| {
+            let words = self.sent(wanted(rank), 0, rounds).map(|range| range.len());
+            let is_own = rank == self.team.rank();
+            fallible::zeros(if is_own { 0 } else { words.iter().product() })
+        };
+        (0..self.team.size()).map(block).collect()
+    }
+
+    /// Fetches like [`RowPartition::fetch`] into existing memory. `blocks` has one block for each rank, see
+    /// [`RowPartition::blocks`].
     pub(crate) fn fetch_into(
         &self,
         field: &[f64],
         columns: usize,
         wanted: impl Fn(usize) -> [Range<usize>; 2],
+        mut blocks: Vec<Vec<u64>>,
         found: &mut [f64],
     ) {
         let (me, ranks) = (self.team.rank(), self.team.size());
         let (own, [own_columns, own_wanted]) = (self.local_rows(), wanted(me));
         let width = own_columns.len();
-        let most = (0..ranks).map(|rank| wanted(rank).map(|range| range.len()).iter().product());
-        let rounds = rounds(most.max().unwrap_or(0), ROUND_WORDS);
-        let sent = |rank: usize, round: usize| {
-            let [columns, rows] = wanted(rank);
-            (columns, part(&common(&own, &rows), round, rounds))
-        };
-        let pack = |to: &mut [u64], (sent, rows): (Range<usize>, Range<usize>)| {
+        let rounds = self.rounds(&wanted);
+        let sent = |rank: usize, round: usize| self.sent(wanted(rank), round, rounds);
+        let pack = |to: &mut [u64], [sent, rows]: [Range<usize>; 2]| {
             if !to.is_empty() {
                 parallel::rows(to, sent.len(), |row, to| {
                     let row = &field[(rows.start + row - own.start) * columns..][sent.clone()];
@@ -225,7 +264,6 @@ impl RowPartition {
             }
         };
         // The memory of received blocks is reused for the next blocks to send.
-        let mut blocks = vec![Vec::new(); ranks];
         for round in 0..rounds {
             let come = |rank: usize| part(&common(&self.rows_of(rank), &own_wanted), round, rounds);
             let place = |rank: usize| {
@@ -234,9 +272,9 @@ impl RowPartition {
                 first..first + rows.len() * width
             };
             for rank in (0..ranks).filter(|rank| *rank != me) {
-                let (columns, rows) = sent(rank, round);
+                let [columns, rows] = sent(rank, round);
                 blocks[rank].resize(columns.len() * rows.len(), 0);
-                pack(&mut blocks[rank], (columns, rows));
+                pack(&mut blocks[rank], [columns, rows]);
             }
             pack(cast_slice_mut(&mut found[place(me)]), sent(me, round));
             let is_expected: Vec<bool> = (0..ranks).map(|rank| !place(rank).is_empty()).collect();
