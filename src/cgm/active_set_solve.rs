@@ -25,7 +25,7 @@ const ACCEPTED: f64 = 0.03;
 const FLAT: f64 = 1e-3;
 /// Fraction of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
 const FLATTEST: f64 = 1e-30;
-/// Replacement if no eigenvalue is known: small in any system of units.
+/// Replacement for the curvature if no eigenvalue is known: small in any system of units.
 const NOTHING: f64 = 1e-60;
 
 /// Precision of a product.
@@ -210,8 +210,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// Moves cells to restore the sums: all cells if `all`, otherwise the moving cells, or those inside their bounds, if they
-    /// suffice. Returns whether the cells keep their motion states.
+    /// Moves cells to restore the sums: all cells if `all`; otherwise only the moving cells or only the cells inside their
+    /// bounds, if these cells suffice. Returns whether the cells keep their motion states.
     pub(super) fn restore_totals(&mut self, all: bool) -> bool {
         let motions = &self.workspace.linear.rows;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
@@ -311,7 +311,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.form_gradient();
     }
 
-    /// Adds `part` times the displacement by the diagonal `D` to the product.
+    /// Adds `part` times the displacement caused by the diagonal `D` to the product.
     pub(super) fn add_diagonal(&mut self, part: f64) {
         let (x, problem) = (slices(&self.x), self.problem);
         if !problem.own.is_none() {

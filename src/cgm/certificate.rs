@@ -32,8 +32,8 @@ pub(crate) struct Certificate {
 
 impl Certificate {
     /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and, if the operator provides a
-    /// bound of its smallest eigenvalue, the certified error. Without that bound only the duality gap is available, whose root
-    /// falls only with the root of the residual; it is then left out.
+    /// bound on its smallest eigenvalue, the certified error. Without that bound only the duality gap is available. It is left
+    /// out because its root falls only with the root of the residual.
     pub(super) fn merit(&self, lower_bound: f64) -> f64 {
         let error = if lower_bound > 0.0 {
             self.gap.sqrt()
@@ -86,8 +86,8 @@ pub(crate) fn examine<const N: usize>(
     }
 }
 
-/// Range of unknowns and displacements for which squares, also of small fractions, neither overflow nor underflow in a sum over
-/// all cells.
+/// Range of unknowns and displacements for which squares, including squares of small fractions, neither overflow nor underflow in
+/// a sum over all cells.
 const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 
 /// Measures of a feasible iterate, in the units of its problem.
@@ -95,7 +95,7 @@ const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 pub(crate) struct IterateMeasures {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
-    /// Largest displacement among the cells that can move, and the value that replaces it if it is smaller.
+    /// Largest displacement among the cells that can move, and the lower limit that replaces smaller values of it.
     displacement: f64,
     least_displacement: f64,
     /// Largest components among the same cells: of the unknowns, of the displacements and of the gradients that complementarity
@@ -103,7 +103,7 @@ pub(crate) struct IterateMeasures {
     sizes: [f64; 3],
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
-    /// `x' C x`, and the value that replaces it if it is smaller.
+    /// `x' C x`, and the lower limit that replaces smaller values of it.
     energy: f64,
     least_energy: f64,
     /// Deviation from the prescribed sums, relative to `sum |x|`.
@@ -188,7 +188,7 @@ pub(crate) fn measure<const N: usize>(
     });
     let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
     // An operator that maps constants to zero gives uniform unknowns neither displacement nor energy as a scale. The stretch of a
-    // spring, or the displacement by the smallest eigenvalue, replaces them.
+    // spring, or the displacement computed from the smallest eigenvalue, is used as the scale instead.
     let springs = totals.iter().filter_map(|total| match total {
         Total::Spring { compliance, .. } => Some(*compliance),
         Total::Free | Total::Sum(_) => None,
@@ -228,9 +228,9 @@ pub(crate) fn measure<const N: usize>(
     }
 }
 
-/// Returns the change of the bound `B^2` by a spring, for gradients whose sum is `pushed`. Their mean counts with the compliance
-/// `n c` of a uniform unknown instead of the smallest eigenvalue if this reduces the bound, or if the operator maps constants to
-/// zero.
+/// Returns the change of the bound `B^2` caused by a spring, for gradients whose sum is `pushed`. The mean of these gradients is
+/// divided by the compliance `n c` of uniform unknowns instead of the smallest eigenvalue if this reduces the bound, or if the
+/// operator maps constants to zero.
 fn by_spring(
     pushed: f64,
     cells: f64,

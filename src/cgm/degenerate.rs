@@ -71,9 +71,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     }
 
     /// Releases slipping cells if no rotation of their tractions can change the total along `normal`, a unit vector. If the total
-    /// has a deficit, releases the cells that would stick first under a motion that reduces it, provided they can carry it. If
-    /// the total is met and no cell is pushed, releases the cells that would stick first in either direction. Otherwise releases
-    /// all cells.
+    /// has a deficit, releases the cells that would stick first under a motion that reduces the deficit, provided that these
+    /// cells can carry the deficit. If the total is met and no cell is pushed, releases the cells that would stick first in
+    /// either direction. Otherwise releases all cells.
     pub(super) fn release_bound_cells(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
         let opposite = normal.map(|n| -n);
         let is_settled = match self.multiplier_at_bounds(normal) {
@@ -93,8 +93,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         system.mobility = self.mobility();
     }
 
-    /// Releases the cells that would stick first under a motion along `way`, towards the deficit. Returns whether one of them can
-    /// carry it.
+    /// Releases the cells that would stick first under a motion along `way`, towards the deficit. Returns whether one of these
+    /// cells can carry the deficit.
     fn release_nearest_to_bound(&mut self, way: [f64; N], missing: f64) -> bool {
         if !self.is_fresh() {
             self.refresh();
@@ -193,8 +193,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// Returns `v' M v` of a vector computed from unknowns and gradient of each cell if it is not positive and finite although it
-    /// should be.
+    /// Returns `v' M v` for a vector `v` that is computed from the unknowns and the gradient of each cell, if this product should
+    /// be positive and finite but is not.
     fn negative_curvature_along(
         &mut self,
         v: impl Fn(usize, [f64; N], [f64; N]) -> [f64; N] + Sync,

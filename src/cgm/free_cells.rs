@@ -210,7 +210,7 @@ impl FreeCells {
         }
     }
 
-    /// Calls `work(entries, its part of data)` for every chunk and sums the results.
+    /// Calls `work` with the entries and the part of the data of every chunk, and sums the results.
     pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,

@@ -45,8 +45,8 @@
 //!
 //! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in the residual; the second
 //! is of second order. For an operator that provides no such `lambda` only the first bound is available. It is infinite while a
-//! cell without an upper bound has a gradient that would increase it. An iteration with such an operator stops on the residual
-//! alone.
+//! cell without an upper bound has a gradient that would increase its unknown. An iteration with such an operator stops on the
+//! residual alone.
 //!
 //! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
 //! follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective, and the bound also holds for the
@@ -60,9 +60,9 @@
 //!
 //! # Round-off
 //!
-//! An iteration with a tolerance below the round-off of the product ends as [`Status::Stalled`] and reports the certified error
-//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16: for the pressure, and for the
-//! traction in the scalar and the vector model at 0.6 of the sliding force.
+//! An iteration with a tolerance below the round-off of the product ends with [`Status::Stalled`] and reports the certified error
+//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16. The three values are the bound for
+//! the pressure and the bounds for the traction in the scalar and in the vector model at 0.6 of the sliding force.
 //!
 //! | cells | sphere | rough surface | flat on flat |
 //! |--:|---|---|---|
@@ -74,8 +74,8 @@
 //! | 1024 x 1024 | 1.2e-14, 5.7e-15, 4.7e-15 | 4.6e-15, 2.7e-15, 1.1e-15 | not measured |
 //!
 //! The error of the first two surfaces grows approximately as the square root of the number of cells along a side, like the error
-//! bound from the residual and the smallest eigenvalue. In the vector model, a force within 1e-7 of sliding may stall much
-//! earlier on some surfaces, because the motion then depends on the last digits of the force.
+//! bound from the residual and the smallest eigenvalue. In the vector model, a solve with a force within 1e-7 of sliding may
+//! stall much earlier on some surfaces, because the motion then depends on the last digits of the force.
 //!
 //! # Example
 //!

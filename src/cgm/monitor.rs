@@ -26,7 +26,7 @@ pub(super) struct Monitor<'a> {
     stage: Option<f64>,
     /// Number of free cells at the last examination.
     pub(super) free: usize,
-    /// Failed allocation during the solve, if any; the solve then ends with it.
+    /// Failed allocation during the solve, if any; the solve then ends with this error.
     pub(super) allocation_error: Option<Error>,
 }
 
@@ -112,8 +112,8 @@ impl<'a> Monitor<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Checks observer and clock. This function or [`Self::proceed`] is called before every product that moves the iterate or a
-    /// step. A product that only measures the iterate is computed without a check.
+    /// Checks observer and clock. This function or [`Self::proceed`] is called before every step and before every product that
+    /// moves the iterate. A product that only measures the iterate is computed without a check.
     pub(super) fn notify_observer(&mut self, report: &Report) -> ControlFlow<Status> {
         let entry = self.entry(report);
         let limit = self.settings.time_limit;
@@ -186,17 +186,17 @@ const PATIENCE: usize = 4;
 pub(super) struct Progress {
     /// Number of steps without progress that count as a cycle while the sets change.
     cycle: usize,
-    /// Number of entries that changed sets in the last step; the maximum before the first step.
+    /// Number of entries that changed sets in the last step; `usize::MAX` before the first step.
     pub(super) changes: usize,
     fewest: usize,
     best: f64,
     without: usize,
-    /// Reduction of the inner residual while sets change; once tightened it stays so.
+    /// Reduction of the inner residual while sets change; it may be tightened but is never relaxed.
     pub(super) inner_reduction: f64,
 }
 
 impl Progress {
-    /// Creates the state before the first step; `cycle` steps without progress are a cycle.
+    /// Creates the state before the first step; `cycle` steps without progress count as a cycle.
     pub(super) fn new(cycle: usize, inner_reduction: f64) -> Self {
         Self {
             cycle,

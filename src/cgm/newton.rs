@@ -132,8 +132,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let reduction = self.progress.reduction(merit, self.monitor.tolerance());
-        // The steps change displacements by about the residual; the single-precision products add an error of that size to the
-        // gradient.
+        // The steps change the displacements by about the residual. Products in single precision add the fraction `SINGLE` of
+        // this change to the error of the gradient.
         let gradient_error = self.product_error + SINGLE * merit;
         let outcome = if self.problem.operator.is_symmetric() {
             self.conjugate_gradients(reduction)
@@ -259,7 +259,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
     }
 
-    /// Releases the cells that are pushed off their bounds, where `push` follows from gradient and multiplier.
+    /// Releases the cells that are pushed off their bounds; `push` computes the push from gradient and multiplier.
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
@@ -294,7 +294,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Measures the stiffness of every curved bound from the current gradient. Passes it to the preconditioner only if `with_preconditioner_weight`.
+    /// Measures the stiffness of every curved bound from the current gradient. Passes it to the preconditioner only if `weighed`.
     fn measure(&mut self, weighed: bool) {
         if !MotionOf::<K, N>::IS_CURVED {
             return;

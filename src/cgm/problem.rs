@@ -94,8 +94,8 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     }
 
     /// Marks a problem whose solution is only a start for another solve, or is examined by the caller with an exact product.
-    /// Convergence may then be tested with a product whose error is a small fraction of the tolerance. Report and stored product
-    /// have the same error and certify nothing.
+    /// Convergence may then be tested with a product whose error is a small fraction of the tolerance. The report and the stored
+    /// product have the same error, so that they do not certify the solution.
     pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self
@@ -247,7 +247,7 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
         law::check(self.constraint, cells)
     }
 
-    /// Checks that the single loop applies: to symmetric problems with intervals and without springs.
+    /// Checks that the single loop is applicable: it requires a symmetric problem with intervals and without springs.
     fn check_single_loop(&self) -> Result<()> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
         let quantity = if has_spring {
@@ -305,7 +305,7 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     settings: &Settings,
     x: [&mut [f64]; N],
 ) -> Result<Minimum<N>> {
-    // An operator may report any number of unknowns, but the length of the start is real: compare them before allocating.
+    // An operator may report any number of unknowns, whereas the start exists in memory: compare their lengths before allocating.
     problem.posed().check(settings, &x)?;
     let mut workspace = problem.workspace()?;
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {

@@ -6,14 +6,15 @@ use crate::error::{Error, Result};
 
 /// The iteration that computes the constrained minimum.
 ///
-/// If the sets of a method cycle, projected-gradient steps, and then a sequence of better conditioned problems, complete the
-/// solve.
+/// If the active sets start to cycle, the solve is completed by projected-gradient steps and, if necessary, by a sequence of
+/// better-conditioned problems.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
-    /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop, with a fresh
-    /// residual at every outer step, exact once it is small. This is the default; it needs 2 to 5 times fewer products.
+    /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop. The residual is
+    /// recomputed at every outer step, in double precision once it is small. This is the default; it needs 2 to 5 times fewer
+    /// products than [`Self::PolonskyKeer`].
     #[default]
     ActiveSet,
     /// A single loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
@@ -43,8 +44,8 @@ pub struct Settings {
     /// Accepted error (default 1e-8). It bounds the certified error in the energy norm, relative to the norm of the solution, and
     /// the largest complementarity residual, relative to the largest displacement. For an operator without a
     /// [`lower_bound`](crate::Operator::lower_bound) it bounds the residual alone. The sum of all traction errors is equally
-    /// small within a factor of three on square cells and of eight on cells of 1 : 315. The error of single cells at the edge of
-    /// a smooth contact may be ten to a hundred times larger.
+    /// small, within a factor of three on square cells and of eight on cells with an aspect ratio of 1 : 315. The error of single
+    /// cells at the edge of a smooth contact may be ten to a hundred times larger.
     pub tolerance: f64,
     /// Maximum number of conjugate-gradient steps (default 10 000).
     pub max_iterations: usize,

@@ -1,5 +1,5 @@
-//! Warm start from an earlier solution: if nothing has changed, the certificate of one product shows that it is still the
-//! solution.
+//! Warm start from an earlier solution: if nothing has changed, the certificate of one product shows that the earlier solution is
+//! still valid.
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart};
 use crate::cgm::totals::{Total, sums_of};

@@ -17,7 +17,7 @@ pub(crate) struct ContactCounts {
     pub(crate) switches: usize,
     /// Number of cells of the set on the edges of a grid that is not periodic.
     pub(crate) cells_on_edge: usize,
-    /// Number of columns and rows from the first to the last cell, also across the edges of a periodic grid.
+    /// Numbers of columns and rows from the first to the last cell; on a periodic grid this range may cross the edges.
     pub(crate) extent: Option<[usize; 2]>,
     pub(crate) spots: Spots,
 }
@@ -403,8 +403,8 @@ impl Joined {
     }
 }
 
-/// Returns the number of places from the first taken place to the last, or on a periodic axis all places except the longest free
-/// run.
+/// Returns the number of places from the first taken place to the last, or, on a periodic axis, the number of all places outside
+/// the longest free run.
 fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize {
     if repeats {
         count - within.max(first + last)
@@ -483,8 +483,8 @@ mod tests {
     use crate::grid::Grid;
     use crate::parallel::ranks::{Ranks, Threads};
 
-    /// Random maps, distributed also with slabs of one row and of no row: the counts of the ranks equal the counts of one
-    /// process, and its spots equal the spots of a walk from cell to cell.
+    /// Distributes random maps over ranks, including slabs of one row and of no row. The counts of the ranks equal the counts of
+    /// one process, whose spots equal the spots found by a walk from cell to cell.
     #[test]
     fn slabs_come_to_what_the_whole_comes_to() {
         let mut random = 1_u64;

@@ -65,8 +65,8 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
             .preconditioner(inverse.clone())
     }
 
-    /// Minimises from `x` and stores the solution in `x`, given the knowledge about the start. Multiplier, product and report are
-    /// available from the accessors, whether or not the solve converged.
+    /// Minimises from `x` and stores the solution in `x`; `known` describes what is known about the initial guess. Multiplier,
+    /// product and report are available from the accessors, whether or not the solve converged.
     pub(crate) fn minimise(
         &mut self,
         problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
@@ -86,7 +86,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         outcome
     }
 
-    /// Gives the buffers back to the pool, including the product of the solution.
+    /// Releases the buffers to the pool, including the product of the solution.
     pub(crate) fn rest(&mut self) {
         self.workspace.give_back();
     }

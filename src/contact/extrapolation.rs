@@ -3,7 +3,7 @@
 use crate::grid::field::clone_in_place;
 use crate::memory::fallible::try_clone;
 
-/// Maximum ratio to the last change up to which the solution is extrapolated.
+/// Maximum ratio of a change to the last change for which the solution is extrapolated.
 const FARTHEST: f64 = 3.0;
 
 /// Ratio to the last change below which a change counts as round-off.

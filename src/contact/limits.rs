@@ -28,7 +28,7 @@ pub(crate) struct SolveContext<'a, 'b> {
 }
 
 impl<'a, 'b> SolveContext<'a, 'b> {
-    /// Creates the conditions and starts the clock.
+    /// Creates the context and starts the clock.
     pub(crate) fn new(settings: &'a Settings, observer: Observer<'b>) -> Self {
         Self {
             settings,
@@ -57,7 +57,7 @@ impl<'a, 'b> SolveContext<'a, 'b> {
         }
     }
 
-    /// Returns the settings with the limits that earlier passes have left, at least one step.
+    /// Returns the settings with the limits that remain after earlier passes, and with at least one step.
     pub(crate) fn with_remaining_limits(&self, earlier: &Report) -> Settings {
         let steps = self.settings.max_iterations;
         let left = steps.saturating_sub(earlier.iterations).max(1);
@@ -112,7 +112,7 @@ impl Cancellation {
     }
 
     /// Returns the outcome, or the error of a cancelled solve. `report` marks the report of the solve as cancelled and returns
-    /// it. The first of the ranks that solve together decides.
+    /// it. The first rank of the team decides for all its ranks.
     ///
     /// # Errors
     /// - [`Error::NotConverged`] if the solve was cancelled.

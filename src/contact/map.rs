@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(sizes(&map), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
         assert_eq!(map.survey(None).extent, Some([7, 4]));
-        // The L has 3 + 2 within the grid, the bar has 6, and the row at the bottom has 5.
+        // The L has 6 switches within the grid, the bar has 6, and the row at the bottom has 5.
         assert_eq!(map.switches(), 6 + 6 + 5);
         let unresolved = Warning::UnresolvedSpots {
             unresolved: 3,
@@ -254,7 +254,8 @@ mod tests {
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
-        // On the periodic grid the row at the bottom meets the L at the top; two of its cells and one end do not.
+        // On the periodic grid the row at the bottom meets the L at the top; two cells of the row and its left end do not, which
+        // adds three switches.
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
         // Columns 4, 5 and 7 are free; no row is free.

@@ -10,7 +10,7 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Maximum number of cells of a grid, and of a line, that is solved from a plain start.
+/// Maximum number of cells of a grid, and of a line, that is solved without a start from coarser cells.
 const COARSEST: usize = 40 * 40;
 const COARSEST_LINE: usize = 160;
 /// Number of cells along the shorter side below which a grid that is not a line is not coarsened.
@@ -46,7 +46,7 @@ pub(crate) trait MultilevelProblem<const N: usize>: Sized {
         Ok(None)
     }
 
-    /// Returns a start without any earlier solution.
+    /// Returns a start that uses no earlier solution.
     fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]>;
 
     /// Returns a start prolongated from the solution of the coarser problem.

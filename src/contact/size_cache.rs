@@ -14,7 +14,7 @@ pub(crate) trait HasSize {
 }
 
 /// Cache of the object for the current size and of objects for sizes that were left recently. A contact that alternates between
-/// sizes finds them again. If a new size is larger than all earlier sizes, the other objects are dropped.
+/// sizes reuses their objects. If a new size is larger than all earlier sizes, the other objects are dropped.
 ///
 /// A clone contains only the current object.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! Methods common to the reusable solvers of all contacts.
 
 /// Methods of a solver that create solutions of the right size and solve. The solver must have `try_new_solution` and
-/// `solve_checked`, and stores its bodies in `$($bodies).+`. The grid of a solution is the grid of its `$half`, if it has halves.
+/// `solve_checked`, and must store its bodies in `$($bodies).+`. The grid of a solution is the grid of its `$half`, if it has
+/// halves.
 macro_rules! solver_methods {
     ($Solution:ident $(.$half:ident())?, $($bodies:ident).+) => {
         /// Creates an empty solution of the right size for [`Self::solve_into`].
@@ -14,7 +15,7 @@ macro_rules! solver_methods {
         ///
         /// # Errors
         /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch)
-        ///   if the solution has a different grid or boundary; nothing has changed then.
+        ///   if the solution has a different grid or boundary; nothing is changed in that case.
         /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
         /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the solve shows that a force slides the
         ///   contact.

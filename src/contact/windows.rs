@@ -16,10 +16,10 @@ pub(crate) trait WindowEngine: Sized {
 
     fn window(&self) -> Window;
 
-    /// Moves the solver to another place of the same size.
+    /// Moves the solver to another window of the same size.
     fn move_to(&mut self, bodies: &HalfSpace, window: Window);
 
-    /// Gives the pooled buffers back.
+    /// Releases the pooled buffers.
     fn rest(&mut self) {}
 }
 

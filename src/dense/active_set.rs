@@ -39,9 +39,9 @@ enum Mark {
 const BLOCK_TRIALS: usize = 10;
 
 impl DenseOperator {
-    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if a total is given. The total
-    /// must be strictly between the sums of the bounds. The result is the same as from
-    /// [`cgm::minimise`](crate::cgm::minimise), by a direct method.
+    /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if a total is given. The total must be strictly
+    /// between the sums of the bounds. The result is the same as from [`cgm::minimise`](crate::cgm::minimise), but is computed by
+    /// a direct method.
     ///
     /// # Errors
     /// - [`Error::Length`] if the linear term or the constraint has a different number of entries.
@@ -161,8 +161,8 @@ impl ActiveSetSearch<'_> {
                 return Ok(DenseMinimum { x, multiplier });
             }
             if !next.is_finite() {
-                // One bracket is still infinite and the Newton step violates the other. The cause is
-                // round-off, or no entry can move.
+                // One bracket is still infinite and the Newton step violates the other. Either this is round-off, or no entry can
+                // move.
                 let is_round_off = missing.abs() <= 1e-12 * magnitude.max(total.abs());
                 return if is_round_off {
                     Ok(DenseMinimum { x, multiplier })

@@ -61,11 +61,11 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
-    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator, both without the
-    /// mean on periodic grids.
+    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator, both for tractions
+    /// without a mean on periodic grids.
     least: f64,
     lower_bound_without_mean: f64,
-    /// Lower bound of all eigenvalues, without the mean on a grid that is periodic along both axes.
+    /// Lower bound of all eigenvalues, except the eigenvalue of the mean on a grid that is periodic along both axes.
     lower_bound: f64,
     upper_bound: f64,
     /// Energy of a uniform traction along each direction, if the periodic continuation does not bound it.
@@ -78,8 +78,8 @@ pub struct Convolution<const N: usize = 1> {
 
 shown!(Convolution<const N: usize>: lower_bound, upper_bound);
 
-/// Ratio of the smallest to the largest eigenvalue below which single precision loses the smallest. It is reached by long
-/// cells, and by square grids of about 50 000 cells along a side.
+/// Ratio of the smallest to the largest eigenvalue below which single precision loses the smallest. Grids with long cells fall
+/// below this ratio, as do square grids of about 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 
 impl Convolution {
@@ -264,8 +264,8 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl Convolution<3> {
-    /// Returns a bound of $`|p' B q| / (|p|\,|q|)`$ in the energy norms of the first component and of the other two. B
-    /// contains the displacements that the first component causes along the others.
+    /// Returns a bound on $`|p' B q| / (|p|\,|q|)`$ in the energy norms of the first component and of the other two. B contains
+    /// the displacements that the first component causes along the others.
     pub(crate) fn coupling(&self) -> f64 {
         self.symbol.coupling()
     }
@@ -347,9 +347,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
-    /// Computes the product in single precision: the error is about 3e-7 of the largest displacement, at two thirds of the
-    /// cost. Double precision is used if the smallest eigenvalue is too small relative to the largest to be resolved with
-    /// this error.
+    /// Computes the product in single precision: the error is about 3e-7 of the largest displacement, at two thirds of the cost
+    /// of a product in double precision. Double precision is used if the smallest eigenvalue is too small relative to the largest
+    /// to be resolved with this error.
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);

@@ -14,7 +14,7 @@ pub(super) fn eigenvalue_range<const N: usize>(matrix: [[f64; N]; N]) -> [f64; 2
     diagonal.iter().fold(none, wider)
 }
 
-/// Returns the inverse, with eigenvalues below `floor` raised to it.
+/// Returns the inverse, with eigenvalues below `floor` raised to `floor`.
 pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -> [[f64; N]; N] {
     if N == 2 {
         return SymmetricPair::new(matrix).inverse_above(floor);

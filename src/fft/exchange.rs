@@ -201,7 +201,7 @@ impl TileOrder<'_> {
     }
 }
 
-/// Returns whether a band might contain a nonzero value. It is true for all bands if `occupied` is not given.
+/// Returns whether a band might contain a nonzero value. Returns `true` for every band if `occupied` is `None`.
 fn holds(occupied: Option<&[bool]>, band: usize) -> bool {
     occupied.is_none_or(|occupied| occupied[band])
 }

@@ -10,8 +10,8 @@
 //! - [`CirculantInverse`] is a preconditioner: the approximate inverse on the grid and two cells beyond its edge, exact on a
 //!   periodic grid.
 //!
-//! The transforms use AVX if the processor supports it, and NEON. Transforms for processors with SSE only, from before 2013,
-//! take long to compile and are not included. A program that needs them can enable the feature `sse` of `rustfft`.
+//! The transforms use AVX or NEON if the processor supports it. Transforms for processors with SSE only, from before 2013, take
+//! long to compile and are not included. A program that needs them can enable the feature `sse` of `rustfft`.
 
 mod aligned;
 mod circulant_inverse;

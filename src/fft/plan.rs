@@ -7,8 +7,8 @@
 //!    keep the part on the grid.
 //! 3. Rows: the inverse transform back to pairs of real rows.
 //!
-//! Between the stages a field is stored in tiles. From stage to stage the owners of the tiles change, but not their
-//! memory.
+//! Between the stages a field is stored in tiles. The owners of the tiles change from stage to stage, but the memory of the tiles
+//! does not.
 
 use std::fmt;
 use std::ops::Range;

@@ -21,7 +21,7 @@ use crate::memory::pool::Pool;
 /// Number of pairs of rows in a band of tiles.
 const PAIRS: usize = TILE_ROWS / 2;
 
-/// Number of columns of a tile in single precision, the larger of both precisions.
+/// Number of columns of a tile in single precision, the larger of the numbers for the two precisions.
 const MOST_COLUMNS: usize = f32::TILE_COLUMNS;
 
 #[derive(Debug, Clone)]

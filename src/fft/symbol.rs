@@ -229,7 +229,7 @@ impl<const N: usize> Symbol<f64, N> {
         self
     }
 
-    /// Inverts the matrices, with eigenvalues below `floor` raised to it.
+    /// Inverts the matrices, with eigenvalues below `floor` raised to `floor`.
     pub(super) fn inverse_above(mut self, floor: f64) -> Self {
         let shape = self.shape;
         parallel::rows(&mut self.values, shape.stride(), |_, column| {

@@ -81,8 +81,8 @@ impl Drop for PartialFile<'_> {
     }
 }
 
-/// Replaces a file completely or not at all: a temporary file next to it is renamed to it when it is on the disk. A
-/// process that is killed in the meantime leaves the temporary file `NAME.PID.NUMBER.part`.
+/// Replaces a file completely or not at all: a temporary file next to the target is renamed to the target once its content is on
+/// the disk. A process that is killed in the meantime leaves the temporary file `NAME.PID.NUMBER.part`.
 pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     replace(path, None, |file| file.write_all(bytes))
 }

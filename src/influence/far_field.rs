@@ -2,8 +2,8 @@
 
 use crate::influence::integrals::{Cell, Integral};
 
-/// Distance, in longer sides, beyond which the series replaces quadrature. The truncation error is below 6e-16 of every
-/// integral, measured against 60 digits.
+/// Distance, in longer sides, beyond which the series replaces quadrature. The truncation error is below 6e-16 of every integral,
+/// measured against values with 60 digits.
 const FAR: f64 = 20.0;
 
 /// Number of pairs of derivatives in the series.
@@ -220,7 +220,7 @@ mod tests {
         }
     }
 
-    /// Compares the series with 40 digits, for large and for nearly vanishing integrals.
+    /// Compares the series with values of 40 digits, for large and for nearly vanishing integrals.
     #[test]
     fn series_keep_their_relative_accuracy() {
         for (integral, [a, b], [x, y], expected) in [

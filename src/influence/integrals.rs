@@ -184,9 +184,9 @@ impl Cell {
         }
     }
 
-    /// Returns the cheapest rule at this distance, and the distance up to which it suffices; `None` near the
-    /// cell. The relative error is below 1e-15 for `1/R`, measured against 40 digits; for the other kernels it
-    /// is below 4e-15 of the integral of `1/R`.
+    /// Returns the cheapest rule at this distance, and the distance up to which it suffices; `None` near the cell. The relative
+    /// error is below 1e-15 for `1/R`, measured against values with 40 digits; for the other kernels it is below 4e-15 of the
+    /// integral of `1/R`.
     fn rule(self, x: f64, y: f64) -> Option<(QuadratureRule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;

@@ -157,7 +157,7 @@ fn sinc(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
 
-/// Returns the smallest eigenvalue minus a bound of the norm of the unknown part.
+/// Returns the smallest eigenvalue minus a bound on the norm of the unknown part.
 fn least(([xx, yy, xy], unknown): (HermitianPair, HermitianPair)) -> f64 {
     let radius = (0.5 * (xx - yy)).hypot(xy);
     0.5 * (xx + yy) - radius - unknown.iter().map(|part| part.abs()).sum::<f64>()

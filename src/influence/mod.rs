@@ -56,9 +56,9 @@
 //! outermost layers, and the correction described in [`layers`](crate::layers). Their symbols are the symbols of the
 //! responses described there.
 //!
-//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947, with these printed
-//! errors corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`, the
-//! stray terms before the third are dropped, and the third term of `C_xx` has the factor `(1 - nu)(x - a)`.
+//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. These printed errors
+//! are corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray
+//! terms before the third are dropped, and the third term of `C_xx` has the factor `(1 - nu)(x - a)`.
 
 mod coefficient;
 mod far_field;

@@ -4,7 +4,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::error::Result;
 
-/// Pool of free buffers: as many as were in use simultaneously. Users must not rely on the contents of a buffer.
+/// Pool of free buffers; it grows to the number of buffers that were in use simultaneously. Users must not rely on the contents
+/// of a buffer.
 #[derive(Debug)]
 pub(crate) struct Pool<T> {
     free: Mutex<Vec<T>>,

@@ -120,7 +120,7 @@ impl Layout {
         RankGroup::combined_of(team, own, combine)
     }
 
-    /// Returns an error naming `quantity` if there are ranks, for features that ranks do not support.
+    /// Returns an error with the name `quantity` if there are ranks; used for features that ranks do not support.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         RankGroup::check_alone(self.team.as_deref(), quantity)
     }
@@ -215,8 +215,8 @@ impl Layout {
     }
 }
 
-/// Returns the number of cells of a chunk: whole rows, or equal pieces of a long row, about [`CHUNK`] cells. A single row is cut
-/// anywhere.
+/// Returns the number of cells of a chunk: whole rows, or equal pieces of a long row, about [`CHUNK`] cells. A single row may be
+/// cut anywhere.
 pub(crate) fn chunk_of([columns, rows]: [usize; 2]) -> usize {
     if rows <= 1 {
         return CHUNK;
@@ -243,7 +243,7 @@ mod tests {
             ([4096, 2], 4096),
             ([65536, 3], 4096),
             ([5000, 5000], 2500),
-            // A prime number of columns has no equal pieces.
+            // A prime number of columns cannot be divided into equal pieces.
             ([4099, 2], 4096),
         ] {
             assert_eq!(chunk_of(size), chunk);

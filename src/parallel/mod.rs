@@ -21,11 +21,11 @@ use crate::error::Result;
 pub(crate) const CHUNK: usize = 4096;
 
 /// Number of cells up to which all work on a contact runs on the calling thread, including its operators, fields and stresses.
-/// Sharing so little work between threads would only take time.
+/// Sharing so little work between threads would cost more time than it saves.
 ///
-/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. Many
-/// contacts in one call ([`History::step_all`](crate::History::step_all)) and stresses at more points than this
-/// ([`at_points`](crate::subsurface::at_points)) are shared.
+/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. The work is
+/// shared if one call has many contacts ([`History::step_all`](crate::History::step_all)), or if it computes stresses at more
+/// points than this number ([`at_points`](crate::subsurface::at_points)).
 ///
 /// ```
 /// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::SERIAL_CELL_LIMIT);
@@ -84,7 +84,7 @@ fn is_alone() -> bool {
     }
 }
 
-/// Runs both closures, in a pool concurrently if a thread is free.
+/// Runs both closures, concurrently if this thread belongs to a pool with a free thread.
 fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     if is_in_pool() {
         shared(a, b)

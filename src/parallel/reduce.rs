@@ -174,7 +174,7 @@ pub(crate) fn max(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     layout.fold(|range| range.map(&f).fold(0.0, larger), larger)
 }
 
-/// Returns the least of the values `f(i)` that are given, with the data of its cell; the first if several are equal.
+/// Returns the least of the values `f(i)` that are `Some`, with the data of its cell, or the first of several equal values.
 pub(crate) fn least<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<(f64, T)> + Sync,
@@ -186,7 +186,7 @@ pub(crate) fn least<T: WireFormat>(
     layout.fold(|range| range.map(&f).fold(None, lesser), lesser)
 }
 
-/// Returns the first of the values `f(i)` that is given.
+/// Returns the first of the values `f(i)` that is `Some`.
 pub(crate) fn first<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<T> + Sync,

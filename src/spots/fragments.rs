@@ -211,7 +211,7 @@ impl<'a> Fragments<'a> {
     }
 
     /// Returns the numbers of the fragments in the row below the first local row, which may be on another rank, among the
-    /// fragments of all ranks, counted from one. Empty below the first row of a grid that is not periodic.
+    /// fragments of all ranks, counted from one. The list is empty below the first row of a grid that is not periodic.
     fn row_below(&self, first: usize, fragments: usize) -> Vec<u64> {
         let (nx, repeats) = (self.grid.nx(), self.repeats[1]);
         let last = self.labels.chunks_exact(nx).next_back().unwrap_or(&[]);
@@ -295,7 +295,7 @@ fn join(
 }
 
 /// Disjoint sets of fragments that form one spot. Each entry has the parent fragment (itself for the first fragment of a spot),
-/// and the shift in columns and rows from the own position of the fragment to its position relative to the parent.
+/// and the shift in columns and rows from the fragment's own position to its position relative to the parent.
 struct DisjointSets(Vec<(usize, [f64; 2])>);
 
 impl DisjointSets {
@@ -444,8 +444,8 @@ mod tests {
         }
     }
 
-    /// Random cells under random pressures. One process finds the same spots as the walks, also across edges and for spots that
-    /// close around the grid. Ranks, some of which have few rows or none, find bitwise identical results.
+    /// Tests random cells under random pressures. One process finds the same spots as the walks, also across edges and for spots
+    /// that close around the grid. Ranks, some of which have few rows or none, find bitwise identical results.
     #[test]
     fn slabs_have_the_spots_of_the_whole() {
         let mut random = 1_u64;

@@ -93,8 +93,8 @@ pub struct Spot {
     pub mean_pressure: f64,
     /// Largest pressure of the cells of the spot (a pressure).
     pub max_pressure: f64,
-    /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid it is given
-    /// inside the grid; for a spot that spans the whole period it is not meaningful.
+    /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid the centre
+    /// is given inside the grid; for a spot that spans the whole period the centre is not meaningful.
     pub centroid: [f64; 2],
     /// Length of the edge (a length), along the sides of the cells: longer than the edge of a round spot by a factor of 4/pi.
     pub perimeter: f64,

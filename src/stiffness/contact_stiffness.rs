@@ -26,7 +26,7 @@ use crate::tangential::{Axis, Friction, TangentialSolution};
 pub struct NormalStiffness {
     /// Derivative $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
     pub value: f64,
-    /// Bound of the relative error of the solution of the linear problem at these sets; infinite if pressure and traction are
+    /// Bound on the relative error of the solution of the linear problem at these sets; infinite if pressure and traction are
     /// coupled. The bound does not include the round-off of the products, nor the effect of the errors of the contact solution.
     pub bound: f64,
 }
@@ -46,15 +46,15 @@ pub struct TangentialStiffness {
     /// direction. For a ball that is sheared under a constant normal load it is
     /// [Cattaneo's and Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
-    /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps).
-    /// After a step that presses a ball from zero load, the loading stiffness is therefore about two thirds of Mindlin's
-    /// stiffness, although all cells stick. The stiffness of the next step is an
-    /// [option](crate::stiffness::StiffnessWorkspace::next_step): in it these cells resist fully.
+    /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps). After
+    /// a step that presses a ball from zero load, the loading stiffness is therefore about two thirds of Mindlin's stiffness,
+    /// although all cells stick. The stiffness of the next step is an [option](crate::stiffness::StiffnessWorkspace::next_step):
+    /// in that stiffness, these cells resist fully.
     pub loading: [[Option<f64>; 3]; 3],
     /// Stiffness if the motion reverses: all cells of the contact stick. For a circle it is
     /// [Mindlin's](crate::analytical::MindlinFullStick) $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
-    /// Bound of the errors. No error of an entry exceeds this bound times the root of the product of the two diagonal entries,
+    /// Bound on the errors of the entries. No error exceeds this bound times the root of the product of the two diagonal entries,
     /// for the matrix with the twist about the centre of the contact. Infinite if pressure and traction are coupled. As with
     /// [`NormalStiffness::bound`], round-off and the errors of the contact solution are not included.
     pub bound: f64,
@@ -74,9 +74,10 @@ pub struct ContactStiffness {
     /// in the step of a history. They are valid if the shift grows in the same step, or if the approach decreases. If the bodies
     /// are pressed further at a constant shift, these cells stick and the derivative is zero.
     ///
-    /// The entries have no error bound. The underlying change of pressure has a relative error, in the energy norm, of the root
-    /// of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) they exclude the tangential
-    /// displacement by the pressure, which steps of histories include. `None` for loads that the model does not have.
+    /// The entries have no error bound. The underlying change of pressure has a relative error, in the energy norm, of at most
+    /// the root of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) the entries exclude the
+    /// tangential displacement caused by the pressure, which steps of histories include. `None` for loads that the model does not
+    /// have.
     pub by_approach: [Option<f64>; 3],
     /// Derivatives of the normal force (over a length, for the twist a force) with respect to the shifts along x and y and the
     /// twist. They are zero unless pressure and shear are coupled. `None` for motions that the model does not have.
@@ -125,7 +126,8 @@ impl NormalSolution {
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies.
     /// - [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the normal half of a coupled solution of dissimilar
     ///   bodies, whose pressure also depends on the shear.
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere, with unbounded resistance.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere, because its resistance is
+    ///   unbounded.
     /// - [`Error::NotPositive`](crate::Error::NotPositive) for a user-defined operator without a lower bound.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if the linear solve fails or is cancelled.
     /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
@@ -156,8 +158,9 @@ impl NormalSolution {
 impl TangentialSolution {
     /// Computes the tangential stiffness with one linear solve for each motion of the model and each of the two sets of cells.
     ///
-    /// Loading is the derivative of this solution with respect to its load. In the vector model it includes the resistance of the
-    /// slip of the step to a rotation of the tractions. The vector model also has the twist on grids that are not periodic.
+    /// The loading stiffness is the derivative of the loads with respect to the motions as the load continues. In the vector
+    /// model it includes the resistance of the slip of the step to a rotation of the tractions. The vector model also has the
+    /// twist on grids that are not periodic.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) if

@@ -213,8 +213,8 @@ impl Coupled<'_> {
 
 impl CoupledSolution {
     /// Computes the stiffness of the contact with the friction of the problem: derivatives of the normal force, the tangential
-    /// forces and the moment with respect to the approach and the tangential motions. Loading is the derivative of this solution
-    /// with respect to its load.
+    /// forces and the moment with respect to the approach and the tangential motions. The loading stiffness applies while the
+    /// load continues.
     ///
     /// ```
     /// use stickslip::*;
@@ -276,7 +276,7 @@ impl CoupledSolution {
     }
 }
 
-/// Returns the displacement of a point by a unit of approach, shift along x, shift along y or twist about the origin.
+/// Returns the displacement of a point for a unit of approach, shift along x, shift along y or twist about the origin.
 fn moved(motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
     match motion {
         0 => [1.0, 0.0, 0.0],

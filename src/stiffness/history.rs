@@ -17,11 +17,11 @@ impl History {
     /// Computes the stiffness of the contact: normal, tangential on loading and at reversal, and the derivatives of the
     /// tangential loads with respect to the approach; see [`crate::stiffness`].
     ///
-    /// Loading is the derivative of the force of the last step with respect to its motion, at fixed sets. In the vector model the
-    /// slip of that step adds to the stiffness of slipping cells. Cells that [came into contact](crate::guide::load_steps)
-    /// in that step follow the motion with their entry compliance. The [state](Self::state) contains both slip and entry
-    /// compliance, so that the stiffness after [`set_state`](Self::set_state) or a restart is bitwise identical. Cells that come
-    /// into contact during further motion are not included.
+    /// The loading stiffness is the derivative of the force of the last step with respect to the motion of that step, at fixed
+    /// sets. In the vector model the slip of this step adds to the stiffness of slipping cells. Cells that [came into
+    /// contact](crate::guide::load_steps) in that step follow the motion with their entry compliance. The [state](Self::state)
+    /// contains both slip and entry compliance, so that the stiffness after [`set_state`](Self::set_state) or a restart is
+    /// bitwise identical. Cells that come into contact during further motion are not included.
     ///
     /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
     /// [`StiffnessWorkspace::next_step`].

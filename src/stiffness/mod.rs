@@ -8,11 +8,11 @@
 //! - **loading**: sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model their
 //!   traction is constant. In the vector model it turns, against the stiffness $`|s|/m`$ for the slip s and the limit m;
 //! - **reversal**: all cells of the contact stick, as they do initially when the shift reverses;
-//! - **by approach**: the limit of slipping cells follows the pressure while slip continues, and so does the tangential force.
-//!   This holds if the shift grows in the same step, or if the approach decreases. If the bodies are pressed further at a
+//! - **by approach**: the limit of slipping cells follows the pressure while slip continues, and the tangential force follows the
+//!   limit. This holds if the shift grows in the same step, or if the approach decreases. If the bodies are pressed further at a
 //!   constant shift, the cells that slipped stick, and the force stays constant.
 //!
-//! In all these cases the pressure is constant while the bodies are sheared, and the tractions are constant while they are
+//! In all these cases the pressure is constant while the bodies are sheared, and the tractions are constant while the bodies are
 //! pressed. Histories add the following:
 //!
 //! - in steps in which the contact grows, cells that came into contact follow the motion with their [entry
@@ -29,7 +29,7 @@
 //! to the linear problem. It does not include the round-off of the double-precision products, nor the errors of pressure and
 //! tractions, which change the sets and the slips.
 //!
-//! The two halves of a solution of [`CoupledProblem`](crate::CoupledProblem) return
+//! The stiffness functions of the two halves of a solution of [`CoupledProblem`](crate::CoupledProblem) return
 //! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials). Use the stiffness of [the whole
 //! solution](crate::CoupledSolution::stiffness) instead.
 //!

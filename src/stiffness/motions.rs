@@ -52,7 +52,7 @@ impl<const N: usize> Motions<N> {
         self.kinds().count()
     }
 
-    /// Returns the displacement of a point by a unit of a motion.
+    /// Returns the displacement of a point for a unit of a motion.
     pub(super) fn at(&self, motion: usize, [x, y]: [f64; 2]) -> [f64; N] {
         let moved = match self.kinds().nth(motion) {
             Some(0) => [1.0, 0.0],

@@ -11,10 +11,11 @@
 //! ```
 //!
 //! The last term is neglected. Its magnitude is at most $`\epsilon_a \epsilon_b`$ with $`\epsilon_a^2 = e_a' A\,e_a = e_a' r_a`$.
-//! No matrix of loads is inverted, so that nearly parallel motions lose no accuracy.
+//! No matrix of loads is inverted, so that nearly parallel motions do not reduce the accuracy.
 //!
-//! The least eigenvalue $`\lambda`$ of C may be valid only for tractions without mean, as on periodic grids. The sums of the
-//! errors follow from the shifts c, whose motions are constant: $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n moving cells,
+//! The bound $`\lambda`$ on the least eigenvalue of C may hold only for tractions with zero mean, as on periodic grids. The sums
+//! of the errors follow from the shifts c, whose motions are constant: $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n moving
+//! cells,
 //!
 //! ```math
 //! |e_a|^2 \le \frac{\epsilon_a^2}{\lambda} + \frac{1}{n} \sum_c (|y_c' r_a| + \epsilon_c \epsilon_a)^2
@@ -28,7 +29,7 @@
 //! \epsilon_a^2 \le |r_a|^2 \Bigl(\frac{1}{\lambda} + \frac{2}{n} \sum_c \epsilon_c^2\Bigr) + |r_a| \tau_a .
 //! ```
 //!
-//! Summing over the shifts first gives a bound of $`\sum_c \epsilon_c^2`$.
+//! Summing over the shifts first gives a bound on $`\sum_c \epsilon_c^2`$.
 
 use crate::cgm::reduce::{self, larger};
 use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row};
@@ -83,7 +84,8 @@ struct ResponseColumn<const N: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     pub(super) matrix: [[f64; 3]; 3],
-    /// Bound of the errors: no entry has a larger error than this times the root of the product of the two diagonal entries.
+    /// Bound on the errors: no entry has an error larger than this bound times the root of the product of the two diagonal
+    /// entries.
     pub(super) bound: f64,
 }
 
@@ -122,7 +124,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Sets the admissible motions of the cells and their entry compliance, which is empty if no cell has one. Rejects a periodic
-    /// contact whose cells are all free: it resists a common motion without limit.
+    /// contact whose cells are all free, because such a contact resists a common motion without limit.
     pub(super) fn hold(
         &mut self,
         boundary: Boundary,
@@ -171,7 +173,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         }
         let matrix = self.matrix(motions.count);
         let bound = self.bound(motions.count, &matrix);
-        // The bound decides, even if round-off keeps the residuals above the tolerance.
+        // The bound determines the status, even if round-off keeps the residuals above the tolerance.
         course.require_eigenvalue_bound(self.compliance.operator.eigenvalue_bound());
         course.report.status = if bound <= ALLOWED.max(course.tolerance) {
             Status::Converged

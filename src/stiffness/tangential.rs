@@ -77,7 +77,7 @@ struct Cells {
     traction: [Vec<f64>; 2],
     slip: [Vec<f64>; 2],
     entered: Vec<f64>,
-    /// Changes of the friction limit, of the pressure relative to itself, and of the pressure.
+    /// Change of the friction limit, relative change of the pressure, and change of the pressure.
     limit: Vec<f64>,
     relative: Vec<f64>,
     pressure: Vec<f64>,
@@ -173,7 +173,7 @@ impl Cells {
         turning.with_preconditioner_weight(self_compliance, self.entered[cell])
     }
 
-    /// Imposes on slipping cells the change of traction by the change of their limits.
+    /// Imposes on slipping cells the change of traction caused by the change of their limits.
     fn force<R, const N: usize>(&self, axes: [Axis; N], system: &mut System<R, N>) {
         for cell in 0..self.zone.len() {
             let q = self.traction(axes, cell);
@@ -189,7 +189,7 @@ impl Cells {
         }
     }
 
-    /// Adds the displacement of cells by their entry compliance, which decreases as the pressure grows.
+    /// Adds the displacement of cells due to their entry compliance, which decreases as the pressure grows.
     fn add_own<R, const N: usize>(&self, axes: [Axis; N], system: &mut System<R, N>) {
         for (cell, &own) in self
             .entered

@@ -83,7 +83,7 @@ impl StiffnessWorkspace {
     }
 
     /// Sets the relative residual at which the linear problems count as solved (default: 1e-11). The error of a stiffness is of
-    /// the order of its square.
+    /// the order of the square of this residual.
     ///
     /// # Errors
     /// - [`Error::NotPositive`] if the tolerance is not positive.
@@ -171,7 +171,7 @@ impl StiffnessWorkspace {
     }
 }
 
-/// Returns the value in a slot if it is the required one, else stores and returns the value of `make`.
+/// Returns the value in a slot if it is the required value; otherwise stores and returns the value of `make`.
 pub(super) fn get_or_create<T>(
     slot: &mut Option<T>,
     is_own: impl Fn(&T) -> bool,

@@ -1,5 +1,5 @@
-//! Border of the linear system of a semismooth Newton step: the spread of the multipliers over the cells, and their changes that
-//! keep the totals.
+//! Border of the linear system of a semismooth Newton step: the spread of the multipliers over the cells, and the changes of the
+//! multipliers that keep the totals.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
@@ -125,8 +125,8 @@ impl<F: Cone> ConeRun<'_, '_, F> {
         });
     }
 
-    /// Selects the least slipping cells among those that could carry more of the deficit, once letting all cells stick has not
-    /// helped. Returns `None` before that, or if there is no such cell.
+    /// Selects the least slipping cells among those that could carry more of the deficit, after setting all cells to stick has
+    /// not helped. Returns `None` before that attempt, or if there is no such cell.
     fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;

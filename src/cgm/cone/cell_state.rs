@@ -82,11 +82,11 @@ impl Slip {
 /// Thresholds for a change of state.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Noise {
-    /// Overlap that counts as round-off of the inner solution.
+    /// Overlap up to which a gap counts as round-off of the inner solution.
     pub(super) gap: f64,
     /// Slip along the traction that counts as round-off of the inner solution.
     pub(super) slip: f64,
-    /// Lag of a cell that touches, per ratio of traction to pressure.
+    /// Lag of a cell that touches, per unit ratio of traction to pressure.
     pub(super) lag: f64,
     /// Maximum pressure of the cell.
     pub(super) hardness: f64,
@@ -185,8 +185,8 @@ impl ConeCellState {
         self
     }
 
-    /// Returns the next state of a cell and its projected tractions, after the linear system has left it at the tractions `x`
-    /// with gap and slip `r`.
+    /// Returns the next state of a cell and its projected tractions, given the tractions `x`, the gap and the slip `r` from the
+    /// solution of the linear system.
     pub(super) fn next(
         self,
         cell: usize,

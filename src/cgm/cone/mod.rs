@@ -16,8 +16,9 @@
 //! A cell may have a hardness, `p <= H`. While its pressure is at the hardness the bodies may overlap, and the equation of its
 //! gap is dropped.
 //!
-//! A cell that newly touches slips against its slip unless the slip is at most the slip that its overlap could prevent,
-//! `|s| <= m' |g|`. If the cell stuck instead, the method would cycle at the edge of every growing contact.
+//! A cell that newly touches is set to slip, with its traction against the slip, unless the slip is at most the slip that its
+//! overlap could prevent, `|s| <= m' |g|`. If the cell stuck instead, the method would cycle at the edge of every growing
+//! contact.
 
 mod border;
 mod cell_state;
@@ -59,10 +60,10 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) operator: &'a dyn Operator<N>,
     pub(crate) preconditioner: &'a dyn Operator<N>,
     pub(crate) layout: &'a Layout,
-    /// Gap before loading, and minus the prescribed displacements of the cells along x and y.
+    /// Gap before loading, then the negated prescribed displacements of the cells along x and y.
     pub(crate) linear: [&'a [f64]; N],
-    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by
-    /// $`\kappa g\,q/p`$. Zero in the other cells; `None` if no cell of any rank has it.
+    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by $`\kappa
+    /// g\,q/p`$. The tensor is zero in the other cells; `None` if there is no such cell on any rank.
     pub(crate) closing: Option<CellCompliance<'a>>,
     /// Maximum pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,
@@ -122,9 +123,9 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     monitor: Monitor<'a>,
     x: [&'a mut [f64]; N],
     workspace: &'a mut ConeWorkspace,
-    /// Whether the product is that of the tractions, in double precision.
+    /// Whether the product belongs to the current tractions and was computed in double precision.
     is_fresh: bool,
-    /// Times that all cells slipped the same way.
+    /// Number of times that all cells slipped in the same direction.
     times_held: usize,
     opening: ConeStart,
     course: NewtonProgress,

@@ -16,12 +16,12 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// Reduction of the inner residual: for sets from a coarser grid, while sets change, and its lower limit once they no longer
+/// Reductions of the inner residual: for sets from a coarser grid, for changing sets, and the lower limit for sets that no longer
 /// change.
 const FIRST_REDUCTION: f64 = 0.3;
 const INNER_REDUCTION: f64 = 0.03;
 const LEAST_REDUCTION: f64 = 1e-5;
-/// Residual above which a product in single precision identifies the sets equally well.
+/// Residual above which a product in single precision identifies the sets as well as a product in double precision.
 const EARLY: f64 = 1e-3;
 /// Number of steps without halving the residual after which the method is stuck.
 const PATIENCE: usize = 4;
@@ -231,7 +231,7 @@ impl<'a, F: Cone> ConeRun<'a, '_, F> {
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
         let pressed = normal.measure();
-        // A contact that sticks from rest does not move: the displacement by the pressure alone is then the scale.
+        // A contact that sticks from rest does not move: the displacement caused by the pressure alone is then the scale.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
         let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
         let residuals = [

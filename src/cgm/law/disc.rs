@@ -194,7 +194,7 @@ impl LinearisedSet<2> for Disc {
         })
     }
 
-    /// The cells at their limits stay there if the other cells suffice: moved slightly off the circle they would count as
+    /// Cells at their limits stay there if the other cells suffice, because a cell moved slightly off its circle would count as
     /// sticking.
     fn restore(
         layout: &Layout,
@@ -229,9 +229,9 @@ impl LinearisedSet<2> for Disc {
     }
 }
 
-/// Returns the shift `t` for which the vectors `P_i(q_i + t)` of the selected cells and the unchanged other vectors have the
-/// sums, and whether the sums are met: the selected cells may not suffice. The sums are the gradient of a convex function of `t`,
-/// and the method is a damped Newton iteration.
+/// Returns the shift `t` for which the vectors `P_i(q_i + t)` of the selected cells and the unchanged other vectors together have
+/// the sums. Also returns whether the sums are met, because the selected cells might not suffice. The sums are the gradient of a
+/// convex function of `t`, and the method is a damped Newton iteration.
 fn shift_to_sums(
     layout: &Layout,
     q: &[&[f64]; 2],

@@ -38,9 +38,9 @@ pub enum DiscMotion {
 ///
 /// with the weights $`0 < W \le 1`$ of the cells. It is symmetric and positive definite like both parts, and exact in both
 /// limits. The stiffness $`e`$ at which a pattern has the weight one quarter is chosen from measurements as half of $`c_1`$. With
-/// $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six least eigenvalues of a half-space, the
-/// number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of the weight costs a tenth more
-/// steps, and a third more in cells that come into contact.
+/// $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six times the least eigenvalue of a
+/// half-space, the number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of this weight
+/// would require a tenth more steps, and a third more if cells come into contact.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"

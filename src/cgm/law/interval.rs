@@ -216,7 +216,7 @@ impl LinearisedSet<1> for Interval {
             let Self { lower, upper } = constraint.of(i);
             [lower, upper, lower.abs(), upper.abs()]
         });
-        // Round-off of the two sums; an infinite bound is never reached.
+        // The margin covers the round-off of the two sums; an infinite bound is never reached.
         let edge = |size: f64| if size.is_finite() { EDGE * size } else { 0.0 };
         let (low_edge, high_edge) = (edge(lower_size), edge(upper_size));
         if !total.is_finite() || total < lower - low_edge || total > upper + high_edge {

@@ -107,7 +107,7 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     fn is_inside(self, x: [f64; N]) -> bool;
 
     /// Returns the part of a gradient `g` at a point `x` of the set that is not an inward normal of a bound. It must vanish at
-    /// the minimum. NaN if `g` is NaN.
+    /// the minimum. Returns NaN if `g` is NaN.
     #[must_use]
     fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
 
@@ -129,10 +129,10 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns the motion with the curvature of the bound for a gradient `g`.
     fn measured(self, motion: Self::CellMotion, g: [f64; N]) -> Self::CellMotion;
 
-    /// Returns the next motion of the cell and its projected unknowns, after the linear system has left it at `x` with the
-    /// gradient `g`. A gradient of the wrong sign below `noise` is ignored. The weight of the motion in the preconditioner
-    /// depends on `weighing`: the [compliance](crate::Operator::self_compliance) of a cell and the additional compliance of this
-    /// cell.
+    /// Returns the next motion of the cell and its projected unknowns, given the unknowns `x` and the gradient `g` from the
+    /// solution of the linear system. A gradient of the wrong sign below `noise` is ignored. The weight of the motion in the
+    /// preconditioner depends on `weighing`: the [compliance](crate::Operator::self_compliance) of a cell and the additional
+    /// compliance of this cell.
     fn next(
         self,
         was: Self::CellMotion,

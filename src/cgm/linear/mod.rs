@@ -50,7 +50,8 @@ pub(crate) struct LinearWorkspace<R, const N: usize> {
     pub(in crate::cgm) preconditioner: Scratch,
     pub(in crate::cgm) direction: [Vec<f64>; N],
     pub(in crate::cgm) image: [Vec<f64>; N],
-    /// Rows of the cells; if the motion is [steady](Row::IS_STEADY), only those of the moving cells, in the order of their list.
+    /// Rows of the cells; if the motion is [steady](Row::IS_STEADY), only the rows of the moving cells, in the order of their
+    /// list.
     pub(in crate::cgm) rows: Vec<R>,
     /// The moving cells; the vectors below store only these cells.
     pub(in crate::cgm) moving: FreeCells,
@@ -236,7 +237,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Computes the spread of one multiplier over the cells and returns the change of all sums by it.
+    /// Computes the spread of one multiplier over the cells and returns the change of all sums per unit of the multiplier.
     pub(in crate::cgm) fn spread(&mut self, a: usize) -> [f64; N] {
         let mut unit = [0.0; N];
         unit[a] = 1.0;

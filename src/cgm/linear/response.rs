@@ -84,9 +84,9 @@ pub(crate) struct FixedSetSystem<'a, const N: usize> {
 }
 
 impl<const N: usize> FixedSetSystem<'_, N> {
-    /// Solves for a right side in double precision to a relative residual with GMRES. If a basis does not halve the residual, the
-    /// current unknowns are kept and the report has [`Status::Stalled`]. The residual is then in [`LinearWorkspace::residual_rows`], and
-    /// the tractions are in [`LinearWorkspace::tractions`].
+    /// Solves for a right side with GMRES in double precision, to a given relative residual. If a basis does not halve the
+    /// residual, the current unknowns are kept and the report has [`Status::Stalled`]. The residual is then in
+    /// [`LinearWorkspace::residual_rows`], and the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
     /// - [`Error::NotConverged`] if the observer cancels or the iteration fails.

@@ -68,7 +68,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     }
 
     /// Sets the multipliers of the springs, and the multipliers of prescribed sums to the mean gradient. The mean does not affect
-    /// the steps, but without it the products would be dominated by round-off.
+    /// the steps, but unless it is subtracted, round-off would dominate the products.
     fn set_multiplier_of_all(&mut self) {
         let totals = self.problem.totals;
         if totals == [Total::Free; N] {

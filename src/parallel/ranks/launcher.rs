@@ -2,7 +2,7 @@
 
 use crate::parallel::ranks::RankFailure;
 
-/// Environment variables with the number of processes: those of launchers first, then those of a batch system.
+/// Environment variables with the number of processes: variables of launchers first, then variables of a batch system.
 const COUNTS: [&str; 5] = [
     "OMPI_COMM_WORLD_SIZE",
     "PMI_SIZE",
@@ -12,7 +12,7 @@ const COUNTS: [&str; 5] = [
 ];
 
 /// Returns an error if a process that is alone in its communicator was started as one of several. The first variable that is set
-/// decides.
+/// determines the number of processes.
 pub(super) fn check(
     size: usize,
     variable: impl Fn(&'static str) -> Option<String>,

@@ -22,18 +22,18 @@
 //!
 //! - grid, pair and boundary of the bodies, and parameters of a rough surface;
 //! - uniform loads, friction and hardness;
-//! - model, coupling and settings of a problem or a history, also if they are changed later;
+//! - model, coupling and settings of a problem or a history, including later changes;
 //! - the load of each step, and the state that a history starts from or returns to.
 //!
-//! If an input differs on any rank, all ranks return an error with its name ([`RankFailure::InconsistentInput`]) and remain unchanged.
-//! Fields cannot be compared, since each rank has different rows. A gap, or a coefficient per cell, must therefore be computed
-//! from the same numbers on every rank.
+//! If an input differs on any rank, all ranks return an error with its name ([`RankFailure::InconsistentInput`]) and remain
+//! unchanged. Fields cannot be compared, because each rank has different rows. A gap, or a coefficient per cell, must therefore
+//! be computed from the same numbers on every rank.
 //!
 //! Normal, tangential and coupled problems and their histories can be distributed, on all boundaries, with hardness, friction
 //! that varies between cells, relative displacements, wear and stiffnesses. Stresses on planes below the surface
 //! ([`Planes`](crate::subsurface::Planes)) are also supported; each rank receives its rows. The following return
-//! [`RankFailure::UnsupportedOnRanks`]: stresses at single points, since a sum over the loaded cells of all ranks is not computed in
-//! slabs; stresses under values at the centres of cells; files of stresses; and dense matrices.
+//! [`RankFailure::UnsupportedOnRanks`]: stresses at single points, because a sum over the loaded cells of all ranks is not
+//! computed in slabs; stresses under values at the centres of cells; files of stresses; and dense matrices.
 //!
 //! Surfaces are generated ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
 //! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab. Fields are read from and written to files
@@ -59,11 +59,11 @@
 //! The state of a history contains the rows of the slab. All ranks save it together in one file, which replaces the earlier file
 //! when every rank has written its rows ([`History::save`](crate::History::save)). Any number of ranks can continue from it, with
 //! bitwise identical results ([`History::load`](crate::History::load)), or from the [bytes](crate::History::to_bytes) of the
-//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends tractions and offsets of the window of the contact
-//! to the ranks that share its rows, and returns the solution: about ten numbers per cell of the window and component. Gap,
-//! friction and settings must be changed by all ranks in the same way. Energies and sums of cycles refer to the whole contact,
-//! slip and wear to the slab. An observer of a [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks, and the
-//! first rank decides.
+//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends tractions and offsets of the window of the
+//! contact to the ranks that share its rows, and returns the solution: about ten numbers per cell of the window and component.
+//! Gap, friction and settings must be changed by all ranks in the same way. Energies and sums of cycles refer to the whole
+//! contact, slip and wear to the slab. An observer of a [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks,
+//! and the first rank decides.
 //!
 //! # Communication volume
 //!
@@ -79,15 +79,15 @@
 //! exchange ([`Ranks::all_to_all`]), packed on all threads. Blocks of more than 4 MB are sent in up to 16 rounds, so that they
 //! take little memory compared with their source. The rows of a window of the contact are distributed over all ranks again. An
 //! iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred bytes.
-//! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts both.
+//! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts exchanges and reductions.
 //!
-//! Columns of the transform are distributed in groups of sixteen, two cache lines of each row, because both precisions share
-//! them. On a periodic grid of $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform (twice this number on a
-//! non-periodic grid). Rows are distributed in whole chunks of the sums, 4096 cells or one row, and in pairs, as they are
-//! transformed: 96 rows of 96 cells are split into 42, 42 and 12 rows on three ranks. Shorter chunks would balance the rows, but
-//! would change the last digits of every sum, and such small grids gain nothing from ranks. For $`8192 P`$ cells or more no rank
-//! has more than twice its even part, for $`81\,920\, P`$ cells or more at most a tenth more than it. Additional ranks have no
-//! work in that part and only wait.
+//! Columns of the transform are distributed in groups of sixteen, two cache lines of each row, because both precisions use the
+//! same distribution. On a periodic grid of $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform (twice this
+//! number on a non-periodic grid). Rows are distributed in whole chunks of the sums, 4096 cells or one row, and in pairs, as they
+//! are transformed: 96 rows of 96 cells are split into 42, 42 and 12 rows on three ranks. Shorter chunks would balance the rows,
+//! but would change the last digits of every sum, and such small grids gain nothing from ranks. For $`8192 P`$ cells or more, no
+//! rank has more than twice an even share of the rows. For $`81\,920\, P`$ cells or more, no rank has more than 1.1 times an even
+//! share. Ranks without rows or columns have no work in that stage and only wait.
 //!
 //! A rank stores only counts of the whole contact. Each rank counts its slab, and joins the spots at the ends of its slab with
 //! those of the next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. For a list of all spots
@@ -97,12 +97,12 @@
 //!
 //! # Failures
 //!
-//! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the others.
-//! The same holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If a rank
-//! ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or [`RankFailure::Timeout`], and so
-//! do all later calls on the same bodies. A block of unexpected length shows that its sender makes different calls
-//! ([`RankFailure::CollectiveMismatch`]). A file that the ranks were writing together is then the old file, or the new file if it was
-//! complete.
+//! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the
+//! others. The same holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
+//! a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
+//! [`RankFailure::Timeout`], and so do all later calls on the same bodies. If a block has an unexpected length, its sender makes
+//! different calls ([`RankFailure::CollectiveMismatch`]). A file that the ranks were writing together is then the old file, or
+//! the new file if it was complete.
 
 pub(crate) mod partition;
 
@@ -147,9 +147,9 @@ pub trait Ranks: Debug + Send + Sync {
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure>;
 
     /// Sends `blocks[r]` to each rank `r` and returns the received blocks in the order of the ranks. All ranks call at the same
-    /// time. A rank that sends any words to this rank must have `is_expected[r]` here, and an expected rank sends at least one
-    /// word. Empty blocks need not be sent; an empty block is returned for them. The block for this rank itself is dropped, and
-    /// an empty block is returned in its place.
+    /// time. If rank `r` sends any words to this rank, `is_expected[r]` must be true here, and an expected rank must send at
+    /// least one word. Empty blocks need not be sent; an empty block is returned for them. The block for this rank itself is
+    /// dropped, and an empty block is returned in its place.
     ///
     /// The default implementation swaps blocks with the other ranks in turn.
     ///
@@ -173,8 +173,8 @@ pub trait Ranks: Debug + Send + Sync {
 
     /// Gathers the words of all ranks in their order. Rank `r` contributes `counts[r]` words, with the same counts on all ranks.
     ///
-    /// In the default implementation each step doubles the number of ranks whose words a rank has: it sends them to the rank that
-    /// is this number of places before it (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
+    /// In the default implementation each step doubles the number of ranks whose words a rank has: the rank sends these words to
+    /// the rank that is this number of places before it (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
     /// <https://doi.org/10.1109/71.642949>).
     ///
     /// # Errors

@@ -35,7 +35,7 @@ use crate::parallel::ranks::{RankFailure, Ranks, launcher};
 pub struct Mpi {
     rank: usize,
     size: usize,
-    /// State shared with [`Mpi::run`]. The lock makes the rank `Sync` and separates calls of MPI; it is never contended.
+    /// State shared with [`Mpi::run`]. The lock makes the rank `Sync` and separates calls of MPI; this lock is never contended.
     post: Arc<Mutex<PeerQueues>>,
 }
 
@@ -56,8 +56,8 @@ impl Mpi {
     /// currently runs the work. The MPI library must therefore grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and their
     /// derivatives do.
     ///
-    /// Messages are sent and received individually, all messages of an exchange together, and not by collective calls of MPI.
-    /// Collective calls cannot be tested for one rank and cannot be cancelled, so that a lost rank would block the others
+    /// All messages of an exchange are sent and received concurrently, but as individual messages and not by collective calls of
+    /// MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so that a lost rank would block the others
     /// forever.
     ///
     /// MPI can be finalised only by all ranks together. This function does not return if a call has timed out waiting for a rank,
@@ -69,9 +69,9 @@ impl Mpi {
     /// The function returns [`Error::Ranks`], before any work, with
     /// - [`RankFailure::MpiAlreadyInitialised`] if MPI is already initialised.
     /// - [`RankFailure::InsufficientThreadLevel`] if the MPI library does not grant the thread level.
-    /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started, for example
-    ///   by the launcher of a different MPI library or by a batch job of several tasks. Their number is the value of the first
-    ///   variable that is set, of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and
+    /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started,
+    ///   for example by the launcher of a different MPI library or by a batch job of several tasks. Their number is the value of
+    ///   the first variable that is set, of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and
     ///   `SLURM_NTASKS`.
     ///
     /// # Panics

@@ -295,7 +295,7 @@ impl RowPartition {
 }
 
 /// Returns the number of rounds of an exchange, given the number of items of a rank and the approximate number per round. At most
-/// 16 rounds are used, since a sixteenth of the items takes little memory compared with the fields of a rank.
+/// 16 rounds are used, because a sixteenth of the items takes little memory compared with the fields of a rank.
 pub(crate) fn rounds(most: usize, of_a_round: usize) -> usize {
     most.div_ceil(of_a_round).clamp(1, 16)
 }

@@ -167,8 +167,8 @@ impl RankGroup {
         self.collective_result_checked(result, &[])
     }
 
-    /// Returns a result like [`RankGroup::collective_result`], and checks that inputs are equal on all ranks. All checks take one exchange with a
-    /// digest of each input.
+    /// Returns a result like [`RankGroup::collective_result`], and checks that inputs are equal on all ranks. All checks take one
+    /// exchange with a digest of each input.
     pub(crate) fn collective_result_checked<T>(
         &self,
         result: Result<T>,
@@ -200,8 +200,8 @@ impl RankGroup {
         }
     }
 
-    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. An error of such an agreement is
-    /// known on all ranks and needs no further exchange.
+    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. An error of such
+    /// an agreement is known on all ranks and needs no further exchange.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.refusals.load(Ordering::Relaxed);
         let result = work();
@@ -223,7 +223,7 @@ impl RankGroup {
         }
     }
 
-    /// Returns an error naming `quantity` if there is a team, for features that ranks do not support.
+    /// Returns an error with the name `quantity` if there is a team; used for features that ranks do not support.
     pub(crate) fn check_alone(team: Option<&Self>, quantity: &'static str) -> Result<()> {
         match team {
             Some(_) => Err(Error::Ranks(RankFailure::UnsupportedOnRanks(quantity))),

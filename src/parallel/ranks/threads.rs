@@ -85,7 +85,7 @@ impl Mailbox {
     }
 }
 
-/// Guard that notifies the other ranks when the work of a rank ends, also by a panic.
+/// Guard that notifies the other ranks when the work of a rank ends, including by a panic.
 struct DisconnectGuard<'a> {
     rank: usize,
     office: &'a Mailboxes,
