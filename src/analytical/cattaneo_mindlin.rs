@@ -51,9 +51,8 @@ impl CattaneoMindlin {
     /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
     /// body 1 along x (a force, of either sign).
     ///
-    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
-    /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
-    /// bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero. It
+    /// is also zero without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -252,9 +251,8 @@ impl CattaneoMindlinEllipse {
     /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
     /// body 1 along x (a force, of either sign).
     ///
-    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick ellipse
-    /// vanishes. It also vanishes without friction. The coupling between pressure and traction of dissimilar
-    /// bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick ellipse vanishes.
+    /// It also vanishes without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -301,8 +299,8 @@ impl CattaneoMindlinEllipse {
         self.slip.stick * self.slip.stick
     }
 
-    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the force.
-    /// Formula on the [type](Self); Mindlin (1949).
+    /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the force. The
+    /// formula is given on the [type](Self); Mindlin (1949).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.slip.shift_fraction()
@@ -315,8 +313,8 @@ impl CattaneoMindlinEllipse {
         self.gross_shift
     }
 
-    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force); zero outside the contact. Formula
-    /// on the [type](Self); Vermeulen and Johnson (1964).
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force); zero outside the contact. The
+    /// formula is given on the [type](Self); Vermeulen and Johnson (1964).
     #[must_use]
     pub fn traction(&self, x: f64, y: f64) -> f64 {
         let rho = self.hertz.relative_radius(x, y);

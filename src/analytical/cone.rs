@@ -164,8 +164,8 @@ impl Cone {
 /// \delta_x = \frac{2-\nu}{2(1-\nu)}\,\mu\delta\left[1-\sqrt{1-f}\right]
 /// ```
 ///
-/// The stick ratio decreases linearly with the force, as it does for many asperities. This is the solution of the
-/// scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// The stick ratio decreases linearly with the force, as it does for a contact of many asperities. This is the solution
+/// of the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};
@@ -191,9 +191,8 @@ impl ConePartialSlip {
     /// Creates the contact `cone` with the coefficient of friction `friction`, under the tangential force `force` on
     /// body 1 along x (a force, of either sign).
     ///
-    /// A force equal to $`\mu W`$ to within rounding is the onset of gross sliding: the stick radius is
-    /// zero. It is also zero without friction. The coupling between pressure and traction of dissimilar
-    /// bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero. It
+    /// is also zero without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -236,7 +235,7 @@ impl ConePartialSlip {
     }
 
     /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, with the sign of the
-    /// force. Formula on the [type](Self).
+    /// force. The formula is given on the [type](Self).
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.held.direction * self.ring()
@@ -250,7 +249,7 @@ impl ConePartialSlip {
     }
 
     /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from
-    /// the centre; zero outside the contact. Formula on the [type](Self).
+    /// the centre; zero outside the contact. The formula is given on the [type](Self).
     ///
     /// In the stick disc the traction is evaluated as a single logarithm, which avoids cancellation. At the apex the
     /// traction is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.

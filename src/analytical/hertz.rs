@@ -281,8 +281,8 @@ impl HertzEllipse {
 /// Computes the axis ratio $`b/a`$ of the contact of a body with the ratio of radii $`R''/R' \le 1`$, and its
 /// integrals.
 fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
-    // R''/R' = kappa^s with a local exponent s that grows from 3/2 at the circle to 2 for a line: a step with the
-    // exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reduce it to round-off.
+    // Locally R''/R' = kappa^s, with an exponent s that grows from 3/2 for the circle to 2 for a line. A step with the
+    // exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reduce the error to round-off.
     let mut kappa = radius_ratio.powf(4.0 / 7.0);
     let mut integrals = Integrals::of_axis_ratio(kappa);
     for _ in 0..24 {

@@ -113,16 +113,16 @@ impl HertzLine {
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .
     /// ```
     ///
-    /// The datum d > 0 must be large compared with a; the approach is then positive. The formula follows from
-    /// integrating Johnson (1985), 2.24, over the pressure.
+    /// The datum d > 0 must be large compared with a; the approach is then positive. The formula is the integral of
+    /// Johnson (1985), 2.24, over the pressure.
     #[must_use]
     pub fn approach(&self, datum: f64) -> f64 {
         self.displacement * (2.0 * (2.0 * datum / self.half_width).ln() + 1.0)
     }
 
-    /// Stress $`\sigma_{xx}`$ of the surface of either body at `x` (a pressure, positive in tension): $`-p`$ in the
-    /// contact, zero outside. The stress along y, in plane strain, is $`\nu (\sigma_{xx} + \sigma_{zz}) = -2 \nu p`$.
-    /// Johnson (1985), section 4.2.
+    /// Returns the stress $`\sigma_{xx}`$ of the surface of either body at `x` (a pressure, positive in tension):
+    /// $`-p`$ in the contact, zero outside. The stress along y, in plane strain, is
+    /// $`\nu (\sigma_{xx} + \sigma_{zz}) = -2 \nu p`$. Johnson (1985), section 4.2.
     #[must_use]
     pub fn surface_stress(&self, x: f64) -> f64 {
         -self.pressure(x)

@@ -90,7 +90,7 @@ impl CattaneoMindlinLine {
     /// proportion to the force. The strain is not caused by a stress along x, for example thermal expansion. If a stress causes
     /// it, use [`with_bulk_stress`](Self::with_bulk_stress).
     ///
-    /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. The growing load then slips back over this region;
+    /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. Under the growing load this region then slips back;
     /// the remaining effect is less than 1e-4 of the energy.
     ///
     /// # Errors
@@ -226,8 +226,8 @@ impl CattaneoMindlinLine {
         force * force * unit * (bracket + 8.0 * f * moved * moved)
     }
 
-    /// Stress $`\sigma_{xx}`$ of the surfaces of body 1 and of body 2 at `x` (pressures, positive in tension), the
-    /// [bulk stress](Self::with_bulk_stress) included:
+    /// Returns the stress $`\sigma_{xx}`$ of the surfaces of body 1 and of body 2 at `x` (pressures, positive in
+    /// tension), the [bulk stress](Self::with_bulk_stress) included:
     ///
     /// ```math
     /// \sigma_{xx} = \sigma - p \mp 2\mu p_0\left[\varphi\!\left(\frac xa\right) -

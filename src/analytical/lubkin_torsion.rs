@@ -65,7 +65,7 @@ impl LubkinTorsion {
         let limit = positive("friction limit", friction * hertz.max_pressure())?;
         let strain = 2.0 * hertz.pair().equivalent_shear_modulus() / limit * twist.abs();
         let a = hertz.contact_radius();
-        // Since E is at least one, this is a lower bound of the stick radius.
+        // Because E is at least one, this is a lower bound of the stick radius.
         positive("stick radius", a * (-strain).exp())?;
         let log_stick = log_stick_ratio(strain);
         let sum = integral(-log_stick, |x| {
@@ -94,7 +94,8 @@ impl LubkinTorsion {
         self.twist
     }
 
-    /// Returns the radius of the stick disc $`c`$ (a length), positive. Formula on the [type](Self); Lubkin (1951).
+    /// Returns the radius of the stick disc $`c`$ (a length), positive. The formula is given on the [type](Self);
+    /// Lubkin (1951).
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.hertz.contact_radius() * self.log_stick.exp()
@@ -107,7 +108,7 @@ impl LubkinTorsion {
     }
 
     /// Returns the moment $`M`$ about the normal on body 1 (a force times a length), with the sign of the twist. For
-    /// small twists it is $`\frac{16}{3}Ga^3\beta`$. Formula on the [type](Self); Lubkin (1951).
+    /// small twists it is $`\frac{16}{3}Ga^3\beta`$. The formula is given on the [type](Self); Lubkin (1951).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
@@ -122,7 +123,7 @@ impl LubkinTorsion {
 
     /// Returns the traction $`q`$ on body 1 (a pressure, with the sign of the twist) at the distance $`r`$ from the
     /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. Zero outside the contact.
-    /// Formula on the [type](Self); Lubkin (1951).
+    /// The formula is given on the [type](Self); Lubkin (1951).
     ///
     /// The integral is evaluated with the substitution $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which
     /// removes the root from the integrand.

@@ -56,7 +56,7 @@ impl MindlinDeresiewicz {
     /// path means zero force.
     ///
     /// Between two values the force changes monotonically; the solution does not depend on the rate or the number of
-    /// steps. A force equal to $`\mu W`$ to within rounding is the onset of gross sliding. The coupling between
+    /// steps. A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding. The coupling between
     /// pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ impl MindlinDeresiewicz {
     }
 
     /// Returns the shift $`\delta_x`$ (a length): the rigid motion of body 2 relative to body 1, measured from the
-    /// state before the first loading. Formula on the [type](Self); Johnson (1985), 7.54.
+    /// state before the first loading. The formula is given on the [type](Self); Johnson (1985), 7.54.
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.superposed(CattaneoMindlin::shift)
@@ -127,7 +127,7 @@ impl MindlinDeresiewicz {
     }
 
     /// Returns the traction $`q`$ on body 1 along x (a pressure) at the distance $`r`$ from the centre; zero outside
-    /// the contact. Formula on the [type](Self); Johnson (1985), 7.53.
+    /// the contact. The formula is given on the [type](Self); Johnson (1985), 7.53.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         self.superposed(|part| part.traction(r))

@@ -5,7 +5,7 @@
 //! | sphere, or paraboloid of revolution, under a normal load | [`HertzSphere`] | Hertz; Johnson (1985), section 4.2 |
 //! | elliptic paraboloid under a normal load | [`HertzEllipse`] | Hertz; Johnson (1985), section 4.2 |
 //! | cylinder along a line, in plane strain | [`HertzLine`] | Hertz; Johnson (1985), section 4.2 |
-//! | the same in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
+//! | cylinder along a line in partial slip, also under bulk strain | [`CattaneoMindlinLine`] | Johnson (1985), section 7.2; Nowell and Hills (1987) |
 //! | cylinder that rolls with creepage | [`Carter`] | Carter (1926) |
 //! | cylinders of different materials that roll freely | [`BentallJohnson`] | Bentall and Johnson (1967) |
 //! | ellipse that rolls with small creepages and spin | [`KalkerCoefficients`] | Kalker (1990) |
@@ -29,8 +29,8 @@
 //! - Units form any consistent set: `m, N, Pa` or `mm, N, MPa`.
 //! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
 //!   body 1.
-//! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2
-//!   receives the opposite.
+//! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2 receives the
+//!   opposite traction.
 //! - Displacements are relative. The normal displacement is the sum over the bodies, each measured into its own body; the
 //!   tangential displacement is the difference $`u_{x1}-u_{x2}`$. The elastic constants are the contact modulus $`E^*`$, the
 //!   shear modulus $`G`$ and Poisson's ratio $`\nu`$ of the [`ElasticPair`](crate::ElasticPair).

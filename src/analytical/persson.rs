@@ -20,8 +20,8 @@ use crate::error::{Result, non_negative, positive};
 /// for light loads, gives $`\sqrt{2\pi}`$; simulations give 2.0 to 2.2. The slope $`g`$ is the areal slope
 /// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// This is a mean over infinite surfaces whose shortest waves are resolved. A single sample on a coarse mesh can have
-/// far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
+/// The fraction is a mean over infinite surfaces whose shortest waves are resolved. A single sample on a coarse mesh
+/// can have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Persson};

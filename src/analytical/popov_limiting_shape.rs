@@ -125,8 +125,8 @@ impl PopovLimitingShape {
         self.worn_radius
     }
 
-    /// Returns the gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre.
-    /// Formula on the [type](Self); Popov (2014).
+    /// Returns the gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre. The
+    /// formula is given on the [type](Self); Popov (2014).
     #[must_use]
     pub fn profile(&self, r: f64) -> f64 {
         0.5 * r * r / self.radius + self.wear_depth(r)
@@ -167,8 +167,8 @@ impl PopovLimitingShape {
     /// \left(d-\frac{c^2}{R}\right)\frac{1}{\sqrt{c^2-r^2}}\right]
     /// ```
     ///
-    /// The first term is the pressure of a paraboloid. The second term is the pressure of a flat punch, since wear
-    /// leaves an edge at $`c`$; it grows without bound towards the edge.
+    /// The first term is the pressure of a paraboloid. The second term is the pressure of a flat punch, because wear
+    /// leaves an edge at $`c`$. This term grows without bound towards the edge.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         let rho = r.abs() / self.stick_radius;

@@ -127,7 +127,7 @@ impl RoughSphere {
     ///
     /// ```
     /// use stickslip::analytical::RoughSphere;
-    /// // Proportional to the load under light loads, the whole circle under heavy ones.
+    /// // The area is proportional to the load under light loads, and equals the whole circle under heavy loads.
     /// assert!((RoughSphere::area_law(1e-6, 2.0)? / 2e-6 - 1.0).abs() < 1e-11);
     /// assert!(RoughSphere::area_law(100.0, 2.0)? > 0.99998);
     /// # Ok::<(), stickslip::Error>(())

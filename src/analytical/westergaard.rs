@@ -130,8 +130,8 @@ impl Westergaard {
         self.pressure(0.0)
     }
 
-    /// Returns the pressure $`p`$ at the distance $`x`$ from a crest; zero outside the contact. Formula on the
-    /// [type](Self); Johnson (1985), section 13.2.
+    /// Returns the pressure $`p`$ at the distance $`x`$ from a crest; zero outside the contact. The formula is given on
+    /// the [type](Self); Johnson (1985), section 13.2.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let psi = self.phase(x);
@@ -241,9 +241,9 @@ impl WestergaardPartialSlip {
     /// Creates the contact `contact` with the coefficient of friction `friction`, under the mean traction
     /// `mean_traction` on body 1 along x: a tangential force divided by the nominal area, of either sign.
     ///
-    /// A mean traction equal to $`\mu\bar p`$ to within rounding is the onset of gross sliding: the stick
-    /// strips vanish. They also vanish without friction. The coupling between pressure and traction of
-    /// dissimilar bodies is neglected.
+    /// A mean traction equal to $`\mu\bar p`$ to within rounding counts as the onset of gross sliding: the stick strips
+    /// vanish. They also vanish without friction. The coupling between pressure and traction of dissimilar bodies is
+    /// neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -282,7 +282,7 @@ impl WestergaardPartialSlip {
     }
 
     /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the mean traction) at the distance
-    /// $`x`$ from a crest; zero outside the contact. Formula on the [type](Self).
+    /// $`x`$ from a crest; zero outside the contact. The formula is given on the [type](Self).
     ///
     /// In the stick strips the difference of the two roots is evaluated as the difference of their squares
     /// divided by their sum, which avoids cancellation.

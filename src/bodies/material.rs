@@ -133,14 +133,14 @@ impl Material {
     /// Adds layers that are bonded to this body, the outermost first, above any layers that it already has. On a
     /// [rigid](Self::rigid) body they form a bed on a rigid base. The page of [`layers`](crate::layers) describes the
     /// model and its limits. The moduli of a coated [`Material`] are those of the body below the layers. A hardness
-    /// that was stated before is kept; the hardness of the coating must be stated afterwards.
+    /// that was set earlier is kept. The hardness of the coating must be set afterwards.
     ///
     /// ```
     /// use stickslip::{ElasticPair, Material, layers::Layer};
     /// let steel = Material::new(210e9, 0.3)?;
     /// let hard = steel.coated(&[Layer::new(400e9, 0.25, 2e-6)?])?;
     /// let response = |waves_per_metre| ElasticPair::new(hard, Material::rigid())?.response(waves_per_metre);
-    /// // LayerWaves that are long compared with the coating respond like the steel, short waves like the coating.
+    /// // Waves that are long compared with the coating respond like the steel, short waves like the coating.
     /// let plane = |modulus: f64, nu: f64| modulus / (1.0 - nu * nu);
     /// assert!((response(1.0)?.normal * 0.5 * plane(210e9, 0.3) - 1.0).abs() < 1e-4);
     /// assert!((response(1e8)?.normal * 0.5e8 * plane(400e9, 0.25) - 1.0).abs() < 1e-12);
@@ -258,8 +258,8 @@ impl Material {
 
 /// Two half-spaces in contact, described by the relative displacement `u_1 - u_2`.
 ///
-/// The tractions act on body 1 and the opposite shear on body 2. Compliances of like components
-/// therefore add, and the normal-shear couplings subtract.
+/// The tractions act on body 1, and the opposite tractions act on body 2. Compliances of like components therefore add,
+/// and the normal-shear couplings subtract.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material};
@@ -551,7 +551,7 @@ impl ElasticPair {
 
     /// Returns whether pressure moves the surfaces tangentially and shear moves them normally. This is the case if
     /// [`dundurs_beta`](Self::dundurs_beta) exceeds 1e-12 in magnitude. For coated bodies the ratio
-    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) must exceed it, for waves of some length.
+    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) must exceed this limit for waves of some length.
     #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.coupling.abs() > UNCOUPLED

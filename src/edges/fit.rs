@@ -64,7 +64,7 @@ pub(super) struct Fit {
     pub(super) missed: f64,
     /// Number of values in the fit.
     pub(super) count: usize,
-    /// Whether any of these values is outside the set.
+    /// Whether any value in the fit belongs to a cell outside the set.
     pub(super) has_outside: bool,
 }
 

@@ -1,8 +1,8 @@
 //! Edges of a contact and of its stick zone inside the cells: areas, outlines and pressures more accurate than counts of cells.
 //!
-//! A cell is either in contact or not. The counted area therefore has an error of the length of the edge times a fraction of a
-//! cell, and the pressure of the outermost cells has an error of a fraction of its value. The values near the edge determine its
-//! position more accurately. At a distance s from a smooth edge the pressure rises and the gap opens as
+//! A cell is either in contact or not. The error of the counted area is therefore the length of the edge times a fraction of a
+//! cell side, and the error of the pressure in the outermost cells is a fraction of its value. The values near the edge determine
+//! its position more accurately. At a distance s from a smooth edge the pressure rises and the gap opens as
 //!
 //! ```math
 //! p = K \sqrt{s}, \qquad g = \frac{4 K}{3 E^*}\,s^{3/2}, \qquad\text{so that}\qquad
@@ -34,15 +34,16 @@
 //! with [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
 //! and rotated ellipses. A sharp punch therefore keeps its raw cells, as do nearly all cells of a rough contact whose shortest
 //! waves are less than sixteen cells long. The corrected area of such a rough contact still has an error of at most 2.5 % if
-//! hundreds of cells touch (mean over seeds: 1 %), while counting gives 4 to 16 % too much. With fifty cells the error can reach
-//! 7 %.
+//! hundreds of cells touch (mean over seeds: 1 %), while the counted area is 4 to 16 % too large. With fifty cells the error can
+//! reach 7 %.
 //!
-//! In 600 tests with ellipses of any shape, angle and position, two had a larger pressure error than the raw cells. Both were
-//! three cells across, with 20 and 29 cells in total. The median ratio of the errors was 0.36.
+//! In 600 tests with ellipses of any shape, angle and position, the fit had a larger pressure error than the raw cells for two
+//! ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit to the error
+//! of the raw cells was 0.36.
 //!
 //! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The edge of the stick zone is accurate
-//! to 0.6 % up to Dundurs' beta of 0.29, to 2 % up to 0.5, and beyond only to 14 %. For beta of 0.5 or more, between a third and
-//! nearly all of its fits are rejected.
+//! to 0.6 % for Dundurs' beta up to 0.29, to 2 % up to 0.5, and only to 14 % for larger values. For beta of 0.5 or more, between
+//! a third and nearly all of its fits are rejected.
 //!
 //! A test with 200 random cases on 60 x 60 cells (ellipses, quartics, rough spheres and rough planes, free and periodic) gave 360
 //! solutions. In seven of them the area, or the pressure at the centres or in the mean, had an error that exceeded the error of
@@ -58,9 +59,9 @@
 //! A slip ring of less than two cells provides no values of the slip, because its cells are also at the edge of the contact. The
 //! fit is then extrapolated from the stick zone, and is rejected if its residual exceeds 0.01 cells. Under spheres and ellipses
 //! the squared value is a quadratic, and the fit finds the edge. Under a gap r^4 the cells keep their raw values.
-//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32 cells
-//! over three contact radii, the mean of four positions. The first value is the error of the raw cells, the second the error of
-//! the fit:
+//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32
+//! cells over three contact radii, averaged over four positions. The first value is the error of the raw cells, the second the
+//! error of the fit:
 //!
 //! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | refused |
 //! |---|---|---|---|---|---|
@@ -71,9 +72,9 @@
 //! | gap r^4, 0.4 | 1.0 | 3.7e-2, 3.2e-2 | 2.9e-2, 2.9e-2 | 1.2e-2, 1.0e-2 | 0.98 |
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
-//! On 64 x 64 cells the error of the traction for the gap r^4 at 0.4 is 6e-3 instead of 1.3e-2. In a ring of about two cells
-//! under this gap (40 x 40 cells, 0.6), the fit increases the error of the largest traction by a factor of 1.4 and the error of
-//! the stick area by a factor of 1.7.
+//! On 64 x 64 cells the error of the traction for the gap r^4 at 0.4 is 6e-3 with the fit, instead of 1.3e-2 for the raw cells.
+//! In a ring of about two cells under this gap (40 x 40 cells, 0.6), the fit increases the error of the largest traction by a
+//! factor of 1.4 and the error of the stick area by a factor of 1.7.
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!
@@ -181,7 +182,7 @@ impl Edges {
         &self.centres
     }
 
-    /// Returns the means of these values over the cells.
+    /// Returns the means of the pressure, or of the friction reserve, over the cells (pressures).
     #[must_use]
     pub fn means(&self) -> &Field {
         &self.means

@@ -219,8 +219,8 @@ impl Search<'_> {
         }
     }
 
-    /// Returns the quantity with a uniform slope at the edge, for all cells around the found cells. It is the square of the
-    /// pressure inside and minus the 2/3 power of the gap outside, as in [`FitValues`]. It is zero for all other cells.
+    /// Returns the quantity with a uniform slope at the edge, for all cells around the found cells. The quantity is the square of
+    /// the pressure inside and the negated 2/3 power of the gap outside, as in [`FitValues`]. It is zero for all other cells.
     fn lifted(&self, stencil: &Stencil, found: &[EdgeCandidate], largest: f64) -> Result<Vec<f64>> {
         let mut lifted = fallible::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);

@@ -94,7 +94,7 @@ fn state_of([below, middle, above]: [&[u8]; 3]) -> State {
 }
 
 /// Returns the indices before and after an index along an axis. An index beyond an edge of the grid is replaced by its
-/// periodic image, or `None` if the axis is not periodic.
+/// periodic image, or by `None` if the axis is not periodic.
 pub(super) fn beside(place: usize, count: usize, repeats: bool) -> [Option<usize>; 2] {
     let before = place.checked_sub(1);
     let after = Some(place + 1).filter(|next| *next < count);

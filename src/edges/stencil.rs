@@ -16,7 +16,7 @@ pub(super) type Square<T> = [[T; LANES]; SIDE];
 pub(super) const POWERS: usize = 6;
 /// Number of products of two terms, up to the fourth degree.
 pub(super) const PRODUCTS: usize = 15;
-/// Number of powers of x or of y in these products.
+/// Number of powers of x or of y in the products of two terms.
 pub(super) const FOURTH: usize = 5;
 /// Number of powers of x or of y up to the second degree.
 pub(super) const SECOND: usize = 3;
@@ -113,7 +113,8 @@ impl Stencil {
         }
     }
 
-    /// Returns the rows and the columns of the square around a cell; `None` for those beyond an edge of the grid.
+    /// Returns the rows and the columns of the square around a cell; `None` for rows and columns beyond an edge of the
+    /// grid.
     pub(super) fn about(&self, cell: usize) -> [[Option<usize>; SIDE]; 2] {
         let [nx, ny] = self.size;
         [self.along(1, cell / nx, ny), self.along(0, cell % nx, nx)]

@@ -22,7 +22,8 @@ pub enum Boundary {
     ///
     /// Under a load that is infinitely long in y, the surface moves infinitely far relative to points deep inside the
     /// body. Displacements are therefore relative to a datum: a line load does not move the surface at the distance
-    /// `datum` (a length) along x from the load. Per unit length of a line load P, both bodies together,
+    /// `datum` (a length) along x from the load. The displacement of both bodies together under a line load P per unit
+    /// length is
     ///
     /// ```math
     /// u_z(x) = -\frac{2 P}{\pi E^*} \ln\frac{|x|}{d} .

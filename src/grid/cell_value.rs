@@ -35,15 +35,16 @@
 /// | stresses below the surface | the stresses of the uniform cells $`p - \Delta_h p/24`$, including a ring around the contact |
 /// | friction limit, slip, dissipated energy, wear | the values at the centres |
 ///
-/// C' is positive definite if C is. On the torus of a product the stencil multiplies the symbol by
+/// C' is positive definite if C is. On the torus on which products are computed, the stencil multiplies the symbol by
 /// $`1 + (4 - 2 \cos \theta_x - 2 \cos \theta_y)/24`$, which lies between 1 and 4/3, with $`\theta`$ the phase between
 /// neighbouring cells. Therefore any tractions t of a grid without images satisfy
 /// $`t' C t \le t' C' t \le \tfrac43\,t' C t`$, and the eigenvalues of C' lie between the smallest eigenvalue of C and
-/// 4/3 of its largest. The bounds that an operator reports are the eigenvalues of its periodic continuation, of which
-/// the grid is a part, as for C. The [certificate](crate::cgm) thus remains valid without change.
+/// 4/3 of its largest. As for C, the bounds that an operator reports are the eigenvalues of its periodic continuation, of
+/// which the grid is a part. The [certificate](crate::cgm) thus remains valid without change.
 ///
-/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper, and it is not the
-/// default: results of uniform cells can be compared to the last digit with those of the paper and of CONTACT.
+/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper, and it is not
+/// the default: results of uniform cells can be compared to the last digit with the results of the paper and of
+/// CONTACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CellValue {

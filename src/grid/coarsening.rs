@@ -30,8 +30,8 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> 
     Ok(coarse)
 }
 
-/// Prolongates a field by bilinear interpolation of the coarse cell centres at the fine cells of some rows. The field
-/// is constant beyond the outermost centres. The slice `coarse` begins with the row `first`.
+/// Prolongates a field to the fine cells of some rows, by bilinear interpolation between the centres of the coarse
+/// cells. The field is constant beyond the outermost centres. The slice `coarse` begins with the row `first`.
 pub(crate) fn refined(
     [nx, ny]: [usize; 2],
     rows: Range<usize>,
@@ -61,8 +61,8 @@ pub(crate) fn refined(
 }
 
 /// Prolongates a field that is positive in a zone and falls to zero at its edge like the square root of the distance,
-/// as a pressure does. The squares of the field, which are linear there, are interpolated. For a part of the rows the
-/// coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
+/// as a pressure does. The function interpolates the squares of the field, which are linear near the edge. For a part
+/// of the rows the coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
 pub(crate) fn refined_zone(
     size: [usize; 2],
     rows: Range<usize>,
@@ -88,7 +88,7 @@ pub(crate) const REACH: usize = 3;
 
 /// Returns the squares of a field, in the given unit, inside the zone where it is positive, with a continuation into
 /// the cells next to the zone. The continued value is a mean over the directions whose next cell lies inside the zone,
-/// with every term limited to at most zero. The term is the linear continuation from two cells, or minus the square in
+/// with every term limited to at most zero. A term is the linear continuation from two cells, or the negated square in
 /// the next cell if the second cell lies outside. All other cells are zero.
 fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> {
     const DIRECTIONS: [[isize; 2]; 8] = [
@@ -158,7 +158,8 @@ fn by_rows(
 mod tests {
     use super::*;
 
-    /// Returns `sqrt(1 - r^2)` at the centres of `n` x `n` cells around its zone.
+    /// Returns `sqrt(1 - r^2)`, or zero outside the unit circle, at the centres of `n` x `n` cells that cover the
+    /// circle.
     fn root(n: usize) -> Vec<f64> {
         let centre = |i: usize| 2.6 * ((i as f64 + 0.5) / n as f64 - 0.5);
         let value = |cell: usize| {

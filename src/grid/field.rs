@@ -95,7 +95,7 @@ impl From<&Field> for Arc<Field> {
     }
 }
 
-/// Replaces a shared field. It allocates only if the old samples have a further owner.
+/// Replaces a shared field. Memory is allocated only if the old samples have a further owner.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out; the field is then unchanged.

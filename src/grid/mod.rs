@@ -117,8 +117,8 @@ impl Grid {
         Self::new(n, 1, dx, 1.0)
     }
 
-    /// Returns a slab of some rows of this grid; the slab may have no rows. Cells and positions are those of the slab,
-    /// at their places in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed)
+    /// Returns a slab of some rows of this grid; the slab may have no rows. The cells are those of the slab, at their
+    /// positions in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed)
     /// contact on a slab.
     pub(crate) fn slab(self, rows: Range<usize>) -> Self {
         Self {

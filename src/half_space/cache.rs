@@ -26,7 +26,7 @@ type Value = dyn Any + Send + Sync;
 
 #[derive(Debug)]
 enum CacheEntry {
-    /// Value that is kept as long as the cache.
+    /// Value that is kept for the lifetime of the cache.
     Kept(Arc<Value>),
     /// Value that is shared as long as it has an owner.
     Lent(Weak<Value>),
@@ -50,8 +50,8 @@ impl CacheEntry {
 }
 
 impl Cache {
-    /// Returns the value for these components and this size, which the first call creates. It is kept as long as the
-    /// cache, or only as long as it has an owner.
+    /// Returns the value for these components and this size, which the first call creates. If `is_kept` is set, the
+    /// value is kept for the lifetime of the cache; otherwise it is kept only while it has an owner.
     ///
     /// Values are created outside the lock, for the reason stated in [`get_or_make`](crate::parallel::get_or_make).
     pub(super) fn get_or_make<T: Any + Send + Sync>(

@@ -31,8 +31,8 @@ struct UpToMean<const N: usize>(ElasticPreconditioner<N>);
 struct LatticeEigenvalueBound(f64);
 
 impl HalfSpace {
-    /// Returns operator and preconditioner of distinct directions on a rectangle of `[nx, ny]` cells of the grid, for
-    /// any position of the rectangle. Along a periodic axis the rectangle contains all cells.
+    /// Returns the operator and the preconditioner for distinct directions on a rectangle of `[nx, ny]` cells of the
+    /// grid, for any position of the rectangle. Along a periodic axis the rectangle contains all cells.
     pub(crate) fn compliance<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -108,8 +108,8 @@ impl HalfSpace {
         Ok(())
     }
 
-    /// Returns the pool of buffers of a type for these cells and components, which exists as long as it has an owner.
-    /// Pools that do not depend on components are stored without any.
+    /// Returns the pool of buffers of a type for these cells and components, which exists as long as it has an owner. A
+    /// pool that does not depend on components is stored under an empty list of components.
     pub(crate) fn pool<T: Send + 'static>(
         &self,
         components: &[Component],
@@ -186,7 +186,7 @@ impl HalfSpace {
         made.map(ElasticOperator::from)
     }
 
-    /// Returns the operator of the whole grid, which is periodic along y, with the bounds for tractions without a mean
+    /// Returns the operator of the whole grid, which is periodic along y, with the bounds for tractions with zero mean
     /// and for uniform tractions.
     fn bounded_along_y<const N: usize>(
         &self,
@@ -214,7 +214,7 @@ impl HalfSpace {
             let kernels = line.shared.kernels.of([[component]])?;
             let operator = Convolution::of_kernels(line.size(), None, kernels)?;
             let strength = component.of_response(long_waves, [1.0, 0.0]);
-            // A line load moves the surface by its strength divided by pi times the logarithm of the distance.
+            // A line load moves the surface by its strength times the logarithm of the distance, divided by pi.
             let slope = strength * grid.nx() as f64 * grid.dx() / PI;
             UniformWave::new(&operator, least, [datum, slope])
         })?;

@@ -40,7 +40,7 @@ pub(crate) use region::Region;
 ///
 /// # Memory
 ///
-/// The samples behind `XX`, `YY` and `ZZ` take 16 bytes per cell together, and the samples of `XY`, `XZ` and `YZ` take
+/// The samples behind `XX`, `YY` and `ZZ` together take 16 bytes per cell, and the samples of `XY`, `XZ` and `YZ` take
 /// 8 bytes per cell each. The coarser grids of nested starts use the same samples, except on a grid that is periodic
 /// along y only, whose coarser grids have separate samples. On grids of more than a million cells the samples are
 /// recomputed for each operator and not kept. Each operator takes 12 bytes per cell and its preconditioner one byte per
@@ -71,8 +71,8 @@ struct Shared {
     team: Option<Arc<RankGroup>>,
     /// Distribution of the grid over ranks, if any.
     share: Option<Arc<RowPartition>>,
-    /// Operators and preconditioners: those of the whole grid are kept, those of windows are kept as long as they have
-    /// an owner.
+    /// Operators and preconditioners. The cache keeps the entries of the whole grid for its lifetime, and the entries
+    /// of windows as long as they have an owner.
     made: Cache,
     /// Bodies on cells of twice the sides.
     coarser: OnceLock<HalfSpace>,
@@ -81,7 +81,7 @@ struct Shared {
 /// Largest number of cells of a grid whose kernels are kept for other operators.
 const KEPT_CELLS: usize = 1 << 20;
 
-/// Least memory of a normal contact of all cells: operators, buffers and solution.
+/// Minimum number of bytes per cell for a normal contact on all cells: operators, buffers and solution.
 const BYTES_PER_CELL: usize = 90;
 
 const _: () = {
@@ -149,7 +149,7 @@ impl HalfSpace {
 
     /// Sets the interpretation of cell values (default: [`CellValue::Uniform`]). No operator is computed yet. The call
     /// is collective on ranks. On a grid with [`Boundary::Periodic`], values are always those at the centres, because
-    /// its symbols are those of waves, which no cell smooths.
+    /// the symbols on such a grid are those of waves, which are not averaged over cells.
     ///
     /// With values at the centres and [`edges`](crate::edges), the pressure, the traction at 40 % of the sliding force
     /// and the areas of a sphere are accurate to 1 % with 11 cells per contact radius at a tolerance of 1e-3, and to
@@ -159,7 +159,7 @@ impl HalfSpace {
     ///
     /// # Cost
     ///
-    /// Kernels take 4 % more time. Solves take at most as much time as with uniform cells.
+    /// The computation of the kernels takes 4 % more time than with uniform cells. Solves do not take more time.
     ///
     /// ```
     /// use stickslip::*;
@@ -284,7 +284,7 @@ impl HalfSpace {
     /// ```
     ///
     /// The operator is symmetric, by Betti's reciprocity: the odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One
-    /// product costs N transforms each way; the page of the type states the memory.
+    /// product costs N forward and N inverse transforms. The page of the type states the memory.
     ///
     /// ```
     /// use stickslip::influence::Direction::{X, Y, Z};
@@ -400,13 +400,14 @@ impl HalfSpace {
         }
     }
 
-    /// Extends the window to the whole grid along axes that are not cut: the window in which its contact is solved.
+    /// Extends the window to the whole grid along axes that are not cut. The contact of the window is solved on the
+    /// result.
     pub(crate) fn restrict_to_window(&self, window: Window) -> Window {
         window.spanning(self.grid(), self.spanned())
     }
 
-    /// Returns the window in which a contact is solved if checks on the whole grid follow. It is the whole grid if the
-    /// window saves too little.
+    /// Returns the window in which a contact is solved if checks on the whole grid follow. The result is the whole grid
+    /// if the window would save too little work.
     pub(crate) fn place(&self, window: Window) -> Window {
         let (window, whole) = (self.restrict_to_window(window), Window::whole(self.grid()));
         let saves_little = 5 * window.cells() > 4 * whole.cells();
@@ -504,7 +505,8 @@ mod tests {
                     assert!((exact[i] - expected).abs() <= 1e-14 * largest);
                     assert!((rough[i] - expected).abs() <= 2e-6 * largest);
                 }
-                // x'Cx is at least the bound times x'x, without the mean if a uniform traction causes no displacement.
+                // x'Cx is at least the bound times x'x. The mean of x is subtracted if a uniform traction causes no
+                // displacement.
                 let mean = |q: &[f64]| q.iter().sum::<f64>() / cells as f64;
                 let means = [mean(x), mean(y)];
                 let is_free = boundary == Boundary::NonPeriodic;

@@ -42,8 +42,8 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// Returns the smallest eigenvalue of the periodic continuation, of either sign, or `None` for a user-defined
-    /// operator. On a periodic grid the mean is excluded.
+    /// Returns the smallest eigenvalue of the periodic continuation, which may be negative, or `None` for a
+    /// user-defined operator. On a periodic grid uniform tractions are excluded.
     pub(super) fn least_eigenvalue(&self) -> Option<f64> {
         match &self.0 {
             OperatorKind::Convolution(convolution) => Some(convolution.least_eigenvalue()),
@@ -51,8 +51,8 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// Returns a lower bound of the eigenvalues, and its origin. On a periodic grid the bound is for tractions without
-    /// a mean, on other grids for all tractions.
+    /// Returns a lower bound of the eigenvalues, and its origin. On a periodic grid the bound holds for tractions with
+    /// zero mean, on other grids for all tractions.
     pub(crate) fn bound_without_mean(&self) -> (f64, EigenvalueBound) {
         match &self.0 {
             OperatorKind::Convolution(convolution) => {
@@ -62,9 +62,9 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. A component has no mean if its
-    /// sum is prescribed (`None`). For other components `added` contains the compliance that acts on a uniform
-    /// traction: zero, or the compliance of a spring.
+    /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. If the sum of a component is
+    /// prescribed (`None`), its mean is zero. For other components `added` contains the compliance that acts on a
+    /// uniform traction: zero, or the compliance of a spring.
     ///
     /// # Errors
     /// - [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance for these tractions is not positive

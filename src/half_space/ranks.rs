@@ -21,8 +21,8 @@ impl HalfSpace {
     /// Creates the bodies on `grid` with its rows distributed over ranks. The call is collective, with the same
     /// arguments on every rank; each rank stores one slab of rows. [`HalfSpace::grid`] returns this slab. Fields,
     /// problems and solutions contain its cells. Each rank states the problem for its slab, and all ranks solve it
-    /// together. Results are bitwise identical to those of one process. The page of [`ranks`](crate::ranks) has the
-    /// details.
+    /// together. Results are bitwise identical to the results of one process. The page of [`ranks`](crate::ranks) has
+    /// the details.
     ///
     /// # Errors
     /// - All errors of [`HalfSpace::with_boundary`].

@@ -92,8 +92,8 @@ impl Region {
         &self.layout
     }
 
-    /// Returns the layout of the cells that this rank stores. Sums over them add up row by row, so they do not depend
-    /// on the slabs.
+    /// Returns the layout of the cells that this rank stores. Sums over these cells are accumulated row by row, so the
+    /// sums do not depend on the slabs.
     pub(crate) fn held_layout(&self) -> Layout {
         match &self.dealt {
             Some(dealt) => Layout::shared(Arc::clone(&dealt.held)),
@@ -106,8 +106,8 @@ impl Region {
         self.dealt.is_some()
     }
 
-    /// Returns whether some cells are stored and solved by different ranks. For a window of the whole grid they are
-    /// not, so fields need no copy.
+    /// Returns whether some cells are stored and solved by different ranks. For a window of the whole grid this is not
+    /// the case, so fields need no copy.
     pub(crate) fn is_moved(&self) -> bool {
         self.moving().is_some()
     }

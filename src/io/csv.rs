@@ -222,7 +222,7 @@ struct Spelling {
     is_column_whole: bool,
     /// Number of cells outside the first line and column.
     others: usize,
-    /// Number of these cells that consist of digits only.
+    /// Number of cells outside the first line and column that consist of digits only.
     whole_others: usize,
 }
 

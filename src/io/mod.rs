@@ -1,6 +1,6 @@
 //! Files of surfaces and fields.
 //!
-//! | format | module | reads | writes | carries its cell sides | unit |
+//! | format | module | reads | writes | contains cell sides | unit |
 //! |---|---|---|---|---|---|
 //! | NPY, the array file of NumPy | [`npy`] | yes | yes | no | the file's |
 //! | CSV and other matrices in text | [`csv`] | yes | yes | no | the file's |

@@ -66,8 +66,9 @@ impl HalfSpace {
     /// The list has the given path, `run.pvti`. The images are in the same folder, `run_0.vti`, `run_1.vti`, ..., in the form of
     /// [`io::vti::write`](vti::write). A rank without rows writes no image. Without ranks there is a single image.
     ///
-    /// A failure before all images are on the disk leaves existing files unchanged. Then an earlier list is removed, the images
-    /// are renamed, and finally the new list is written. A list therefore never refers to both old and new images.
+    /// A failure before all images are on the disk leaves existing files unchanged. Once all images are on the disk, an earlier
+    /// list is removed, the images are renamed, and finally the new list is written. A list therefore never refers to both old
+    /// and new images.
     ///
     /// ```no_run
     /// # fn show(bodies: &stickslip::HalfSpace, contact: &stickslip::NormalSolution) -> stickslip::Result<()> {

@@ -30,8 +30,8 @@ pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
 }
 
 /// Returns the lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes that are not
-/// UTF-8 are harmless in a comment; elsewhere they are not valid in a number. The words `No Data` are joined, so that
-/// white space does not separate them.
+/// UTF-8 are harmless in a comment; elsewhere they make a number invalid. The words `No Data` are joined, so that white
+/// space does not separate them.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
     lines.filter_map(|(index, line)| {

@@ -80,8 +80,9 @@ pub fn write<'a>(
     write_bytes(path.as_ref(), &to_bytes(fields)?)
 }
 
-/// Returns the bytes of a file with named fields and vectors on one grid. Each is an array of cell data, stored exactly
-/// as doubles, on a flat image in the plane `z = 0` whose origin is the corner of smallest x and y.
+/// Returns the bytes of a file with named fields and vectors on one grid. Each field or vector is an array of cell
+/// data, stored exactly as doubles, on a flat image in the plane `z = 0` whose origin is the corner of smallest x and
+/// y.
 ///
 /// Fields on a slab form an image of its rows only, at their position in the whole grid. The origin is the corner of
 /// the whole grid, and the extent along y counts the rows of the whole grid ([`Grid::rows`]), as required for the

@@ -14,7 +14,7 @@ use crate::grid::field::Field;
 const FORMAT: Format = Format("XYZ");
 /// Largest number of cells of the grid per point.
 const CELLS_PER_POINT: usize = 10;
-/// Largest permitted distance of a point from its place in the grid, in spacings.
+/// Largest permitted distance of a point from its grid position, in spacings.
 const TOLERANCE: f64 = 0.05;
 /// Fraction of the widest step between neighbours below which two coordinates count as equal.
 const NOISE: f64 = 1e-3;
@@ -93,15 +93,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// way. The grid has cells of these sides centred on the points. If points are not on this grid, the grid is fitted to
 /// them by least squares. A single column or row has the spacing of the other axis.
 ///
-/// Places of the grid without a point, or with a missing height, are NaN. Separators, decimal commas, comments and
+/// Grid positions without a point, or with a missing height, are set to NaN. Separators, decimal commas, comments and
 /// words for missing heights are as in [`csv`](super::csv::parse).
 ///
 /// Lines of names before the first point are skipped; [`Options::skip_rows`] skips lines with numbers. Cells after the
 /// third are ignored, but every line must have the same number of cells.
 ///
-/// Scattered points are rejected. Every point must be within 5 % of a spacing of its place, at least a tenth of the
-/// places must have a point, and fewer than a thousand successive columns or rows may be empty. If the points of a
-/// column or row differ by more than 0.1 % of a spacing, more than half of the places must have a point.
+/// Scattered points are rejected. Every point must be within 5 % of a spacing of its grid position, at least a tenth of
+/// the positions must have a point, and fewer than a thousand successive columns or rows may be empty. If the points of
+/// a column or row differ by more than 0.1 % of a spacing, more than half of the positions must have a point.
 ///
 /// # Errors
 /// - [`Error::Format`], with the line, if a line does not have three numbers, or has a different number of cells from

@@ -11,7 +11,7 @@ use crate::tangential::{
 /// `before` and had the gap g there,
 ///
 /// ```math
-/// \kappa = n\,n' + \with_remaining_limits(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
+/// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
 /// ```
 ///
 /// with the sums $`c_n`$ of $`(1-\nu)/G`$ and $`c_l`$ of $`\nu/G`$ of both bodies. The unit vector n is normal to the

@@ -9,7 +9,7 @@
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the traction q on body 1, the displacement $`u_p`$ by the pressure (zero between bodies of the same material), the
+//! with the traction q on body 1, the displacement $`u_p`$ due to the pressure (zero between bodies of the same material), the
 //! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
 //! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
 //! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
@@ -43,7 +43,7 @@
 //! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
 //! 0.45, 0.25 and 0), 24 cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
 //!
-//! | $`\beta`$ | $`\mu`$ | error of a pass over that of the last | passes | products |
+//! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|
 //! | 0.09 | 0.1 | 0.01 | 6 | 311 |
 //! | 0.33 | 1 | 0.13 | 12 | 409 |
@@ -59,7 +59,7 @@
 //! zero outside the contact,
 //!
 //! ```math
-//! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \with_remaining_limits(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
+//! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
 //! where $`\lambda`$ is a lower bound of the eigenvalues of C on a window one step longer than the contact, and m is the largest
@@ -75,13 +75,13 @@
 //!
 //! | cells | 16 | 32 | 64 | 128 |
 //! |---|---|---|---|---|
-//! | $`F/\mu P`$ with the law | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
-//! | $`F/\mu P`$ without | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
+//! | $`F/\mu P`$ with the entry law | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
+//! | $`F/\mu P`$ without the entry law | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
 //! | products, cold | 46 | 62 | 83 | 114 |
 //!
 //! After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products. The products are in double
-//! precision, and each product includes one application of the preconditioner in single precision. A cold solve therefore takes
-//! the time of 1.0, 1.4 and 1.6 times as many products on 32, 64 and 128 cells.
+//! precision, and each product includes one application of the preconditioner in single precision. On 32, 64 and 128 cells, a
+//! cold solve therefore takes as much time as 1.0, 1.4 and 1.6 times the listed number of products.
 //!
 //! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$ on
 //! 32, 64, 128, 256 and 512 cells. Without the entry law it is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law requires the slope of the

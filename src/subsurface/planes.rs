@@ -31,8 +31,9 @@ use crate::support::debug::shown;
 /// The kernels of a depth are computed at its first solve and kept. They take 112 bytes per cell and depth, or 152 with
 /// displacements (170 during their computation), and a tenth more if the padded length is not twice the number of cells. The
 /// kernels of homogeneous bodies do not depend on the materials and are used for both bodies; clones share them. On a grid that
-/// is periodic along both axes they take a quarter. [`through`](Self::through) keeps no kernels, so its memory does not grow with
-/// the number of depths. The transforms take 96 bytes per cell, a [`Plane`] 48, or 72 with displacements.
+/// is periodic along both axes they take a quarter of this memory. [`through`](Self::through) keeps no kernels, so its memory
+/// does not grow with the number of depths. The transforms take 96 bytes per cell. A [`Plane`] takes 48 bytes per cell, or 72
+/// with displacements.
 ///
 /// In [coated](crate::layers) bodies the kernels depend on the body. They take 144 bytes per cell and depth, or 216 with
 /// displacements, for each coated body that is computed.
@@ -40,8 +41,8 @@ use crate::support::debug::shown;
 /// # Cost
 ///
 /// One depth takes three transforms of the tractions and one inverse transform per component. The six stresses of 512 x 512 cells
-/// take as much time as nine products of [`HalfSpace::operator`]. Computing the kernels takes as much time as fifty products,
-/// once.
+/// take as much time as nine products of [`HalfSpace::operator`]. The kernels are computed only once, which takes as much time as
+/// fifty products.
 ///
 /// # Boundaries
 ///
@@ -83,10 +84,10 @@ use crate::support::debug::shown;
 ///
 /// # Ranks
 ///
-/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. It stores the parts of kernels,
-/// transforms and planes that belong to its rows and columns. The values are bitwise identical to the values of a single process.
-/// Solves are collective calls, and the observer of the first rank decides. Values at the centres of cells
-/// ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that is not periodic along both axes, and files
+/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. Each rank stores the parts of
+/// kernels, transforms and planes that belong to its rows and columns. The values are bitwise identical to the values of a single
+/// process. Solves are collective calls, and the observer of the first rank decides whether they continue. Values at the centres
+/// of cells ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that is not periodic along both axes, and files
 /// ([`write_vti`](Self::write_vti)), are rejected with an error.
 ///
 /// # Examples

@@ -28,7 +28,7 @@ const PORTION: usize = 100_000;
 /// let pair = ElasticPair::new(body, Material::rigid())?;
 /// let bodies = HalfSpace::new(Grid::square(2, 0.02)?, pair)?;
 /// let pressure = Field::constant(bodies.grid(), 1e4);
-/// // Far away it is Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free there.
+/// // Far away the load acts like Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free.
 /// let far = at_points(&bodies, Body::One, Tractions::new(&pressure), &[[3.0, 4.0, 0.0]])?;
 /// let PointResult { displacement: [_, _, uz], stress } = far[0];
 /// let force = pressure.integral();
@@ -53,7 +53,7 @@ pub struct PointResult {
 ///
 /// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`]. Depth zero
 /// is the limit from inside the body. There sxx, syy and sxy are logarithmically infinite or jump between cells of different
-/// tractions. On a common edge the mean of both sides of their finite parts is returned ([the page of the
+/// tractions. On a common edge the mean of their finite parts on both sides is returned ([the page of the
 /// module](crate::subsurface#on-the-surface)).
 ///
 /// If the grid is periodic along y, the sum includes all images of the cells, and displacements are relative to the datum.
@@ -77,7 +77,7 @@ pub struct PointResult {
 /// let below = subsurface::at_points(
 ///     &bodies, Body::One, subsurface::Tractions::new(&pressure), &[[0.0, 0.0, 0.0], [0.0, 0.0, 40.0]],
 /// )?;
-/// // Far below it is a point force: szz = -3 P/(2 pi z^2).
+/// // Far below, the load acts like a point force: szz = -3 P/(2 pi z^2).
 /// let far = -1.5 * pressure.integral() / (std::f64::consts::PI * 1600.0);
 /// assert!((below[1].stress.zz / far - 1.0).abs() < 1e-3);
 /// # Ok::<(), Error>(())

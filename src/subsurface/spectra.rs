@@ -32,7 +32,7 @@ pub(super) struct Spectra {
 /// Values of the kernels. The arrays for displacements are empty if displacements are not requested.
 #[derive(Debug)]
 enum SpectrumValues {
-    /// Integrals, which depend on the cells but not on the materials, so homogeneous bodies share them.
+    /// Integrals. They depend on the cells but not on the materials, so homogeneous bodies share them.
     Integrals([Vec<f64>; Integral::COUNT]),
     /// Components in a coated body under each traction, and Poisson's ratio at the depth.
     Layered([Vec<f64>; StressEntry::COUNT], f64),

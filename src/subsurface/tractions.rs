@@ -25,7 +25,7 @@ use crate::tangential::TangentialSolution;
 ///
 /// On bodies with [`CellValue::Centre`] the fields contain values at the cell centres. The sum uses uniform cells that
 /// carry $`p - \Delta_h p/24`$. Both cause the same displacements of the surface if the outermost cells of a free grid
-/// carry nothing.
+/// carry no traction.
 ///
 /// The sign convention is that of the whole crate: a positive pressure is compression, and the tractions act on body 1
 /// along x and y.
@@ -139,7 +139,7 @@ impl<'a> Tractions<'a> {
     }
 }
 
-/// Returns the tractions of uniform cells that cause the same surface displacements.
+/// Returns the tractions of uniform cells that cause the same surface displacements as the given tractions.
 fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>> {
     let values = traction.as_slice();
     // On a periodic grid, the waves have their own kernels also below the surface.

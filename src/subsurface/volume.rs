@@ -23,8 +23,8 @@ const EQUAL: f64 = 1e-9;
 impl Planes {
     /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView. The file contains the tensor `stress` (xx,
     /// yy, zz, xy, yz, xz) and `von_mises`, both including the [uniform stress](Tractions::with_uniform_stress), and the vector
-    /// `displacement` if it was [requested](Self::with_displacements). All values are doubles without loss of precision. The z
-    /// axis is common to both bodies: body 2 is at `z <= 0`.
+    /// `displacement` if it was [requested](Self::with_displacements). All values are written as doubles, without loss of
+    /// precision. The z axis is common to both bodies: body 2 is at `z <= 0`.
     ///
     /// The values are point data at the cell centres, where they are computed. The origin of the image is the first cell centre;
     /// in a [flat image](crate::io::vti) of the surface, cells surround these points. Depths are computed and written

@@ -59,8 +59,8 @@ impl Filled {
 ///
 /// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
 /// guess is the mean height; the iteration ends when the error, in the norm of the mean-square slope, has fallen to
-/// 1e-15 of its initial value. Planes are then continued to 1e-14 of their range through holes of up to 1000 cells
-/// across. If the sides of the cells differ, the square of their ratio multiplies the round-off.
+/// 1e-15 of its initial value. Planes are then continued through holes of up to 1000 cells across with an error of
+/// 1e-14 of their range. If the sides of the cells differ, the square of their ratio multiplies the round-off.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.

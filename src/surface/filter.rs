@@ -174,7 +174,8 @@ impl GaussianFilter {
     /// Returns the columns and rows farther than half a nesting index from every edge, which no edge affects. The ranges can be
     /// passed to [`crop`](super::crop()).
     ///
-    /// The index is the index of the L filter if that is set. A range is empty if the surface is shorter than the index.
+    /// If both filters are set, the index of the L filter is used. A range is empty if the surface is shorter than the
+    /// index.
     #[must_use]
     pub fn valid_range(&self, grid: Grid) -> [Range<usize>; 2] {
         let [nx, ny] = grid.size();

@@ -9,7 +9,7 @@ use crate::grid::field::Field;
 /// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin; for two spheres
 /// `1/R = 1/R_1 + 1/R_2`.
 ///
-/// This is the osculating paraboloid, the gap of Hertz's theory, since half-space theory is of first order in the slopes.
+/// This is the osculating paraboloid, the gap of Hertz's theory, because half-space theory is of first order in the slopes.
 /// `radius` and `h` are lengths.
 ///
 /// # Errors
@@ -143,8 +143,8 @@ pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> 
 /// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$ of waves along both axes with a crest at the
 /// origin. The gap is zero on the crests and $`2A`$ in the troughs.
 ///
-/// `amplitude` is $`A`$, `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Johnson, Greenwood
-/// and Higginson, *Int. J. Mech. Sci.* 27 (1985) 383-396,
+/// `amplitude` is $`A`$, `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Source: Johnson, Greenwood and
+/// Higginson, *Int. J. Mech. Sci.* 27 (1985) 383-396,
 /// [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
 ///
 /// # Errors

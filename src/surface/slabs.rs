@@ -13,7 +13,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
-    /// - The errors of [`Statistics::of`]; an index is an index in the slab.
+    /// - The errors of [`Statistics::of`]; indices of cells refer to the slab.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
     pub fn statistics(&self, heights: &Field) -> Result<Statistics> {
         self.checked(heights)?;
@@ -24,7 +24,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
-    /// - The errors of [`PowerSpectrum::of`]; an index is an index in the slab.
+    /// - The errors of [`PowerSpectrum::of`]; indices of cells refer to the slab.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails.
     pub fn power_spectrum(&self, heights: &Field) -> Result<PowerSpectrum> {
         self.checked(heights)?;
@@ -36,7 +36,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the field is on a different grid.
-    /// - The errors of [`surface::level`](crate::surface::level()); an index is an index in the slab.
+    /// - The errors of [`surface::level`](crate::surface::level()); indices of cells refer to the slab.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails, or if the form is a polynomial and the bodies are distributed.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
         let checked = self.grid().expect("the field", heights.grid());
@@ -44,7 +44,7 @@ impl HalfSpace {
         level_slab(heights, &self.slab(), form)
     }
 
-    /// Returns an error if the field of a rank is not on its grid.
+    /// Returns the local slab of the grid.
     fn slab(&self) -> Slab {
         let size = self.size();
         Slab::new(self.grid().whole(), self.share(size))

@@ -43,11 +43,11 @@
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
 //! ```
 //!
-//! The remainder R must be negligible at $`kH = 40`$. This is checked when a `HalfSpace` is created, which returns
-//! [`Error::BelowMinimum`] if $`k R`$ exceeds 1e-10 of $`A_n`$ there. The remainder of a layer satisfies this if `thickness`
-//! is the thickness of the layer. The response of a body whose moduli vary gradually from the surface approaches A only
-//! like $`1/k`$. The response of a body without a half-space as its limit, such as springs, does not approach A at all.
-//! Such bodies require a grid that is periodic along both axes, or a table.
+//! The remainder R must be negligible at $`kH = 40`$. The constructors of `HalfSpace` check this and return
+//! [`Error::BelowMinimum`] if $`k R`$ exceeds 1e-10 of $`A_n`$ there. The remainder of a layer satisfies this if `thickness` is
+//! the thickness of the layer. The response of a body whose moduli vary gradually from the surface approaches A only like
+//! $`1/k`$. The response of a body without a half-space as its limit, such as springs, does not approach A at all. Such bodies
+//! require a grid that is periodic along both axes, or a table.
 //!
 //! The coefficients of a table are used without change. For windows and coarser grids they are cropped and averaged.
 //! Beyond the last distance, which only the periodic continuation of the transform reaches, they are extrapolated
@@ -60,9 +60,10 @@
 //! periodic along y use an estimate on the infinite lattice of the cells, as for coated bodies
 //! ([`layers`](crate::layers#limits-of-the-model)). A solve returns [`Error::NotDefinite`] if this estimate is not
 //! positive either, and for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
-//! eigenvalues of pressure and traction decide. Operators state their bound. Without a bound, pressure and traction can
-//! be solved only one after the other, and stiffnesses are rejected.
-//! [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the origin of the bound behind a certificate.
+//! eigenvalues of pressure and traction must be positive. User-defined operators report their own
+//! [bound](crate::Operator::lower_bound). Without a bound, pressure and traction can be solved only one after the
+//! other, and stiffnesses are rejected. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the
+//! origin of the bound behind a certificate.
 //!
 //! # Moduli and identity
 //!
@@ -196,10 +197,10 @@ const ALIKE: f64 = 1e-3;
 
 impl Kernel {
     /// Creates a kernel for bodies that are isotropic in their plane, from their response to waves of the positive wave
-    /// number k. The response is defined as [`ElasticPair::response`] (not times k), for the relative displacement. The
-    /// closure is called on many threads and must not wait for them. It is called for k from 5e-10 to 64 divided by the
-    /// thickness, and for the wave numbers of grids that are periodic along both axes. For all of them the response
-    /// must be finite and store positive energy.
+    /// number k. The response has the definition of [`ElasticPair::response`] (not times k), for the relative
+    /// displacement. The closure is called on many threads and must not wait for them. It is called for k from 5e-10 to
+    /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. For all of
+    /// them the response must be finite and store positive energy.
     ///
     /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than
     /// `thickness` (a length); for a coating it is the outermost layer. The two responses must agree to 1e-10 at
@@ -320,8 +321,8 @@ impl Kernel {
         ))
     }
 
-    /// Creates a kernel from influence coefficients, for free grids with the cells of the table that are at most as
-    /// large as the table. `near` supplies hardness and moduli.
+    /// Creates a kernel from influence coefficients, for free grids that have the cell sides of the table and are at
+    /// most as large as the table. `near` supplies hardness and moduli.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
@@ -336,9 +337,9 @@ impl Kernel {
 
     /// Creates a kernel from [operators](Operators) on the cells of a grid with any boundary. The operators may compute
     /// any linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates them
-    /// for waves of a few cells. Its inverse preconditions the solves. A better approximation gives faster convergence
-    /// to the same solution. `near` also supplies hardness and moduli, whether pressure and traction are
-    /// [coupled](ElasticPair::is_coupled), and the strength of the coupling for
+    /// for waves a few cells long. The inverse of the pair preconditions the solves. A better approximation gives
+    /// faster convergence to the same solution. `near` also supplies hardness and moduli, whether pressure and traction
+    /// are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
     /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate).
     ///
     /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a
@@ -354,10 +355,10 @@ impl Kernel {
     /// - [`Error::IncompleteKernel`] if there is no operator.
     /// - [`Error::RepeatedDirection`] if an operator has the same direction twice.
     /// - [`Error::Length`] if operators have different numbers of cells.
-    /// - [`Error::NotPositive`] if the energy of one of two test fields without mean is not positive.
+    /// - [`Error::NotPositive`] if the energy of one of two test fields with zero mean is not positive.
     /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
-    /// - [`Error::UnsupportedByModel`] if the work of each test field on the displacements of the other differs by more than
-    ///   1e-9 of the energies, or if an operator has a coupling and `near` has not.
+    /// - [`Error::UnsupportedByModel`] if the work of each test field on the displacements of the other differs by more than 1e-9
+    ///   of the energies, or if an operator has a coupling and `near` has none.
     /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound states.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
@@ -399,7 +400,7 @@ impl Kernel {
         }
     }
 
-    /// Checks that the response of the bodies is available at any position, which it is not for operators.
+    /// Checks that the response of the bodies is available at any position. This is not the case for operators.
     pub(crate) fn check_no_operators(&self, quantity: &'static str) -> Result<()> {
         match self.user_operators() {
             None => Ok(()),

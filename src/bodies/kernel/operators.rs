@@ -45,7 +45,7 @@ use crate::operator::Operator;
 /// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
 /// assert!((contact.force() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
 ///
-/// // A shift below the friction limit of the springs in the middle: these stick, those at the edge slip.
+/// // Under this shift the springs in the middle stick, and the springs at the edge slip.
 /// let (friction, shift) = (Friction::coulomb(0.5)?, TangentialLoad::shift([0.01, 0.0]));
 /// let shear = TangentialProblem::builder(&bodies, &contact, friction, shift).build()?.solve()?;
 /// // Springs stick if mu p > s / c, which holds within r^2 < 2 R (d - s / mu).
@@ -111,7 +111,8 @@ impl Operators {
         Ok(shown)
     }
 
-    /// Checks the operators for a grid of this number of cells that is periodic along both axes or along neither.
+    /// Checks the operators for a grid with this number of cells. The grid is periodic along both axes if `repeats` is
+    /// set.
     pub(super) fn check_on(&self, cells: usize, repeats: bool) -> Result<()> {
         let mut given = self.given.iter();
         given.try_for_each(|given| {
@@ -140,8 +141,9 @@ impl Operators {
 /// Name of the conditions for operators in error messages.
 const MODEL: &str = "the model of user-defined operators";
 
-/// Checks the products of two fields without mean and returns numbers that identify the operator. The numbers are both
-/// energies, and the work of one field on the displacements of the other divided by the geometric mean of the energies.
+/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are
+/// both energies, and the work of one field on the displacements of the other divided by the geometric mean of the
+/// energies.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {
@@ -203,8 +205,8 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     Ok(())
 }
 
-/// Checks that a uniform traction along each direction causes no displacement, which is the only possible datum on a
-/// grid that is periodic along both axes.
+/// Checks that a uniform traction along each direction causes no displacement. No other datum is possible on a grid
+/// that is periodic along both axes.
 fn check_means(given: &UserOperator) -> Result<()> {
     let (x, mut uniform) = (probe(given, STEPS[0])?, zeros(given.unknowns()?)?);
     let (u, cells) = (given.product(&x)?, given.cells());
@@ -237,7 +239,7 @@ fn probe(given: &UserOperator, step: f64) -> Result<Vec<f64>> {
     }
     for part in x.chunks_mut(cells) {
         let mean = part.iter().sum::<f64>() / cells as f64;
-        // On a single cell, a field without mean would be zero.
+        // On a single cell, a field with zero mean would be zero everywhere.
         if cells > 1 {
             for x in part {
                 *x -= mean;

@@ -53,7 +53,7 @@
 //! # From waves to cells
 //!
 //! Let A and B be the constant values of $`k\,C(k)`$ for half-spaces of the outermost layer and of the base, and H
-//! twice the thickness of that layer. Then
+//! twice the thickness of the outermost layer. Then
 //!
 //! ```math
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
@@ -71,16 +71,16 @@
 //! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
 //! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load is that of
 //!   the substrate with the given datum, and tends to zero on a rigid base. There the error of a solve is certified by
-//!   the smallest eigenvalue for tractions without a mean, and by the energy of a flat punch if no sum is prescribed. A
-//!   datum that is too near for a prescribed approach, shift or spring returns [`Error::DatumTooNear`].
+//!   the smallest eigenvalue for tractions with zero mean, and by the energy of a flat punch if no sum is prescribed. A
+//!   solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
 //!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
-//!   although the operator is positive. Examples are an incompressible layer of ten times the modulus that is sheared
-//!   on cells as wide as two thicknesses, and a layer of 1000 times the modulus that is pressed over sixty thicknesses.
-//!   A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then replaces it; it
-//!   is computed from sums over the aliases of waves with selected phases. For coupled problems on such a grid, the
-//!   separate problems of pressure and traction have bounds, and the coupled problem has only an estimate and [no
-//!   bound](crate::Report).
+//!   although the operator is positive. Examples are an incompressible layer of ten times the modulus of its base,
+//!   sheared on cells as wide as two thicknesses, and a layer of 1000 times the modulus of its base, pressed over sixty
+//!   thicknesses. A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then
+//!   replaces this eigenvalue. The estimate is computed from sums over the aliases of waves with selected phases. For
+//!   coupled problems on such a grid, the separate problems of pressure and traction have bounds, and the coupled
+//!   problem has only an estimate and [no bound](crate::Report).
 //! - On a grid that is periodic along both axes a mean traction causes no displacement. This includes a rigid base,
 //!   where $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure could be added to the approach.
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of

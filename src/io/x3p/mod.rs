@@ -38,9 +38,9 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// are multiplied by the increment of the z axis. Floats are heights, which the increment does not scale, as in
 /// openGPS, the library of the standard. The offset of the z axis is added to both.
 ///
-/// Missing points become NaN. They are NaN or infinite in the file, empty in the list, or cleared in the file of valid
-/// points. The checksums of the archive are verified; the MD5 checksums of the format are not. An element without text
-/// counts as absent.
+/// Missing points become NaN. They are NaN or infinite in the file, empty in the list, or have a cleared bit in the
+/// file of valid points. The checksums of the archive are verified; the MD5 checksums of the format are not. An element
+/// without text counts as absent.
 ///
 /// `main.xml` may be in a folder of the archive; links to data are then relative to this folder. The archive may
 /// contain stored and deflated files. Each of them may expand to at most a hundred times its packed size, or 4 MiB if

@@ -363,7 +363,7 @@ impl CoupledRollingSolver {
             let report = solution.rolling.report();
             self.report.rolling.add_pass(report);
             add_counts(&mut self.report.work, report);
-            // The start may cause the stall; the second attempt starts from zero tractions.
+            // The initial guess may have caused the stall, so the second attempt starts from zero tractions.
             if is_last || pass.failure != Some(Status::Stalled) {
                 break;
             }
@@ -390,7 +390,7 @@ impl CoupledRollingSolver {
     }
 
     /// Builds the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
-    /// pressure, since the pressure of a later pass may carry them.
+    /// pressure, because the pressure of a later pass may carry them.
     fn pose(
         &self,
         normal: &NormalSolution,

@@ -51,7 +51,7 @@ struct NormalHalf {
     scratch: Scratch,
 }
 
-/// Changes caused by a unit of a motion.
+/// Changes caused by a unit creepage or a unit spin.
 struct Change {
     /// Changes of the tractions and of the pressure, on the window.
     traction: [Vec<f64>; 2],
@@ -129,7 +129,7 @@ impl RollingSolver {
         found
     }
 
-    /// Returns the changes of forces and moment for a unit of a motion.
+    /// Returns the changes of forces and moment for a unit creepage or a unit spin.
     fn column(
         &self,
         motion: usize,
@@ -223,8 +223,8 @@ impl RollingSolver {
         Err(Error::NotConverged(Box::new(work.clone())))
     }
 
-    /// Returns the displacements by the change of the entry compliance under the current tractions. The derivative is a
-    /// central difference.
+    /// Returns the displacements that the change of the entry compliance causes under the current tractions. The
+    /// derivative is a central difference.
     fn entry_change(&self, normal: &NormalSolution, change: &Change) -> Result<Vec<[f64; 2]>> {
         let problem = &self.problem;
         let (pressed, window) = (&problem.pressed, problem.pressed.window());

@@ -8,7 +8,7 @@ use crate::parallel::reduce;
 use crate::rolling::{RollingControl, RollingProblem};
 use crate::tangential::{SLIDING, centre};
 
-/// Maximum number of Newton steps, and of halvings of each step. The result is a bound after any number of them.
+/// Maximum number of Newton steps, and of halvings of each step. The result is a bound after any number of steps.
 const STEPS: usize = 60;
 /// Successive rounding lengths for the kinks of the bound, as fractions of the mean lever of the limits.
 const ROUNDINGS: [f64; 6] = [1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];

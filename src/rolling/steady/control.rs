@@ -36,13 +36,14 @@ pub enum SpinControl {
     /// follows.
     ///
     /// The moment must be between the moments that large spins of both signs cause under the prescribed creepages and
-    /// forces. [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) reports both limits. If no forces are
-    /// prescribed, the largest moment is about the integral of $`\mu p`$ times the distance from the origin.
+    /// forces. [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) reports both limits. If no forces
+    /// are prescribed, the largest moment is approximately the integral of $`\mu p`$ times the distance from the
+    /// origin.
     ///
-    /// If no force is prescribed across the rolling direction, the moment need not increase with the spin, because the
-    /// spin moves the middles of the paths and the moment is about the cell centres. Some spins then cause a moment
-    /// outside the range, by less than a tenth of the range for contacts of five cells or more. Such moments are rejected
-    /// because their spin is not unique. A contact of one or two cells can have the same moment at every large spin.
+    /// If no force is prescribed across the rolling direction, the moment does not always increase with the spin. The moment is
+    /// taken about the cell centres, whereas the spin moves the midpoints of the particle paths. Some spins then cause a moment
+    /// outside the range, by less than a tenth of the range for contacts of five cells or more. Such moments are rejected because
+    /// their spin is not unique. A contact of one or two cells can have the same moment at every large spin.
     Moment(f64),
 }
 

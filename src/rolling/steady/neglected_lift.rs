@@ -44,7 +44,7 @@ impl NeglectedLift {
             .apply([&pressed.pressure], displacement, &mut self.scratch);
     }
 
-    /// Returns the residual of the contact by the lift relative to the normal displacement, for tractions in
+    /// Returns the residual that the lift causes in the contact, relative to the normal displacement, for tractions in
     /// this unit.
     pub(super) fn residual(
         &mut self,

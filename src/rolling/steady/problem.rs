@@ -322,7 +322,7 @@ fn coupling_slip(
     Ok(drawn)
 }
 
-/// Writes this contribution with the existing coupling operator of the window.
+/// Writes the contribution of the pressure to the slip with the existing coupling operator of the window.
 pub(in crate::rolling) fn draw(
     drawing: &mut CouplingDisplacement,
     pressed: &PressureOnWindow,

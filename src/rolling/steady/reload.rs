@@ -169,8 +169,8 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Returns a solver on a window that contains the current window and the part of the grid that a new contact reaches.
-    /// It contains the last solution and no pressure.
+    /// Returns a solver on a window that contains the current window and the part of the grid that a new contact reaches. The new
+    /// solver contains the last solution and no pressure.
     fn widened(&self, reach: Window) -> Result<Self> {
         let problem = &self.problem;
         let (bodies, inner) = (&problem.bodies, problem.pressed.window());
@@ -220,7 +220,7 @@ impl RollingProblem {
         RollingShift::new(self.bodies.grid(), self.step.edge, self.step.cells)
     }
 
-    /// Returns an error if the entry law is active, since it requires a gap.
+    /// Returns an error if the entry law is active, because the law requires a gap.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
         if self.entry_rule == EntryRule::WholeStep {
             return Ok(());

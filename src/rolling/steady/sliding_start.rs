@@ -10,8 +10,8 @@ impl RollingSolver {
     /// Starts from the tractions of a contact that slides as a whole, if spin and forces require such large
     /// creepages.
     ///
-    /// Near the friction limit the force hardly changes with the creepage. From other tractions Newton's method then
-    /// takes creepages that grow without limit.
+    /// Near the friction limit the force hardly changes with the creepage. If Newton's method then starts from other
+    /// tractions, its creepages grow without limit.
     pub(in crate::rolling) fn start_sliding(&mut self) {
         let problem = &self.problem;
         let prescribed = Prescribed::of(problem.controls, problem.bodies.grid().cell_area());

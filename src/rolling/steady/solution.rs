@@ -207,10 +207,10 @@ impl RollingSolution {
     /// ```
     ///
     /// with the [moment](Self::moment) M and the vector h of half a path per step towards the leading edge. The spin moves a
-    /// particle like the middle of its path. The contribution of h decreases with the step.
+    /// particle by the displacement at the middle of its path. The contribution of h decreases with the step.
     ///
-    /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work
-    /// is more accurate than the integral of the [dissipation](Self::dissipation), which never exceeds it. Between bodies of
+    /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work is
+    /// more accurate than the integral of the [dissipation](Self::dissipation), which never exceeds the work. Between bodies of
     /// different materials the pressure also does work, which is not included. Such bodies dissipate energy even without a
     /// creepage force.
     #[must_use]

@@ -32,9 +32,9 @@ use crate::warning::Warning;
 
 /// Maximum number of solves at given spins in the search for the spin of a moment.
 const SPINS: usize = 60;
-/// Ratio of the tolerance of these solves to the tolerance of the moment.
+/// Ratio of the tolerance of the solves in this search to the tolerance of the moment.
 const SHARPER: f64 = 0.1;
-/// Smallest such ratio, used if the first ratio leaves too large an error of the moment.
+/// Smallest ratio of these tolerances, used if the error of the moment is too large with `SHARPER`.
 const SHARPEST: f64 = 2e-4;
 
 /// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
@@ -93,7 +93,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) trend: CreepTrend,
     /// Initial guess of the next solve.
     known: InitialGuess<2>,
-    /// Whether the pressure has changed since that solution.
+    /// Whether the pressure has changed after the last solution.
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<RollingSensitivity>,
     /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
@@ -168,8 +168,8 @@ impl RollingSolver {
         let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
             let before = ratio * self.limits[cell];
-            // Tractions scaled with the pressure are close to the next solution: 19.4 instead of 30.4 products in a wheel's
-            // time loop.
+            // Tractions scaled with the pressure are close to the next solution. In the time loop of a wheel they reduce the
+            // number of products from 30.4 to 19.4.
             if follows && before > 0.0 {
                 for traction in self.traction.iter_mut().chain(&mut self.trend.change) {
                     traction[cell] *= limit / unit / before;
@@ -268,14 +268,14 @@ impl RollingSolver {
         RollingSolution::empty(self.problem.bodies.grid())
     }
 
-    /// Solves into `solution` and overwrites its previous content. Several solves determine the spin of a prescribed moment,
-    /// each to a tenth of the tolerance or less. Their report sums the work, and the limits apply to all of them together.
-    /// The load error of a moment is relative to half the range of the moments that spins cause.
+    /// Solves into `solution` and overwrites its previous content. Several solves determine the spin of a prescribed moment. Each
+    /// solve has at most a tenth of the tolerance. The report contains the sum of their work, and the limits apply to all of them
+    /// together. The load error of a moment is relative to half the range of the moments that spins cause.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
-    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, also if the spin of a moment near the limit is
-    ///   not found.
+    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, including when no spin is found for a moment near
+    ///   the limit.
     /// - [`Error::Memory`] if memory runs out. If this happens during the search for the spin of a moment, `solution`
     ///   contains the result at a different spin.
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {

@@ -59,8 +59,8 @@ impl Edge {
         let squares = 2.0 * self.extent.middle * length;
         let distance = ratio(squares, r1 + r2);
 
-        // Y_1 r_2 - Y_2 r_1 and the factors X^2, zX and z^2. If the first vanishes with rho, it is divided by
-        // rho^2, otherwise the factors are.
+        // Y_1 r_2 - Y_2 r_1 and the factors X^2, zX and z^2. If the first vanishes with rho, it is divided by rho^2;
+        // otherwise the factors are divided by rho^2.
         let (lever, [xx, xz, zz]) = if y2 > 0.0 {
             (squares / (y1 * r2 + y2 * r1), [x * x, x * z, z * z])
         } else {

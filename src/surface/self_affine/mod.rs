@@ -42,7 +42,7 @@ pub enum Amplitudes {
 ///   0 & \text{otherwise,} \end{cases}
 /// ```
 ///
-/// which is the paper's equation 36. Waves of two cells along an axis are omitted, since the grid does not resolve
+/// which is the paper's equation 36. Waves of two cells along an axis are omitted, because the grid does not resolve
 /// their phase. The common factor follows from the target (the root mean square of the heights or of the slopes) and
 /// from the waves in the band.
 ///
@@ -60,9 +60,9 @@ pub enum Amplitudes {
 /// # Refining the grid
 /// The phase (in the middle of the grid) and the modulus of each wave depend only on the seed and on the wave's two
 /// numbers of periods per side. If the cut-off wavelength is given and exceeds two cells, a finer grid over the same
-/// rectangle therefore samples the same surface. Otherwise the finer grid adds short waves to the surface, up to the
-/// common factor. If a skewness or kurtosis is given, the phases depend on the heights of all cells, and the surfaces
-/// differ.
+/// rectangle therefore samples the same surface. Otherwise the surface on the finer grid also contains shorter waves,
+/// and its common factor differs. If a skewness or kurtosis is given, the phases depend on the heights of all cells,
+/// and the surfaces differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};

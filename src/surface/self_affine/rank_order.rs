@@ -17,8 +17,8 @@ const LIMIT: usize = 20;
 /// Change of skewness and kurtosis below which the iteration ends.
 const SLOW: f64 = 0.01;
 
-/// Computes waves of the same moduli whose heights approximately follow a distribution of the given skewness and
-/// kurtosis. Returns the waves and the number of iterations.
+/// Computes waves that have the moduli of the given waves and whose heights approximately follow a distribution of the
+/// given skewness and kurtosis. Returns the waves and the number of iterations.
 ///
 /// # Errors
 /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
